@@ -1,0 +1,12 @@
+#pragma once
+/// The commands of the command line, one file each. A command adds its flags to the parser and, when it is the one that
+/// was named, sets `action`; main runs the action after parsing.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace toolpace::cli {
+
+using Action = std::function<int()>;  ///< returns the exit code
+
+}  // namespace toolpace::cli

@@ -1,0 +1,25 @@
+/// toolpace: plans the motion of NC programs from the command line.
+
+#include <cstdio>
+#include <exception>
+
+#include "commands.h"
+#include "report.h"
+
+int main(int argc, char** argv) {
+  using namespace toolpace::cli;
+  CLI::App app{"Plans the motion of CNC machines: NC programs in, proven setpoints out.", "toolpace"};
+  app.set_version_flag("--version", "toolpace " TOOLPACE_VERSION);
+  app.require_subcommand(1);
+  Action action;
+
+  try {
+    app.parse(argc, argv);
+    return action ? action() : kFine;
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kFine : kBadUsage;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "toolpace: internal error: %s\n", e.what());
+    return kBadInput;
+  }
+}

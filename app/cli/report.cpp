@@ -1,0 +1,55 @@
+#include "report.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace toolpace::cli {
+namespace {
+
+std::string place(const Location& where) {
+  if (where.file.empty()) return "";
+  if (where.line == 0) return where.file + ": ";
+  if (where.column == 0) return fmt::format("{}:{}: ", where.file, where.line);
+  return fmt::format("{}:{}:{}: ", where.file, where.line, where.column);
+}
+
+const char* word(Severity severity) {
+  switch (severity) {
+    case Severity::note: return "note";
+    case Severity::warning: return "warning";
+    case Severity::error: break;
+  }
+  return "error";
+}
+
+}  // namespace
+
+ExitCode exit_code(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::usage: return kBadUsage;
+    case ErrorKind::input:
+    case ErrorKind::infeasible: return kBadInput;
+    case ErrorKind::io: return kFileTrouble;
+    case ErrorKind::cancelled: return kInterrupted;
+  }
+  return kBadInput;
+}
+
+int report(const Error& error) {
+  fmt::print(stderr, "{}error: {} [{}]\n", place(error.where), error.message, error.code);
+  if (!error.remedy.empty()) fmt::print(stderr, "  {}\n", error.remedy);
+  return exit_code(error.kind);
+}
+
+void report(const Diagnostic& d) {
+  fmt::print(stderr, "{}{}: {} [{}]\n", place(d.where), word(d.severity), d.message, d.code);
+  if (!d.excerpt.empty()) fmt::print(stderr, "  {}\n", d.excerpt);
+  if (!d.remedy.empty()) fmt::print(stderr, "  {}\n", d.remedy);
+}
+
+void report(const Diagnostics& diagnostics) {
+  for (const auto& d : diagnostics) report(d);
+}
+
+}  // namespace toolpace::cli

@@ -1,0 +1,29 @@
+option(TOOLPACE_BUILD_STUDIO "Build the Qt 6 workbench" ON)
+option(TOOLPACE_BUILD_TESTS "Build the tests" ON)
+option(TOOLPACE_BUILD_BENCH "Build the benchmarks" OFF)
+option(TOOLPACE_BUILD_EXAMPLES "Build the example programs" ON)
+option(TOOLPACE_WERROR "Treat warnings as errors" OFF)
+option(TOOLPACE_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(TOOLPACE_TSAN "Build with ThreadSanitizer" OFF)
+option(TOOLPACE_BUILD_FUZZERS "Build the libFuzzer targets (clang)" OFF)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+# Same input, same bytes: no fused multiply-add, no reassociation.
+add_compile_options(-ffp-contract=off)
+
+if(TOOLPACE_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(TOOLPACE_TSAN)
+  add_compile_options(-fsanitize=thread)
+  add_link_options(-fsanitize=thread)
+endif()
+
+# Warnings belong to our own targets and are not exported to users of the library.
+add_library(toolpace_warnings INTERFACE)
+target_compile_options(toolpace_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
+                       $<$<BOOL:${TOOLPACE_WERROR}>:-Werror>)

@@ -1,0 +1,23 @@
+#pragma once
+/// The axes of a machine and vectors over them.
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+
+namespace toolpace {
+
+enum class Axis : std::uint8_t { x, y, z, a, b, c };
+
+inline constexpr std::size_t kAxisCount = 6;
+inline constexpr std::array<char, kAxisCount> kAxisNames = {'X', 'Y', 'Z', 'A', 'B', 'C'};
+inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+
+/// One value an axis: X Y Z in mm (mm/s, …), A B C in rad (rad/s, …). Not initialised: write AxisVector::Zero().
+using AxisVector = Eigen::Matrix<double, static_cast<int>(kAxisCount), 1>;
+
+constexpr bool is_rotary(std::size_t axis) { return axis >= 3; }
+
+}  // namespace toolpace

@@ -1,0 +1,76 @@
+#pragma once
+/// What a program asks the machine to do: one row a motion block, in machine coordinates, as flat arrays.
+///
+/// This is the interface between reading (nc/) and geometry (path/). Geometry is exact: arcs stay arcs, splines stay
+/// splines. Rows without motion (dwell, tool change, stop, end) stand in the same table because their order matters.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "toolpace/base/axes.h"
+
+namespace toolpace {
+
+enum class MoveKind : std::uint8_t { rapid, feed, arc, spline, probe, tap, dwell, tool, stop, end };
+
+/// True for kinds that change the position.
+constexpr bool is_motion(MoveKind kind) { return kind <= MoveKind::tap; }
+
+/// Circular, helical or spiral motion about an axis through `centre`.
+struct ArcDetail {
+  Eigen::Vector3d centre;  ///< [mm], in the plane level of the start point
+  Eigen::Vector3d normal;  ///< unit right-hand normal of the plane
+  double sweep = 0.0;      ///< [rad], signed about the normal, + counter-clockwise; magnitude may exceed 2π
+};
+
+/// Polynomial or rational B-spline in X Y Z; other axes follow linearly in the curve parameter.
+struct SplineDetail {
+  int degree = 3;
+  std::vector<Eigen::Vector3d> points;  ///< control points [mm]; first and last are the ends
+  std::vector<double> weights;          ///< one a control point; all 1 for polynomial curves
+  std::vector<double> knots;            ///< points + degree + 1, clamped, non-decreasing
+};
+
+enum class PathControl : std::uint8_t { job_default, exact_path, exact_stop, blend };  ///< none/G64, G61, G61.1, G64 P
+
+/// Modal state that planning needs, shared by many rows.
+struct MoveMode {
+  PathControl control = PathControl::job_default;
+  double tolerance = 0.0;        ///< [mm] of G64 P
+  double naive_tolerance = 0.0;  ///< [mm] of G64 Q
+  std::uint8_t plane = 17;       ///< 17, 18, 19
+  std::uint8_t feed_mode = 94;   ///< 93, 94, 95; feeds are converted already
+  bool operator==(const MoveMode&) const = default;
+};
+
+inline constexpr std::uint32_t kNoDetail = 0xFFFFFFFFu;
+
+/// Row i: kind[i] moves from end[i-1] (or start) to end[i] at feed[i].
+struct Moves {
+  AxisVector start = AxisVector::Zero();  ///< machine position before the first row
+
+  std::vector<MoveKind> kind;
+  std::vector<std::uint32_t> line;    ///< NC line, counted from 1, in files[file[i]]
+  std::vector<std::uint16_t> file;    ///< index into files; 0 is the program itself
+  std::vector<std::uint16_t> mode;    ///< index into modes
+  std::vector<std::uint32_t> detail;  ///< index into arcs, splines, dwells or notes by kind; else kNoDetail
+  std::vector<AxisVector> end;        ///< [mm, rad]
+  /// Programmed feedrate: mm/s along XYZ; rad/s where only A, B, C move. 0 for rapids and rows without motion;
+  /// infinite = as fast as the machine allows (polylines without a feed column).
+  std::vector<double> feed;
+
+  std::vector<ArcDetail> arcs;
+  std::vector<SplineDetail> splines;
+  std::vector<double> dwells;       ///< [s]
+  std::vector<std::string> notes;   ///< tool number, …
+  std::vector<MoveMode> modes = {MoveMode{}};
+  std::vector<std::string> files;   ///< names, [0] is the program
+
+  std::size_t size() const { return kind.size(); }
+  bool empty() const { return kind.empty(); }
+  const AxisVector& begin_of(std::size_t i) const { return i == 0 ? start : end[i - 1]; }
+};
+
+}  // namespace toolpace

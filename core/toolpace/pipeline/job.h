@@ -1,0 +1,62 @@
+#pragma once
+/// Job -> Outcome: the one call that the command line and the workbench make.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "toolpace/base/monitor.h"
+#include "toolpace/base/result.h"
+#include "toolpace/limits/machine.h"
+#include "toolpace/limits/speed_limits.h"
+#include "toolpace/nc/reader.h"
+#include "toolpace/path/path.h"
+#include "toolpace/plan/motion_plan.h"
+#include "toolpace/plan/options.h"
+#include "toolpace/sample/setpoints.h"
+
+namespace toolpace {
+
+/// Everything that decides a plan. Immutable once submitted.
+struct Job {
+  std::string program_name;
+  std::shared_ptr<const Reading> program;
+  Machine machine;
+  PlanOptions options;
+  bool bound = false;  ///< compute the lower bound of the cycle time too
+};
+
+struct AxisPeaks {
+  double speed = 0, acceleration = 0, jerk = 0;  ///< [mm, rad based]
+};
+
+struct Summary {
+  std::size_t blocks = 0;
+  double path_length = 0;  ///< [mm]
+  double cycle_time = 0, feed_time = 0, rapid_time = 0, dwell_time = 0;  ///< [s]
+  double max_speed = 0, max_acceleration = 0, max_jerk = 0;  ///< of the exact profile along the path; jerk may be infinite
+  std::array<double, 11> time_by_cause = {};                 ///< [s], indexed by Cause
+  std::optional<double> bound;                               ///< [s]
+};
+
+/// A planned program. Immutable; shared between threads.
+struct Outcome {
+  std::shared_ptr<const Job> job;
+  std::shared_ptr<const Path> path;
+  SpeedLimits limits;
+  MotionPlan plan;
+  std::vector<double> node_time;       ///< [s] arrival at each node of the path
+  std::vector<Restraint> restraints;   ///< which limit binds when
+  Summary summary;
+  Diagnostics warnings;                ///< travel and the like
+};
+
+/// Plans a job. Same job, same bytes, whatever the threads.
+Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor = {});
+
+/// Samples the whole plan (or [begin, end) rows) at the machine's period.
+Setpoints sample(const Outcome& outcome);
+
+}  // namespace toolpace
