@@ -17,9 +17,11 @@ namespace toolpace {
 
 enum class LawKind : std::uint8_t { trapezoid, five_phase_time, five_phase_jerk, seven_phase, quintic, time_optimal };
 
-/// A law is a type with these static functions. `dv` ≥ 0, speeds ≥ 0, lengths ≥ 0; `limits` of the ramp's own direction.
+/// A law is a type with these static functions. `dv` ≥ 0, speeds ≥ 0, lengths ≥ 0; `limits` of the ramp's own
+/// direction.
 ///   duration(dv, limits)       [s] least duration of a ramp by dv
-///   reach(v, length, limits)   [mm/s] ≥ v: the largest speed that a ramp from v can end at (or, by symmetry, that can be
+///   reach(v, length, limits)   [mm/s] ≥ v: the largest speed that a ramp from v can end at (or, by symmetry, that can
+///   be
 ///                              slowed to v) within `length`; v itself where no ramp fits
 ///   append_ramp(v0, v1, limits, phases)   appends the ramp's phases; the first one starts where the last phase of
 ///                              `phases` ends (begin, distance), or at 0

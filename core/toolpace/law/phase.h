@@ -7,7 +7,7 @@ namespace toolpace {
 
 enum class PhaseShape : std::uint8_t {
   constant_jerk,  ///< v(t) = speed + acceleration·t + rate·t²/2; rate is the jerk [mm/s³]; cruise and dwell have rate 0
-  quintic         ///< v(t) = speed + rate·σ(t/duration), σ(τ) = 10τ³ − 15τ⁴ + 6τ⁵; rate is the whole speed change [mm/s]
+  quintic  ///< v(t) = speed + rate·σ(t/duration), σ(τ) = 10τ³ − 15τ⁴ + 6τ⁵; rate is the whole speed change [mm/s]
 };
 
 /// Motion from `distance` on over `duration`. Whole profiles are sequences of phases that meet without gaps.
