@@ -27,3 +27,14 @@ endif()
 add_library(toolpace_warnings INTERFACE)
 target_compile_options(toolpace_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
                        $<$<BOOL:${TOOLPACE_WERROR}>:-Werror>)
+
+# A second build takes seconds where ccache is there.
+find_program(TOOLPACE_CCACHE ccache)
+if(TOOLPACE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${TOOLPACE_CCACHE})
+endif()
+
+# Debian's own Python, which the packages of scripts/packages.txt belong to, rather than another one in the search path.
+if(EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python that runs the tests")
+endif()
