@@ -1,0 +1,26 @@
+# The library with its headers and CMake package, the programs, and what a desktop needs to show the workbench.
+include(CMakePackageConfigHelpers)
+set(TOOLPACE_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/toolpace)
+
+install(TARGETS toolpace EXPORT toolpace_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/toolpace DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+        FILES_MATCHING PATTERN "*.h")
+install(EXPORT toolpace_targets FILE toolpaceTargets.cmake NAMESPACE toolpace:: DESTINATION ${TOOLPACE_CMAKE_DIR} COMPONENT development)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/toolpaceConfig.cmake.in ${PROJECT_BINARY_DIR}/toolpaceConfig.cmake
+                              INSTALL_DESTINATION ${TOOLPACE_CMAKE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/toolpaceConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/toolpaceConfig.cmake ${PROJECT_BINARY_DIR}/toolpaceConfigVersion.cmake
+        DESTINATION ${TOOLPACE_CMAKE_DIR} COMPONENT development)
+
+install(TARGETS toolpace_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+if(TARGET toolpace_studio)
+  install(TARGETS toolpace_studio RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+  install(FILES ${PROJECT_SOURCE_DIR}/resources/desktop/io.github.toolpace.Toolpace.desktop
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT programs)
+  install(FILES ${PROJECT_SOURCE_DIR}/resources/desktop/io.github.toolpace.Toolpace.metainfo.xml
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT programs)
+  install(FILES ${PROJECT_SOURCE_DIR}/resources/desktop/io.github.toolpace.Toolpace.svg
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT programs)
+endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/machines DESTINATION ${CMAKE_INSTALL_DATADIR}/toolpace COMPONENT programs)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/nc DESTINATION ${CMAKE_INSTALL_DATADIR}/toolpace COMPONENT programs)

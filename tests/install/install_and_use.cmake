@@ -1,0 +1,21 @@
+# cmake -P: installs BUILD_DIR below SCRATCH, builds CONSUMER against the result and runs what was built.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    string(JOIN " " command ${ARGN})
+    message(FATAL_ERROR "${command}\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${SCRATCH})
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${SCRATCH}/prefix)
+run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${CXX}
+    -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix -D TOOLPACE_VERSION_WANTED=${VERSION})
+run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
+run(${SCRATCH}/build/consumer)
+message(STATUS "the consumer says: ${output}")
+run(${SCRATCH}/prefix/bin/toolpace --version)
+if(NOT output MATCHES "toolpace ${VERSION}")
+  message(FATAL_ERROR "the installed toolpace calls itself: ${output}")
+endif()
