@@ -14,14 +14,14 @@ enum class Ramps : std::uint8_t { block, span };
 
 struct PlanOptions {
   LawKind law = LawKind::quintic;
-  double t_acc = 0.05;  ///< [s] five-phase-time
-  double t_dec = 0.05;  ///< [s] five-phase-time
+  double t_acc = 0.05;                        ///< [s] five-phase-time
+  double t_dec = 0.05;                        ///< [s] five-phase-time
   std::optional<std::size_t> lookahead = {};  ///< blocks, ≥ 1; none = all
   Ramps ramps = Ramps::block;
   CornerOptions corner = {};
-  double feed_override = 1.0;              ///< 0 … 2
-  double rapid_override = 1.0;             ///< 0 … 1
-  std::optional<double> hold_at = {};      ///< [s] feed hold
+  double feed_override = 1.0;          ///< 0 … 2
+  double rapid_override = 1.0;         ///< 0 … 1
+  std::optional<double> hold_at = {};  ///< [s] feed hold
 };
 
 }  // namespace toolpace

@@ -1,0 +1,48 @@
+#include "toolpace/plan/block_plan.h"
+
+#include <algorithm>
+
+#include "toolpace/plan/block_profile.h"
+#include "toolpace/plan/node_speeds.h"
+#include "toolpace/plan/plan.h"
+
+namespace toolpace::detail {
+
+std::vector<double> joined_caps(const SpeedLimits& limits) {
+  const std::size_t n = limits.size();
+  std::vector<double> cap(limits.node_cap);
+  for (std::size_t i = 0; i < n; ++i) {
+    cap[i] = std::min(cap[i], limits.block_cap[i]);
+    cap[i + 1] = std::min(cap[i + 1], limits.block_cap[i]);
+  }
+  cap.front() = 0.0;
+  cap.back() = 0.0;
+  return cap;
+}
+
+namespace {
+
+template <class Law>
+MotionPlan plan_with(const SpeedLimits& limits, std::size_t blocks, const Monitor& monitor) {
+  const std::vector<double> cap = joined_caps(limits);
+  const std::vector<double> v = node_speeds<Law>({limits.length, limits.ramp, limits.dynamics, cap}, blocks, monitor);
+  MotionPlan plan;
+  if (v.empty()) return plan;
+  const std::vector<double> position = node_positions(limits);
+  plan.phases.reserve(limits.size() * 2);
+  PhaseWriter writer(plan.phases);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if ((i & 0xFFFF) == 0 && monitor.is_cancelled()) return {};
+    append_stretch<Law>({position[i], limits.length[i], limits.block_cap[i], v[i], v[i + 1]}, limits.dynamics_of(i),
+                        writer);
+  }
+  return plan;
+}
+
+}  // namespace
+
+MotionPlan plan_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks, const Monitor& monitor) {
+  return visit_law(law, [&](auto chosen) { return plan_with<decltype(chosen)>(limits, blocks, monitor); });
+}
+
+}  // namespace toolpace::detail

@@ -1,0 +1,42 @@
+#include <algorithm>
+#include <cmath>
+
+#include "toolpace/plan/increasing_root.h"
+#include "toolpace/plan/plan.h"
+
+namespace toolpace {
+namespace {
+
+/// Time inside the phase at which it has covered `way` more mm; the phase covers at least that much.
+double time_to_cover(const Phase& p, double way) {
+  if (!(way > 0)) return 0.0;
+  const auto missing = [&](double t) { return evaluate(p, t).distance - p.distance - way; };
+  const double at_end = missing(p.duration);
+  if (at_end <= 0) return p.duration;
+  if (p.acceleration == 0 && p.rate == 0) return std::min(p.duration, way / p.speed);
+  return detail::increasing_root(0.0, p.duration, -way, at_end, missing);
+}
+
+}  // namespace
+
+std::vector<double> node_times(const SpeedLimits& limits, const MotionPlan& plan) {
+  const std::vector<double> position = node_positions(limits);
+  std::vector<double> time(position.size(), 0.0);
+  const auto& phases = plan.phases;
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < position.size() && !phases.empty(); ++i) {
+    while (k + 1 < phases.size() && phases[k + 1].distance <= position[i] && phases[k].distance < position[i]) ++k;
+    // A node at the seam of two phases is reached when the first of them ends, whatever rest may follow.
+    const Phase& p = phases[k];
+    if (p.distance >= position[i]) {
+      time[i] = p.begin;
+    } else {
+      time[i] = p.begin + time_to_cover(p, position[i] - p.distance);
+    }
+    time[i] = std::max(time[i], time[i - 1]);
+  }
+  if (!phases.empty()) time.back() = std::max(time[time.size() - 2], plan.cycle_time());
+  return time;
+}
+
+}  // namespace toolpace

@@ -1,0 +1,102 @@
+#include "toolpace/plan/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "toolpace/law/law_table.h"
+#include "toolpace/plan/block_plan.h"
+
+namespace toolpace {
+namespace {
+
+void require(bool condition, const char* what) {
+  if (!condition) throw std::invalid_argument(std::string("plan_motion: ") + what);
+}
+
+void check_shape(const SpeedLimits& limits) {
+  const std::size_t n = limits.size();
+  require(limits.block_cap.size() == n && limits.ramp.size() == n, "one cap and one ramp index a block");
+  require(n == 0 || limits.node_cap.size() == n + 1, "one cap a node");
+  for (std::size_t i = 0; i < n; ++i) {
+    require(limits.length[i] > 0 && std::isfinite(limits.length[i]), "lengths are positive and finite");
+    require(limits.ramp[i] < limits.dynamics.size(), "ramp indices are in range");
+    require(limits.block_cap[i] >= 0 && limits.node_cap[i] >= 0, "caps are not negative");
+  }
+}
+
+Error unbounded(const char* what, const char* remedy) {
+  return {ErrorKind::usage, "limits-unbounded", what, remedy, {}, {}};
+}
+
+std::optional<Error> check_ramps(const Dynamics& dynamics, const LawRow& law) {
+  for (const RampLimits& r : {dynamics.up, dynamics.down}) {
+    require(r.acceleration > 0 && r.jerk > 0 && r.time >= 0, "ramp limits are positive");
+    if (law.needs_acceleration && std::isinf(r.acceleration)) {
+      return unbounded("the acceleration has no limit anywhere",
+                       "give --am, or an acceleration for each axis that moves");
+    }
+    if (law.needs_jerk && std::isinf(r.jerk)) {
+      return unbounded("this law needs a jerk limit, and there is none",
+                       "give --jm, or a jerk for each axis that moves, or choose another law");
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_limits(const SpeedLimits& limits, const LawRow& law) {
+  check_shape(limits);
+  for (const Dynamics& d : limits.dynamics) {
+    if (auto error = check_ramps(d, law)) return error;
+  }
+  for (const double cap : limits.block_cap) {
+    if (cap == 0) {
+      return Error{ErrorKind::infeasible,
+                   "feed-zero",
+                   "a block's top speed is zero: the motion would never end",
+                   "raise the feedrate or the override above 0",
+                   {},
+                   {}};
+    }
+    if (std::isinf(cap)) {
+      return unbounded("the speed has no limit anywhere",
+                       "give --vmax, a feedrate, or a speed for each axis that moves");
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<MotionPlan> plan_motion(const SpeedLimits& limits, const PlanOptions& options, const Monitor& monitor) {
+  if (auto error = check_limits(limits, law_row(options.law))) return tl::make_unexpected(*error);
+  if (options.lookahead && *options.lookahead == 0) {
+    return tl::make_unexpected(Error{ErrorKind::usage,
+                                     "lookahead-zero",
+                                     "a look-ahead of 0 blocks cannot move",
+                                     "give at least 1 block, or all",
+                                     {},
+                                     {}});
+  }
+  if (limits.size() == 0) return MotionPlan{};
+  const std::size_t blocks = std::min(limits.size(), options.lookahead.value_or(limits.size()));
+  MotionPlan plan = detail::plan_block_ramps(limits, options.law, blocks, monitor);
+  if (monitor.is_cancelled()) return tl::make_unexpected(cancelled_error());
+  return plan;
+}
+
+std::vector<double> node_positions(const SpeedLimits& limits) {
+  std::vector<double> position(limits.size() + 1, 0.0);
+  double sum = 0.0, carry = 0.0;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double next = sum + limits.length[i];
+    carry += sum >= limits.length[i] ? (sum - next) + limits.length[i] : (limits.length[i] - next) + sum;
+    sum = next;
+    position[i + 1] = sum + carry;
+  }
+  return position;
+}
+
+}  // namespace toolpace

@@ -1,0 +1,156 @@
+#include "plan_cases.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <sstream>
+
+namespace toolpace::test {
+namespace {
+
+using Point = std::array<double, 3>;
+
+struct Polyline {
+  std::vector<Point> points;
+  std::vector<double> feed;  // [mm/s] of the block that ends at the point
+};
+
+std::optional<Polyline> read_points(const std::string& name) {
+  std::ifstream in(std::string(TOOLPACE_SHARED_DIR) + "/" + name);
+  std::string line;
+  if (!std::getline(in, line)) return std::nullopt;
+  Polyline p;
+  while (std::getline(in, line)) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream row(line);
+    Point x{};
+    double feed = 0;
+    row >> x[0] >> x[1] >> x[2] >> feed;
+    p.points.push_back(x);
+    p.feed.push_back(feed / 60);
+  }
+  return p;
+}
+
+double norm(const Point& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
+
+double corner_cap(const Point& u, const Point& w, const PolylineRules& rules) {
+  const Point step = {w[0] - u[0], w[1] - u[1], w[2] - u[2]};
+  if (rules.corner_step) return *rules.corner_step / std::max(norm(step), 1e-12);
+  if (!rules.servo_acceleration) return std::numeric_limits<double>::infinity();
+  // |w − u| = 2·sin(α/2) covers the angle rule; each axis alone is weaker under equal limits.
+  return *rules.servo_acceleration * rules.period / std::max(norm(step), 1e-12);
+}
+
+double axis_share(double limit, const Point& u) {
+  const double largest = std::max({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])});
+  return limit > 0 ? limit / largest : std::numeric_limits<double>::infinity();
+}
+
+Dynamics block_dynamics(const Point& u, const PolylineRules& rules) {
+  Dynamics d = rules.dynamics;
+  for (RampLimits* r : {&d.up, &d.down}) {
+    r->acceleration = std::min(r->acceleration, axis_share(rules.axis_acceleration, u));
+    r->jerk = std::min(r->jerk, axis_share(rules.axis_jerk, u));
+  }
+  return d;
+}
+
+void finish(SpeedLimits& limits) {
+  const std::size_t n = limits.size();
+  limits.node_cap[0] = limits.node_cap[n] = 0;
+  limits.block_cause.assign(n, Cause::feed);
+  limits.node_cause.assign(n + 1, Cause::corner);
+  limits.node_cause[0] = limits.node_cause[n] = Cause::stop;
+}
+
+}  // namespace
+
+Dynamics symmetric(double acceleration, double jerk, double time) {
+  const RampLimits r{acceleration, jerk, time};
+  return {r, r};
+}
+
+SpeedLimits line_of(const std::vector<double>& length, const std::vector<double>& feed, const Dynamics& dynamics) {
+  SpeedLimits limits;
+  limits.length = length;
+  limits.block_cap = feed;
+  limits.ramp.assign(length.size(), 0);
+  limits.node_cap.assign(length.size() + 1, std::numeric_limits<double>::infinity());
+  limits.dynamics = {dynamics};
+  finish(limits);
+  return limits;
+}
+
+SpeedLimits ning_blocks(const Dynamics& dynamics) {
+  return line_of({0.88, 1.68, 1.51, 0.56,  1.83, 0.55, 1.71, 0.68, 0.37, 2.21,
+                  2.14, 0.41, 1.27, 0.996, 0.56, 0.86, 0.43, 0.68, 1.43, 3.40},
+                 {100, 100, 100, 100, 100, 80, 80, 80, 80, 80, 80, 50, 50, 50, 50, 100, 100, 100, 100, 100}, dynamics);
+}
+
+std::optional<SpeedLimits> read_polyline(const std::string& name, const PolylineRules& rules, std::size_t repeat) {
+  const auto polyline = read_points(name);
+  if (!polyline) return std::nullopt;
+  SpeedLimits limits;
+  std::vector<Point> unit;
+  for (std::size_t round = 0; round < repeat; ++round) {
+    for (std::size_t i = 1; i < polyline->points.size(); ++i) {
+      const Point& a = polyline->points[i - 1];
+      const Point& b = polyline->points[i];
+      const Point d = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+      const double length = norm(d);
+      if (!(length > 1e-9)) continue;
+      const Point u = {d[0] / length, d[1] / length, d[2] / length};
+      limits.length.push_back(length);
+      limits.block_cap.push_back(std::min(polyline->feed[i], axis_share(rules.axis_speed, u)));
+      limits.node_cap.push_back(unit.empty() ? 0.0 : corner_cap(unit.back(), u, rules));
+      unit.push_back(u);
+      const Dynamics own = block_dynamics(u, rules);
+      if (limits.dynamics.empty() || !(limits.dynamics.back() == own)) limits.dynamics.push_back(own);
+      limits.ramp.push_back(static_cast<std::uint32_t>(limits.dynamics.size() - 1));
+    }
+  }
+  limits.node_cap.push_back(0.0);
+  finish(limits);
+  return limits;
+}
+
+SpeedLimits random_chain(std::uint64_t seed, std::size_t blocks, bool mixed_dynamics) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double a, double b) {
+    return a + (b - a) * (static_cast<double>(random() >> 11) * 0x1p-53);
+  };
+  const auto log_uniform = [&](double a, double b) { return std::exp(uniform(std::log(a), std::log(b))); };
+  const auto dynamics = [&] {
+    Dynamics d = symmetric(log_uniform(50, 2e4), log_uniform(1e3, 1e7), log_uniform(1e-3, 0.2));
+    if (random() % 2 == 0) d.down = {log_uniform(50, 2e4), log_uniform(1e3, 1e7), log_uniform(1e-3, 0.2)};
+    return d;
+  };
+  SpeedLimits limits;
+  limits.dynamics = {dynamics()};
+  for (std::size_t k = 0; mixed_dynamics && k < 5; ++k) limits.dynamics.push_back(dynamics());
+  const double scale = log_uniform(1e-3, 5), top = log_uniform(1, 500);
+  const auto style = random() % 4;
+  double feed = top, length = scale;
+  std::uint32_t ramp = 0;
+  for (std::size_t i = 0; i < blocks; ++i) {
+    if (style == 0 || random() % 8 == 0) length = log_uniform(scale * 1e-2, scale * 10);
+    if (style == 1 ? random() % 3 == 0 : random() % 20 == 0) feed = log_uniform(top * 0.05, top);
+    if (random() % 6 == 0) ramp = static_cast<std::uint32_t>(random() % limits.dynamics.size());
+    limits.length.push_back(length);
+    limits.block_cap.push_back(feed);
+    limits.ramp.push_back(ramp);
+    const bool collinear = style == 2 ? random() % 16 != 0 : random() % 2 == 0;
+    double cap = collinear ? std::numeric_limits<double>::infinity() : log_uniform(top * 0.01, top * 2);
+    if (random() % 60 == 0) cap = 0;
+    limits.node_cap.push_back(cap);
+  }
+  limits.node_cap.push_back(0.0);
+  finish(limits);
+  return limits;
+}
+
+}  // namespace toolpace::test
