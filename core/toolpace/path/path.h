@@ -9,6 +9,8 @@
 
 #include "toolpace/base/axes.h"
 #include "toolpace/nc/moves.h"
+#include "toolpace/path/arc.h"
+#include "toolpace/path/spline.h"
 
 namespace toolpace {
 
@@ -17,29 +19,45 @@ enum class SegmentKind : std::uint8_t { line, arc, spline, blend };
 struct Path {
   // One entry a segment.
   std::vector<SegmentKind> kind;
-  std::vector<double> length;         ///< > 0
+  std::vector<double> length;         ///< > 0 [mm; deg where only rotary axes move]
   std::vector<std::uint32_t> move;    ///< row of Moves that it comes from
-  std::vector<std::uint32_t> detail;  ///< index into arcs, splines or blends; kNoDetail for lines
+  std::vector<std::uint32_t> detail;  ///< index into arcs or spline_pieces; kNoDetail for lines
   std::vector<AxisVector> node;       ///< size() + 1 points where segments meet [mm, rad]
 
-  struct Arc {
-    Eigen::Vector3d centre, radial, lateral, normal;  ///< point = centre + r(φ)(cosφ·radial + sinφ·lateral) + rise·φ/sweep·normal
-    double start_radius, end_radius;                  ///< [mm]
-    double sweep;                                     ///< [rad], > 0 (lateral is turned so)
-    double rise;                                      ///< [mm] along the normal
-  };
-  std::vector<Arc> arcs;
-  // splines and blends: path/spline.h, path/blend.h (added by those features)
+  std::vector<ArcCurve> arcs;
+  std::vector<SplineCurve> splines;
+  std::vector<SplinePiece> spline_pieces;
 
-  /// Where the machine must stand still: node index -> pause. Sorted by node; the first and last node always rest.
+  /// Where the machine must stand still, sorted by node; several may stand on one node. The ends always rest.
   struct Pause {
-    std::size_t node;
-    double duration;     ///< [s] ≥ 0, dwell or tool change
+    std::uint32_t node;
     std::uint32_t move;  ///< row of Moves that asks for it
+    double duration;     ///< [s] ≥ 0: dwell, tool change or 0
   };
   std::vector<Pause> pauses;
 
   std::size_t size() const { return kind.size(); }
 };
+
+/// A point of a segment and its derivatives by path length, in axis units (mm or rad) per path unit.
+struct Frame {
+  AxisVector point;   ///< [mm, rad]
+  AxisVector first;   ///< direction; its XYZ part has length 1 where XYZ move
+  AxisVector second;  ///< curvature vector [1/mm]
+  AxisVector third;   ///< [1/mm²]
+};
+
+/// Point at path length `s` of a segment, 0 ≤ s ≤ length. The ends are the nodes, to the bit.
+AxisVector point_at(const Path& path, std::size_t segment, double s);
+
+/// Point and derivatives. Accuracy 1e-12 relative for lines and circular arcs, 1e-10 for spirals and splines.
+Frame frame_at(const Path& path, std::size_t segment, double s);
+
+/// Directions at a segment's ends (Frame::first at 0 and at length).
+AxisVector start_direction(const Path& path, std::size_t segment);
+AxisVector end_direction(const Path& path, std::size_t segment);
+
+/// True where none of X, Y, Z move, so that path length is in degrees.
+bool is_rotary_only(const Path& path, std::size_t segment);
 
 }  // namespace toolpace

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+
+#include "toolpace/limits/limit_speed.h"
+
+namespace toolpace {
+namespace {
+
+// Directions that differ by less than rounding of six-decimal coordinates on a millimetre can tell are one direction.
+constexpr double kSameDirection = 1e-9;
+
+/// Each axis' own limit, or the path's where it has none.
+double axis_acceleration(const Machine& machine, std::size_t k) {
+  if (machine.axes[k].acceleration < kUnlimited || is_rotary(k)) return machine.axes[k].acceleration;
+  return machine.path.acceleration;
+}
+
+double servo_speed(const AxisVector& step, const Machine& machine) {
+  double angle_acceleration = machine.path.acceleration;
+  double speed = kUnlimited, slowest_axis = kUnlimited;
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    const double change = std::abs(step[static_cast<Eigen::Index>(k)]);
+    const double limit = axis_acceleration(machine, k);
+    if (change <= 0 || !(limit < kUnlimited)) continue;
+    speed = std::min(speed, limit * machine.period / change);
+    if (!is_rotary(k)) slowest_axis = std::min(slowest_axis, limit);
+  }
+  if (!(angle_acceleration < kUnlimited)) angle_acceleration = slowest_axis;
+  const double chord = step.head<3>().norm();  // 2·sin(α/2) for unit directions
+  return chord > 0 ? std::min(speed, angle_acceleration * machine.period / chord) : speed;
+}
+
+/// What the axes leave along the direction in which the velocity turns.
+double turning_acceleration(const AxisVector& step, const Machine& machine) {
+  double acceleration = machine.path.acceleration;
+  const double length = step.norm();
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    const double share = std::abs(step[static_cast<Eigen::Index>(k)]) / length;
+    if (share > 0) acceleration = std::min(acceleration, machine.axes[k].acceleration / share);
+  }
+  return acceleration;
+}
+
+/// δ = the distance by which an arc tangent to both lines, run at centripetal acceleration a, misses the corner.
+double junction_speed(double half_chord, double acceleration, double deviation) {
+  const double sine = std::min(half_chord, 1.0);  // sin(α/2) for unit directions
+  const double cosine = std::sqrt((1 - sine) * (1 + sine));
+  const double missing = sine * sine / (1 + cosine);  // 1 − cos(α/2) without cancellation
+  return std::sqrt(acceleration * deviation * cosine / missing);
+}
+
+}  // namespace
+
+double corner_speed(const CornerOptions& corner, const AxisVector& before, const AxisVector& after,
+                    const Machine& machine) {
+  const AxisVector step = after - before;
+  const double chord = step.head<3>().norm();
+  if (corner.step) return step.norm() > 0 ? *corner.step / step.norm() : kUnlimited;
+  if (corner.rule == CornerRule::stop) return 0.0;
+  if (step.norm() <= kSameDirection) return kUnlimited;
+  switch (corner.rule) {
+    case CornerRule::junction:
+      return junction_speed(chord / 2, turning_acceleration(step, machine), corner.junction_deviation);
+    case CornerRule::blend:
+    case CornerRule::smooth: return 0.0;  // a corner that could not be rounded stops
+    default: return servo_speed(step, machine);
+  }
+}
+
+}  // namespace toolpace

@@ -1,0 +1,155 @@
+#include "toolpace/limits/limit_speed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "toolpace/limits/curve_budget.h"
+
+namespace toolpace {
+namespace {
+
+constexpr std::size_t kReportEvery = 1 << 16;
+
+class Limiter {
+ public:
+  Limiter(const Path& path, const Moves& moves, const Machine& machine, const LimitOptions& options)
+      : path_(path), moves_(moves), machine_(machine), options_(options), curve_axes_(machine.axes) {
+    // Curves need a bound on v²/r: axes without one of their own take the path's.
+    for (auto& axis : curve_axes_) axis.acceleration = std::min(axis.acceleration, machine.path.acceleration);
+    for (std::size_t k = 3; k < kAxisCount; ++k) curve_axes_[k].acceleration = machine.axes[k].acceleration;
+    axes_are_bounded_ = std::any_of(machine.axes.begin(), machine.axes.end(), [](const AxisLimits& a) {
+      return a.speed < kUnlimited || a.acceleration < kUnlimited || a.jerk < kUnlimited;
+    });
+    const std::size_t n = path.size();
+    limits_.length = path.length;
+    limits_.block_cap.reserve(n);
+    limits_.block_cause.reserve(n);
+    limits_.ramp.reserve(n);
+    limits_.node_cap.reserve(n + 1);
+    limits_.node_cause.reserve(n + 1);
+    limits_.node_cap.push_back(0.0);
+    limits_.node_cause.push_back(Cause::stop);
+  }
+
+  void add_block(std::size_t i) {
+    const MoveKind kind = moves_.kind[path_.move[i]];
+    double cap = machine_.path.speed;
+    Cause cause = kind == MoveKind::rapid ? Cause::rapid : Cause::feed;
+    if (kind != MoveKind::rapid) cap = std::min(cap, programmed_speed(i) * options_.feed_override);
+    const bool is_line = path_.kind[i] == SegmentKind::line;
+    Dynamics dynamics = path_dynamics();
+    if (!is_line || axes_are_bounded_) {
+      const CurveBounds bounds = curve_bounds(path_, i);
+      CurveBudget budget = curve_budget(bounds, is_line ? machine_.axes : curve_axes_, cap);
+      if (budget.speed < cap && kind != MoveKind::rapid) cause = budget.is_curvature ? Cause::curvature : Cause::axis_speed;
+      cap = budget.speed;
+      if (!is_line && !axes_are_bounded_) budget = {cap, kUnlimited, kUnlimited, false};
+      tighten(dynamics, budget);
+    }
+    if (kind == MoveKind::rapid) cap *= options_.rapid_override;
+    limits_.block_cap.push_back(cap);
+    limits_.block_cause.push_back(cause);
+    limits_.ramp.push_back(index_of(dynamics));
+  }
+
+  /// Node between block i − 1 and block i.
+  void add_node(std::size_t i) {
+    const PathControl before = control(i - 1), after = control(i);
+    CornerOptions corner = options_.corner;
+    if (before == PathControl::exact_path || after == PathControl::exact_path) {
+      corner.rule = CornerRule::servo;
+      corner.step.reset();
+    }
+    if (before == PathControl::exact_stop) {
+      corner.rule = CornerRule::stop;
+      corner.step.reset();
+    }
+    const double allowed = corner_speed(corner, end_direction(path_, i - 1), start_direction(path_, i), machine_);
+    const double lower = std::min(limits_.block_cap[i - 1], limits_.block_cap[i]);
+    const bool feed_decides = lower <= allowed;
+    limits_.node_cap.push_back(feed_decides ? lower : allowed);
+    limits_.node_cause.push_back(feed_decides ? slower_block_cause(i)
+                                 : corner.rule == CornerRule::stop ? Cause::stop
+                                                                   : Cause::corner);
+  }
+
+  SpeedLimits finish() {
+    limits_.node_cap.resize(path_.size() + 1, 0.0);
+    limits_.node_cause.resize(path_.size() + 1, Cause::stop);
+    limits_.node_cap.back() = 0.0;
+    limits_.node_cause.back() = Cause::stop;
+    for (const Path::Pause& pause : path_.pauses) {
+      limits_.node_cap[pause.node] = 0.0;
+      limits_.node_cause[pause.node] = Cause::stop;
+    }
+    return std::move(limits_);
+  }
+
+ private:
+  double programmed_speed(std::size_t i) const {
+    const double feed = moves_.feed[path_.move[i]];
+    return is_rotary_only(path_, i) ? feed / kRadiansPerDegree : feed;
+  }
+
+  PathControl control(std::size_t i) const { return moves_.modes[moves_.mode[path_.move[i]]].control; }
+
+  Cause slower_block_cause(std::size_t i) const {
+    return limits_.block_cap[i - 1] <= limits_.block_cap[i] ? limits_.block_cause[i - 1] : limits_.block_cause[i];
+  }
+
+  Dynamics path_dynamics() const {
+    const PathLimits& p = machine_.path;
+    return {{p.acceleration, p.jerk, options_.t_acc}, {p.deceleration, p.jerk_deceleration, options_.t_dec}};
+  }
+
+  static void tighten(Dynamics& dynamics, const CurveBudget& budget) {
+    for (RampLimits* ramp : {&dynamics.up, &dynamics.down}) {
+      ramp->acceleration = std::min(ramp->acceleration, budget.acceleration);
+      ramp->jerk = std::min(ramp->jerk, budget.jerk);
+    }
+  }
+
+  std::uint32_t index_of(const Dynamics& dynamics) {
+    if (limits_.dynamics.empty() || !(limits_.dynamics.back() == dynamics)) limits_.dynamics.push_back(dynamics);
+    return static_cast<std::uint32_t>(limits_.dynamics.size() - 1);
+  }
+
+  const Path& path_;
+  const Moves& moves_;
+  const Machine& machine_;
+  const LimitOptions& options_;
+  std::array<AxisLimits, kAxisCount> curve_axes_;
+  bool axes_are_bounded_;
+  SpeedLimits limits_;
+};
+
+Error unbounded(const char* code, const char* what) {
+  return {ErrorKind::usage, code, std::string("nothing bounds the ") + what,
+          "give a limit for the path or for every axis that moves", {}, {}};
+}
+
+}  // namespace
+
+Result<SpeedLimits> limit_speed(const Path& path, const Moves& moves, const Machine& machine, const LimitOptions& options,
+                                const Monitor& monitor) {
+  Limiter limiter(path, moves, machine, options);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (i % kReportEvery == 0) {
+      if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+      monitor.report(static_cast<double>(i) / static_cast<double>(path.size()));
+    }
+    limiter.add_block(i);
+    if (i > 0) limiter.add_node(i);
+  }
+  SpeedLimits limits = limiter.finish();
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (!(limits.block_cap[i] < kUnlimited)) return tl::unexpected(unbounded("no-speed-limit", "speed"));
+    const Dynamics& d = limits.dynamics_of(i);
+    if (!(d.up.acceleration < kUnlimited) || !(d.down.acceleration < kUnlimited)) {
+      return tl::unexpected(unbounded("no-acceleration-limit", "acceleration"));
+    }
+  }
+  return limits;
+}
+
+}  // namespace toolpace

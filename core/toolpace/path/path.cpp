@@ -1,0 +1,65 @@
+#include "toolpace/path/path.h"
+
+namespace toolpace {
+namespace {
+
+Frame arc_frame(const Path& path, std::size_t i, double s) {
+  const ArcCurve& arc = path.arcs[path.detail[i]];
+  const double angle = angle_at(arc, path.length[i], s);
+  ParameterDerivatives d = arc_derivatives(arc, angle);
+  const AxisVector change = path.node[i + 1] - path.node[i];
+  d.first.tail<3>() = change.tail<3>() / arc.sweep;
+  Frame frame;
+  frame.point = arc_point(arc, angle);
+  frame.point.tail<3>() = path.node[i].tail<3>() + (angle / arc.sweep) * change.tail<3>();
+  const ParameterDerivatives by_length = by_arc_length(d);
+  frame.first = by_length.first;
+  frame.second = by_length.second;
+  frame.third = by_length.third;
+  return frame;
+}
+
+Frame spline_frame(const Path& path, std::size_t i, double s) {
+  const SplinePiece& piece = path.spline_pieces[path.detail[i]];
+  const SplineCurve& curve = path.splines[piece.spline];
+  const double u = parameter_at(curve, piece, path.length[i], s);
+  const ParameterDerivatives d = by_arc_length(spline_derivatives(curve, u));
+  return {spline_point(curve, u), d.first, d.second, d.third};
+}
+
+}  // namespace
+
+AxisVector point_at(const Path& path, std::size_t i, double s) {
+  if (s <= 0) return path.node[i];
+  if (s >= path.length[i]) return path.node[i + 1];
+  if (path.kind[i] == SegmentKind::line) {
+    return path.node[i] + (s / path.length[i]) * (path.node[i + 1] - path.node[i]);
+  }
+  return frame_at(path, i, s).point;
+}
+
+Frame frame_at(const Path& path, std::size_t i, double s) {
+  Frame frame;
+  switch (path.kind[i]) {
+    case SegmentKind::arc: frame = arc_frame(path, i, s); break;
+    case SegmentKind::spline: frame = spline_frame(path, i, s); break;
+    default:
+      frame.first = (path.node[i + 1] - path.node[i]) / path.length[i];
+      frame.point = path.node[i] + s * frame.first;
+      frame.second.setZero();
+      frame.third.setZero();
+  }
+  if (s <= 0) frame.point = path.node[i];
+  if (s >= path.length[i]) frame.point = path.node[i + 1];
+  return frame;
+}
+
+AxisVector start_direction(const Path& path, std::size_t i) { return frame_at(path, i, 0.0).first; }
+
+AxisVector end_direction(const Path& path, std::size_t i) { return frame_at(path, i, path.length[i]).first; }
+
+bool is_rotary_only(const Path& path, std::size_t i) {
+  return path.kind[i] == SegmentKind::line && path.node[i].head<3>() == path.node[i + 1].head<3>();
+}
+
+}  // namespace toolpace

@@ -1,0 +1,166 @@
+#include "toolpace/path/spline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace toolpace {
+namespace {
+
+constexpr int kMaxDegree = 9;
+constexpr int kMaxDepth = 8;  // halvings of a knot span
+constexpr std::size_t kMaxPieces = 4096;
+constexpr double kLengthAccuracy = 1e-11;
+constexpr double kCurvatureChange = 1.0 / 3;
+
+struct Homogeneous {
+  std::array<Eigen::Vector4d, 4> d;  // point and three derivatives by the parameter
+};
+
+std::size_t find_span(const SplineCurve& c, double u) {
+  const auto p = static_cast<std::size_t>(c.degree);
+  const auto first = c.knots.begin() + static_cast<std::ptrdiff_t>(p + 1);
+  const auto last = c.knots.begin() + static_cast<std::ptrdiff_t>(c.points.size());
+  return static_cast<std::size_t>(std::upper_bound(first, last, u) - c.knots.begin()) - 1;
+}
+
+/// De Boor's algorithm on the span's control points; derivative k uses the k-th differences of the control points.
+Homogeneous evaluate_homogeneous(const SplineCurve& c, double u) {
+  const auto p = static_cast<std::size_t>(c.degree);
+  const std::size_t span = find_span(c, u);
+  std::array<Eigen::Vector4d, kMaxDegree + 1> control;
+  for (std::size_t i = 0; i <= p; ++i) control[i] = c.points[span - p + i];
+  Homogeneous result;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (k > p) {
+      result.d[k].setZero();
+      continue;
+    }
+    auto work = control;
+    const std::size_t q = p - k;  // degree of the k-th derivative
+    for (std::size_t r = 1; r <= q; ++r) {
+      for (std::size_t i = q; i >= r; --i) {
+        const double a = c.knots[span - q + i], b = c.knots[span + 1 + i - r];
+        const double t = b > a ? (u - a) / (b - a) : 0.0;
+        work[i] = (1 - t) * work[i - 1] + t * work[i];
+      }
+    }
+    result.d[k] = work[q];
+    for (std::size_t i = 0; i + 1 <= q; ++i) {
+      const double width = c.knots[span + 1 + i] - c.knots[span + 1 + i - q];
+      control[i] = width > 0 ? Eigen::Vector4d(static_cast<double>(q) / width * (control[i + 1] - control[i]))
+                             : Eigen::Vector4d(Eigen::Vector4d::Zero());
+    }
+  }
+  return result;
+}
+
+struct Cartesian {
+  std::array<Eigen::Vector3d, 4> d;
+};
+
+/// Quotient rule: C = A/w, C' = (A' − w'C)/w, …
+Cartesian evaluate(const SplineCurve& c, double u) {
+  const Homogeneous h = evaluate_homogeneous(c, u);
+  const double w = h.d[0][3], w1 = h.d[1][3], w2 = h.d[2][3], w3 = h.d[3][3];
+  Cartesian r;
+  r.d[0] = h.d[0].head<3>() / w;
+  r.d[1] = (h.d[1].head<3>() - w1 * r.d[0]) / w;
+  r.d[2] = (h.d[2].head<3>() - 2 * w1 * r.d[1] - w2 * r.d[0]) / w;
+  r.d[3] = (h.d[3].head<3>() - 3 * w1 * r.d[2] - 3 * w2 * r.d[1] - w3 * r.d[0]) / w;
+  return r;
+}
+
+double curvature(const SplineCurve& c, double u) {
+  const Cartesian r = evaluate(c, u);
+  const double g = r.d[1].norm();
+  return g > 0 ? r.d[1].cross(r.d[2]).norm() / (g * g * g) : 0.0;
+}
+
+bool is_fine(const SplineCurve& c, double a, double b) {
+  const double middle = (a + b) / 2;
+  const double whole = integrate([&](double u) { return evaluate(c, u).d[1].norm(); }, a, b);
+  const double halves = piece_length(c, a, middle) + piece_length(c, middle, b);
+  if (std::abs(whole - halves) > kLengthAccuracy * halves) return false;
+  const double ka = curvature(c, a), km = curvature(c, middle), kb = curvature(c, b);
+  const double high = std::max({ka, km, kb}), low = std::min({ka, km, kb});
+  // A curve that turns by less than a milliradian inside the piece needs no finer cap.
+  return high * halves < 1e-3 || high - low <= kCurvatureChange * high;
+}
+
+}  // namespace
+
+SplineCurve make_spline(const AxisVector& begin, const AxisVector& end, const SplineDetail& detail) {
+  SplineCurve curve{detail.degree, {}, detail.knots, begin, end};
+  curve.points.reserve(detail.points.size());
+  for (std::size_t i = 0; i < detail.points.size(); ++i) {
+    const double w = detail.weights.empty() ? 1.0 : detail.weights[i];
+    curve.points.emplace_back(w * detail.points[i].x(), w * detail.points[i].y(), w * detail.points[i].z(), w);
+  }
+  return curve;
+}
+
+double piece_length(const SplineCurve& c, double a, double b) {
+  return integrate([&](double u) { return evaluate(c, u).d[1].norm(); }, a, b);
+}
+
+std::vector<SplinePiece> cut_spline(const SplineCurve& c, std::uint32_t index) {
+  struct Stretch {
+    double begin, end;
+    int depth;
+  };
+  std::vector<SplinePiece> pieces;
+  std::vector<Stretch> stack;
+  const auto first = static_cast<std::size_t>(c.degree), last = c.points.size();
+  for (std::size_t k = last; k > first; --k) {
+    if (c.knots[k] > c.knots[k - 1]) stack.push_back({c.knots[k - 1], c.knots[k], 0});
+  }
+  while (!stack.empty()) {
+    const Stretch s = stack.back();
+    stack.pop_back();
+    const bool may_split = s.depth < kMaxDepth && pieces.size() + stack.size() < kMaxPieces;
+    if (may_split && !is_fine(c, s.begin, s.end)) {
+      const double middle = (s.begin + s.end) / 2;
+      stack.push_back({middle, s.end, s.depth + 1});
+      stack.push_back({s.begin, middle, s.depth + 1});
+    } else if (piece_length(c, s.begin, s.end) > 0) {
+      pieces.push_back({index, s.begin, s.end});
+    }
+  }
+  return pieces;
+}
+
+double parameter_at(const SplineCurve& c, const SplinePiece& piece, double length, double s) {
+  double low = piece.begin, high = piece.end;
+  double u = low + (high - low) * std::clamp(s / length, 0.0, 1.0);
+  for (int i = 0; i < 30; ++i) {  // Newton, bracketed
+    const double error = piece_length(c, piece.begin, u) - s;
+    (error > 0 ? high : low) = u;
+    const double slope = evaluate(c, u).d[1].norm();
+    double next = slope > 0 ? u - error / slope : (low + high) / 2;
+    if (!(next >= low && next <= high)) next = (low + high) / 2;
+    if (std::abs(error) <= 1e-14 * length) break;
+    u = next;
+  }
+  return u;
+}
+
+AxisVector spline_point(const SplineCurve& c, double u) {
+  const double whole = c.knots[c.points.size()] - c.knots[static_cast<std::size_t>(c.degree)];
+  const double share = (u - c.knots[static_cast<std::size_t>(c.degree)]) / whole;
+  AxisVector point = c.rotary_begin + share * (c.rotary_end - c.rotary_begin);
+  point.head<3>() = evaluate(c, u).d[0];
+  return point;
+}
+
+ParameterDerivatives spline_derivatives(const SplineCurve& c, double u) {
+  const double whole = c.knots[c.points.size()] - c.knots[static_cast<std::size_t>(c.degree)];
+  const Cartesian r = evaluate(c, u);
+  ParameterDerivatives d{(c.rotary_end - c.rotary_begin) / whole, AxisVector::Zero(), AxisVector::Zero()};
+  d.first.head<3>() = r.d[1];
+  d.second.head<3>() = r.d[2];
+  d.third.head<3>() = r.d[3];
+  return d;
+}
+
+}  // namespace toolpace

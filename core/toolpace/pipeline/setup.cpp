@@ -1,0 +1,288 @@
+#include "toolpace/pipeline/setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include "toolpace/base/numbers.h"
+#include "toolpace/law/law_table.h"
+#include "toolpace/pipeline/setup_keys.h"
+
+namespace toolpace {
+namespace {
+
+Location place(const std::string& file, const toml::source_region& source) {
+  return {file, source.begin.line, source.begin.column};
+}
+
+/// Reads one TOML document into a Setup.
+class SetupReader {
+ public:
+  explicit SetupReader(std::string name) : name_(std::move(name)) {
+    setup_.machine.period = default_setup().machine.period;
+    sections_ = setup_sections(setup_);
+  }
+
+  Result<Setup> read(const toml::table& root) {
+    for (auto&& [key, node] : root) {
+      const std::string section(key.str());
+      const bool ok = section == "axes" ? read_axes(node) : read_named(section, key, node);
+      if (!ok) return tl::unexpected(*error_);
+    }
+    PathLimits& path = setup_.machine.path;
+    if (!deceleration_given_) path.deceleration = path.acceleration;
+    if (!jerk_deceleration_given_) path.jerk_deceleration = path.jerk;
+    return setup_;
+  }
+
+ private:
+  bool fail(const char* code, std::string message, std::string remedy, const toml::source_region& source) {
+    error_ = Error{ErrorKind::usage, code, std::move(message), std::move(remedy), place(name_, source), {}};
+    return false;
+  }
+
+  bool unknown(const std::string& what, const toml::key& key, const std::vector<std::string>& known) {
+    return fail("machine-key", fmt::format("there is no {} '{}'", what, key.str()),
+                fmt::format("did you mean '{}'?", nearest_word(key.str(), known)), key.source());
+  }
+
+  bool read_axes(const toml::node& node) {
+    const toml::table* axes = node.as_table();
+    if (!axes) return fail("machine-value", "'axes' must be a table", "write [axes.X]", node.source());
+    for (auto&& [key, axis] : *axes) {
+      const std::string section = "axes." + std::string(key.str());
+      if (!find(section)) return unknown("axis", key, {"X", "Y", "Z", "A", "B", "C"});
+      if (!read_section(*find(section), axis)) return false;
+    }
+    return true;
+  }
+
+  bool read_named(const std::string& section, const toml::key& key, const toml::node& node) {
+    if (const SetupSection* found = find(section)) return read_section(*found, node);
+    return unknown("section", key, {"machine", "path", "axes", "law", "lookahead"});
+  }
+
+  const SetupSection* find(const std::string& name) const {
+    const auto at = std::find_if(sections_.begin(), sections_.end(), [&](const auto& s) { return s.name == name; });
+    return at == sections_.end() ? nullptr : &*at;
+  }
+
+  bool read_section(const SetupSection& section, const toml::node& node) {
+    const toml::table* table = node.as_table();
+    if (!table) return fail("machine-value", "a section was expected", "write [" + section.name + "]", node.source());
+    for (auto&& [key, value] : *table) {
+      if (!read_key(section, key, value)) return false;
+    }
+    return true;
+  }
+
+  bool read_key(const SetupSection& section, const toml::key& key, const toml::node& value) {
+    std::vector<std::string> known = section.words;
+    for (const NumberKey& number : section.numbers) {
+      if (number.name == key.str()) return read_number(number, value);
+      known.push_back(number.name);
+    }
+    for (const RangeKey& range : section.ranges) {
+      if (range.name == key.str()) return read_range(range, value);
+      known.push_back(range.name);
+    }
+    if (std::find(section.words.begin(), section.words.end(), key.str()) != section.words.end()) {
+      return read_word(std::string(key.str()), value);
+    }
+    return unknown("key", key, known);
+  }
+
+  bool read_number(const NumberKey& key, const toml::node& node) {
+    const auto value = node.value<double>();
+    const bool in_range = value && (key.range == KeyRange::positive ? *value > 0 : *value >= 0);
+    if (!in_range) {
+      return fail("machine-value", key.name + " must be a number " + (key.range == KeyRange::positive ? "> 0" : "≥ 0"),
+                  "leave the key out for no limit", node.source());
+    }
+    *key.value = *value * key.unit;
+    if (key.name == "max_deceleration_mm_s2") deceleration_given_ = true;
+    if (key.name == "max_jerk_deceleration_mm_s3") jerk_deceleration_given_ = true;
+    return true;
+  }
+
+  bool read_range(const RangeKey& key, const toml::node& node) {
+    const toml::array* pair = node.as_array();
+    const auto low = pair && pair->size() == 2 ? (*pair)[0].value<double>() : std::nullopt;
+    const auto high = pair && pair->size() == 2 ? (*pair)[1].value<double>() : std::nullopt;
+    if (!low || !high || !(*low < *high)) {
+      return fail("machine-value", key.name + " must be [min, max] with min < max", "", node.source());
+    }
+    *key.low = *low * key.unit;
+    *key.high = *high * key.unit;
+    return true;
+  }
+
+  bool read_word(const std::string& key, const toml::node& node) {
+    if (key == "blocks") return read_blocks(node);
+    const auto word = node.value<std::string>();
+    if (!word) return fail("machine-value", "'" + key + "' must be a text", "put it in quotes", node.source());
+    if (key == "name") {
+      setup_.machine.name = *word;
+      return true;
+    }
+    if (key == "kind") {
+      const auto law = find_law(*word);
+      if (!law) return fail("machine-value", "there is no law '" + *word + "'", "laws: " + law_ids(), node.source());
+      setup_.options.law = *law;
+      return true;
+    }
+    return key == "ramps" ? pick(ramps_names(), *word, setup_.options.ramps, node)
+                          : pick(corner_names(), *word, setup_.options.corner.rule, node);
+  }
+
+  bool read_blocks(const toml::node& node) {
+    if (node.value<std::string>() == "all") {
+      setup_.options.lookahead.reset();
+      return true;
+    }
+    const auto blocks = node.value<std::int64_t>();
+    if (!blocks || *blocks < 1) return fail("machine-value", "blocks must be a whole number ≥ 1 or \"all\"", "", node.source());
+    setup_.options.lookahead = static_cast<std::size_t>(*blocks);
+    return true;
+  }
+
+  template <class T>
+  bool pick(const std::vector<Named<T>>& names, const std::string& word, T& target, const toml::node& node) {
+    std::string list;
+    for (const auto& n : names) {
+      if (n.name == word) {
+        target = n.value;
+        return true;
+      }
+      list += (list.empty() ? "" : ", ") + std::string(n.name);
+    }
+    return fail("machine-value", "'" + word + "' is not known here", "one of " + list, node.source());
+  }
+
+  std::string name_;
+  Setup setup_;
+  std::vector<SetupSection> sections_;
+  bool deceleration_given_ = false, jerk_deceleration_given_ = false;
+  std::optional<Error> error_;
+};
+
+template <class T>
+std::string_view name_of(const std::vector<Named<T>>& names, T value) {
+  return std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.value == value; })->name;
+}
+
+std::string format_words(const std::string& section, const Setup& s) {
+  if (section == "machine") {
+    std::ostringstream quoted;
+    quoted << toml::value<std::string>(s.machine.name);
+    return fmt::format("name = {}\n", quoted.str());
+  }
+  if (section == "law") return fmt::format("kind = \"{}\"\n", law_row(s.options.law).id);
+  if (section == "lookahead") {
+    return fmt::format("blocks = {}\nramps = \"{}\"\ncorner = \"{}\"\n",
+                       s.options.lookahead ? std::to_string(*s.options.lookahead) : "\"all\"",
+                       name_of(ramps_names(), s.options.ramps), name_of(corner_names(), s.options.corner.rule));
+  }
+  return "";
+}
+
+/// The shortest decimal of value/unit that reads back to the same value, else the nearest.
+std::string file_number(double value, double unit) {
+  const double in_file = value / unit;
+  for (int digits = 6; digits <= 17; ++digits) {
+    const std::string text = fmt::format("{:.{}g}", in_file, digits);
+    if (std::stod(text) * unit == value) return text;
+  }
+  return to_text(in_file);
+}
+
+Error bad_limit(std::string what, std::string remedy) {
+  return {ErrorKind::usage, "bad-limit", std::move(what), std::move(remedy), {}, {}};
+}
+
+}  // namespace
+
+Setup default_setup() {
+  Setup setup;
+  setup.machine.path = {100.0, 3000.0, 3000.0, 1e6, 1e6};
+  return setup;
+}
+
+Result<Setup> parse_setup(std::string_view text, const std::string& name) {
+  const toml::parse_result parsed = toml::parse(text, name);
+  if (!parsed) {
+    return tl::unexpected(Error{ErrorKind::usage, "machine-syntax", std::string(parsed.error().description()),
+                                "machine files are TOML", place(name, parsed.error().source()), {}});
+  }
+  return SetupReader(name).read(parsed.table());
+}
+
+Result<Setup> read_setup(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file, ignored)) {
+    return tl::unexpected(Error{ErrorKind::io, "cannot-open", "cannot open the machine file", "check the name and the rights",
+                                {file.string(), 0, 0}, {}});
+  }
+  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  return parse_setup(text, file.string());
+}
+
+std::string format_setup(const Setup& setup) {
+  Setup copy = setup;
+  std::string text;
+  for (const SetupSection& section : setup_sections(copy)) {
+    std::string body = format_words(section.name, setup);
+    for (const NumberKey& key : section.numbers) {
+      const bool is_default = !std::isfinite(*key.value) || (*key.value == 0 && key.name != "tool_change_s");
+      if (!is_default) body += fmt::format("{} = {}\n", key.name, file_number(*key.value, key.unit));
+    }
+    for (const RangeKey& key : section.ranges) {
+      if (!std::isfinite(*key.low) || !std::isfinite(*key.high)) continue;
+      body += fmt::format("{} = [{}, {}]\n", key.name, file_number(*key.low, key.unit), file_number(*key.high, key.unit));
+    }
+    if (!body.empty()) text += fmt::format("{}[{}]\n{}", text.empty() ? "" : "\n", section.name, body);
+  }
+  return text;
+}
+
+Result<void> check_setup(const Machine& machine, const PlanOptions& options) {
+  Setup copy{machine, options};
+  for (const SetupSection& section : setup_sections(copy)) {
+    for (const NumberKey& key : section.numbers) {
+      const bool unset_steps = key.value != nullptr && *key.value == 0 && key.name.rfind("steps_per", 0) == 0;
+      const bool fits = key.range == KeyRange::positive ? *key.value > 0 : *key.value >= 0;
+      if (!fits && !unset_steps) {
+        return tl::unexpected(bad_limit(fmt::format("[{}] {} is {}, which makes no sense", section.name, key.name,
+                                                    to_text(*key.value / key.unit)),
+                                        key.range == KeyRange::positive ? "give a value above 0" : "give 0 or more"));
+      }
+    }
+  }
+  if (!std::isfinite(machine.period)) return tl::unexpected(bad_limit("the period is not a finite number", "give e.g. 1 ms"));
+  if (options.lookahead && *options.lookahead < 1) {
+    return tl::unexpected(bad_limit("the look-ahead is 0 blocks", "give 1 (a stop at every node) or more, or all"));
+  }
+  if (!(options.feed_override > 0 && options.feed_override <= 2)) {
+    return tl::unexpected(bad_limit("the feed override is outside 0 … 200 %, or 0, at which the program never ends",
+                                    "give more than 0 and at most 200 %"));
+  }
+  if (!(options.rapid_override > 0 && options.rapid_override <= 1)) {
+    return tl::unexpected(bad_limit("the rapid override is outside 0 … 100 %, or 0", "give more than 0 and at most 100 %"));
+  }
+  if (options.corner.step && !(*options.corner.step > 0)) {
+    return tl::unexpected(bad_limit("the corner's speed step is not above 0", "give a speed in mm/s"));
+  }
+  if (options.hold_at && !(*options.hold_at >= 0)) {
+    return tl::unexpected(bad_limit("the time of the feed hold is negative", "give 0 s or later"));
+  }
+  return {};
+}
+
+}  // namespace toolpace
