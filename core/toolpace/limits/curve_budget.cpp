@@ -6,8 +6,8 @@
 namespace toolpace {
 namespace {
 
-// Shares of an axis' limits that the curvature may take at most. The rest is left to change the speed with; at 0.9 of the
-// acceleration a circle still speeds up with √(1 − 0.9²) = 44 % of it.
+// Shares of an axis' limits that the curvature may take at most. The rest is left to change the speed with; at 0.9 of
+// the acceleration a circle still speeds up with √(1 − 0.9²) = 44 % of it.
 constexpr double kCentripetalShare = 0.9;
 constexpr double kCentripetalJerkShare = 0.5;
 constexpr int kSplineSamples = 9;

@@ -11,8 +11,8 @@ struct CurveBounds {
   AxisVector first, second, third;
 };
 
-/// Bounds over a whole segment. Exact for lines; for arcs the amplitude of each component (attained on any sweep of half
-/// a turn or more, an over-estimate on shorter ones); for splines and blends sampled on pieces that are short by
+/// Bounds over a whole segment. Exact for lines; for arcs the amplitude of each component (attained on any sweep of
+/// half a turn or more, an over-estimate on shorter ones); for splines and blends sampled on pieces that are short by
 /// construction, with 2 % added.
 CurveBounds curve_bounds(const Path& path, std::size_t segment);
 
@@ -25,7 +25,9 @@ struct CurveBudget {
   bool is_curvature;    ///< the cap comes from curvature, not from an axis' speed
 };
 
-/// @param speed_wanted  [mm/s] the feed: where the curve can be run at it, all that it leaves goes to the tangential part
-CurveBudget curve_budget(const CurveBounds& bounds, const std::array<AxisLimits, kAxisCount>& axes, double speed_wanted);
+/// @param speed_wanted  [mm/s] the feed: where the curve can be run at it, all that it leaves goes to the tangential
+/// part
+CurveBudget curve_budget(const CurveBounds& bounds, const std::array<AxisLimits, kAxisCount>& axes,
+                         double speed_wanted);
 
 }  // namespace toolpace

@@ -41,7 +41,8 @@ class Limiter {
     if (!is_line || axes_are_bounded_) {
       const CurveBounds bounds = curve_bounds(path_, i);
       CurveBudget budget = curve_budget(bounds, is_line ? machine_.axes : curve_axes_, cap);
-      if (budget.speed < cap && kind != MoveKind::rapid) cause = budget.is_curvature ? Cause::curvature : Cause::axis_speed;
+      if (budget.speed < cap && kind != MoveKind::rapid)
+        cause = budget.is_curvature ? Cause::curvature : Cause::axis_speed;
       cap = budget.speed;
       if (!is_line && !axes_are_bounded_) budget = {cap, kUnlimited, kUnlimited, false};
       tighten(dynamics, budget);
@@ -68,7 +69,7 @@ class Limiter {
     const double lower = std::min(limits_.block_cap[i - 1], limits_.block_cap[i]);
     const bool feed_decides = lower <= allowed;
     limits_.node_cap.push_back(feed_decides ? lower : allowed);
-    limits_.node_cause.push_back(feed_decides ? slower_block_cause(i)
+    limits_.node_cause.push_back(feed_decides                      ? slower_block_cause(i)
                                  : corner.rule == CornerRule::stop ? Cause::stop
                                                                    : Cause::corner);
   }
@@ -124,14 +125,18 @@ class Limiter {
 };
 
 Error unbounded(const char* code, const char* what) {
-  return {ErrorKind::usage, code, std::string("nothing bounds the ") + what,
-          "give a limit for the path or for every axis that moves", {}, {}};
+  return {ErrorKind::usage,
+          code,
+          std::string("nothing bounds the ") + what,
+          "give a limit for the path or for every axis that moves",
+          {},
+          {}};
 }
 
 }  // namespace
 
-Result<SpeedLimits> limit_speed(const Path& path, const Moves& moves, const Machine& machine, const LimitOptions& options,
-                                const Monitor& monitor) {
+Result<SpeedLimits> limit_speed(const Path& path, const Moves& moves, const Machine& machine,
+                                const LimitOptions& options, const Monitor& monitor) {
   Limiter limiter(path, moves, machine, options);
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (i % kReportEvery == 0) {

@@ -21,16 +21,18 @@ struct LimitOptions {
 
 /// Speed caps and ramp limits of every block and node.
 ///
-/// Block cap: the feed (with override), the path's and each axis' top speed (V·|u| ≤ Vmax, Ning et al. 2014, section 2.1), on
-/// curves also the centripetal share of the axes' acceleration and jerk. Where axes have no acceleration limit of their own,
-/// v²/r ≤ the path's acceleration. Ramp limits: the path's, and what each axis leaves along the block's direction.
-/// Node cap: the corner rule of the job, or of the program's G61, G61.1; never above either neighbour's cap.
+/// Block cap: the feed (with override), the path's and each axis' top speed (V·|u| ≤ Vmax, Ning et al. 2014,
+/// section 2.1), on curves also the centripetal share of the axes' acceleration and jerk. Where axes have no
+/// acceleration limit of their own, v²/r ≤ the path's acceleration. Ramp limits: the path's, and what each axis leaves
+/// along the block's direction. Node cap: the corner rule of the job, or of the program's G61, G61.1; never above
+/// either neighbour's cap.
 ///   servo     each axis' speed step V·|Δu| ≤ a·Ts with the axis' own a (the path's where it has none), and
-///             2V·sin(α/2) ≤ a·Ts with the path's a (the slowest turning axis' where it has none); Ning et al., section 2.1
+///             2V·sin(α/2) ≤ a·Ts with the path's a (the slowest turning axis' where it has none); Ning et al.,
+///             section 2.1
 ///   junction  V² = a·δ·cos(α/2)/(1 − cos(α/2)), δ the junction deviation, α the deflection
 /// A block that nothing bounds is a usage error ("no-speed-limit").
-Result<SpeedLimits> limit_speed(const Path& path, const Moves& moves, const Machine& machine, const LimitOptions& options,
-                                const Monitor& monitor = {});
+Result<SpeedLimits> limit_speed(const Path& path, const Moves& moves, const Machine& machine,
+                                const LimitOptions& options, const Monitor& monitor = {});
 
 /// Largest speed that the corner rule allows between two directions, ignoring the blocks' own caps; infinite for none.
 /// @param before, after  direction by path length, per axis

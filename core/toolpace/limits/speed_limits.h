@@ -10,20 +10,30 @@ namespace toolpace {
 
 /// What holds the speed down.
 enum class Cause : std::uint8_t {
-  feed, rapid, axis_speed, axis_acceleration, acceleration, jerk, corner, curvature, lookahead, stop, dwell
+  feed,
+  rapid,
+  axis_speed,
+  axis_acceleration,
+  acceleration,
+  jerk,
+  corner,
+  curvature,
+  lookahead,
+  stop,
+  dwell
 };
 
 struct SpeedLimits {
   // One entry a block.
-  std::vector<double> length;            ///< [mm] > 0
-  std::vector<double> block_cap;         ///< top speed inside the block [mm/s] > 0
-  std::vector<std::uint32_t> ramp;       ///< index into dynamics
-  std::vector<Cause> block_cause;        ///< what sets block_cap
+  std::vector<double> length;       ///< [mm] > 0
+  std::vector<double> block_cap;    ///< top speed inside the block [mm/s] > 0
+  std::vector<std::uint32_t> ramp;  ///< index into dynamics
+  std::vector<Cause> block_cause;   ///< what sets block_cap
   // One entry a node, size() + 1. Node 0 is the start.
-  std::vector<double> node_cap;          ///< [mm/s] ≥ 0; 0 = the machine rests there; first and last are 0
+  std::vector<double> node_cap;  ///< [mm/s] ≥ 0; 0 = the machine rests there; first and last are 0
   std::vector<Cause> node_cause;
 
-  std::vector<Dynamics> dynamics;        ///< the distinct ramp limits
+  std::vector<Dynamics> dynamics;  ///< the distinct ramp limits
 
   std::size_t size() const { return length.size(); }
   const Dynamics& dynamics_of(std::size_t block) const { return dynamics[ramp[block]]; }

@@ -8,8 +8,8 @@
 
 namespace toolpace {
 
-/// point(φ) = centre + r(φ)·(cos φ·radial + sin φ·lateral) + rise·(φ/sweep)·normal, 0 ≤ φ ≤ sweep, with r(φ) going linearly
-/// from start_radius to end_radius. Rotary axes follow linearly in φ.
+/// point(φ) = centre + r(φ)·(cos φ·radial + sin φ·lateral) + rise·(φ/sweep)·normal, 0 ≤ φ ≤ sweep, with r(φ) going
+/// linearly from start_radius to end_radius. Rotary axes follow linearly in φ.
 struct ArcCurve {
   Eigen::Vector3d centre;           ///< [mm], in the plane level of the start
   Eigen::Vector3d radial;           ///< unit vector from the centre to the start

@@ -28,17 +28,14 @@ struct Job {
   bool bound = false;  ///< compute the lower bound of the cycle time too
 };
 
-struct AxisPeaks {
-  double speed = 0, acceleration = 0, jerk = 0;  ///< [mm, rad based]
-};
-
 struct Summary {
   std::size_t blocks = 0;
-  double path_length = 0;  ///< [mm]
+  double path_length = 0;                                                ///< [mm]
   double cycle_time = 0, feed_time = 0, rapid_time = 0, dwell_time = 0;  ///< [s]
-  double max_speed = 0, max_acceleration = 0, max_jerk = 0;  ///< of the exact profile along the path; jerk may be infinite
-  std::array<double, 11> time_by_cause = {};                 ///< [s], indexed by Cause
-  std::optional<double> bound;                               ///< [s]
+  double max_speed = 0, max_acceleration = 0,
+         max_jerk = 0;                        ///< of the exact profile along the path; jerk may be infinite
+  std::array<double, 11> time_by_cause = {};  ///< [s], indexed by Cause
+  std::optional<double> bound;                ///< [s]
 };
 
 /// A planned program. Immutable; shared between threads.
@@ -47,16 +44,14 @@ struct Outcome {
   std::shared_ptr<const Path> path;
   SpeedLimits limits;
   MotionPlan plan;
-  std::vector<double> node_time;       ///< [s] arrival at each node of the path
-  std::vector<Restraint> restraints;   ///< which limit binds when
+  std::vector<double> node_time;      ///< [s] arrival at each node of the path
+  std::vector<Restraint> restraints;  ///< which limit binds when
   Summary summary;
-  Diagnostics warnings;                ///< travel and the like
+  Diagnostics warnings;  ///< travel and the like
 };
 
-/// Plans a job. Same job, same bytes, whatever the threads.
+/// Plans a job. Same job, same bytes, whatever the threads. Errors: of check_setup, build_path, limit_speed,
+/// plan_motion.
 Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor = {});
-
-/// Samples the whole plan (or [begin, end) rows) at the machine's period.
-Setpoints sample(const Outcome& outcome);
 
 }  // namespace toolpace

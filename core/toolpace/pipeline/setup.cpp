@@ -147,7 +147,8 @@ class SetupReader {
       return true;
     }
     const auto blocks = node.value<std::int64_t>();
-    if (!blocks || *blocks < 1) return fail("machine-value", "blocks must be a whole number ≥ 1 or \"all\"", "", node.source());
+    if (!blocks || *blocks < 1)
+      return fail("machine-value", "blocks must be a whole number ≥ 1 or \"all\"", "", node.source());
     setup_.options.lookahead = static_cast<std::size_t>(*blocks);
     return true;
   }
@@ -217,8 +218,12 @@ Setup default_setup() {
 Result<Setup> parse_setup(std::string_view text, const std::string& name) {
   const toml::parse_result parsed = toml::parse(text, name);
   if (!parsed) {
-    return tl::unexpected(Error{ErrorKind::usage, "machine-syntax", std::string(parsed.error().description()),
-                                "machine files are TOML", place(name, parsed.error().source()), {}});
+    return tl::unexpected(Error{ErrorKind::usage,
+                                "machine-syntax",
+                                std::string(parsed.error().description()),
+                                "machine files are TOML",
+                                place(name, parsed.error().source()),
+                                {}});
   }
   return SetupReader(name).read(parsed.table());
 }
@@ -227,8 +232,12 @@ Result<Setup> read_setup(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file, ignored)) {
-    return tl::unexpected(Error{ErrorKind::io, "cannot-open", "cannot open the machine file", "check the name and the rights",
-                                {file.string(), 0, 0}, {}});
+    return tl::unexpected(Error{ErrorKind::io,
+                                "cannot-open",
+                                "cannot open the machine file",
+                                "check the name and the rights",
+                                {file.string(), 0, 0},
+                                {}});
   }
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   return parse_setup(text, file.string());
@@ -245,7 +254,8 @@ std::string format_setup(const Setup& setup) {
     }
     for (const RangeKey& key : section.ranges) {
       if (!std::isfinite(*key.low) || !std::isfinite(*key.high)) continue;
-      body += fmt::format("{} = [{}, {}]\n", key.name, file_number(*key.low, key.unit), file_number(*key.high, key.unit));
+      body +=
+          fmt::format("{} = [{}, {}]\n", key.name, file_number(*key.low, key.unit), file_number(*key.high, key.unit));
     }
     if (!body.empty()) text += fmt::format("{}[{}]\n{}", text.empty() ? "" : "\n", section.name, body);
   }
@@ -259,13 +269,14 @@ Result<void> check_setup(const Machine& machine, const PlanOptions& options) {
       const bool unset_steps = key.value != nullptr && *key.value == 0 && key.name.rfind("steps_per", 0) == 0;
       const bool fits = key.range == KeyRange::positive ? *key.value > 0 : *key.value >= 0;
       if (!fits && !unset_steps) {
-        return tl::unexpected(bad_limit(fmt::format("[{}] {} is {}, which makes no sense", section.name, key.name,
-                                                    to_text(*key.value / key.unit)),
-                                        key.range == KeyRange::positive ? "give a value above 0" : "give 0 or more"));
+        return tl::unexpected(bad_limit(
+            fmt::format("[{}] {} is {}, which makes no sense", section.name, key.name, to_text(*key.value / key.unit)),
+            key.range == KeyRange::positive ? "give a value above 0" : "give 0 or more"));
       }
     }
   }
-  if (!std::isfinite(machine.period)) return tl::unexpected(bad_limit("the period is not a finite number", "give e.g. 1 ms"));
+  if (!std::isfinite(machine.period))
+    return tl::unexpected(bad_limit("the period is not a finite number", "give e.g. 1 ms"));
   if (options.lookahead && *options.lookahead < 1) {
     return tl::unexpected(bad_limit("the look-ahead is 0 blocks", "give 1 (a stop at every node) or more, or all"));
   }
@@ -274,7 +285,8 @@ Result<void> check_setup(const Machine& machine, const PlanOptions& options) {
                                     "give more than 0 and at most 200 %"));
   }
   if (!(options.rapid_override > 0 && options.rapid_override <= 1)) {
-    return tl::unexpected(bad_limit("the rapid override is outside 0 … 100 %, or 0", "give more than 0 and at most 100 %"));
+    return tl::unexpected(
+        bad_limit("the rapid override is outside 0 … 100 %, or 0", "give more than 0 and at most 100 %"));
   }
   if (options.corner.step && !(*options.corner.step > 0)) {
     return tl::unexpected(bad_limit("the corner's speed step is not above 0", "give a speed in mm/s"));

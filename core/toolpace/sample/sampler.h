@@ -8,9 +8,9 @@
 
 namespace toolpace {
 
-/// Walks a plan at a constant period in bounded memory. Row k stands at t = k·period; the last row, at the first period at
-/// or after the end, is the exact end of the path at rest. Positions are evaluated on the exact geometry and the exact
-/// polynomials, never by integration, so no error accumulates.
+/// Walks a plan at a constant period in bounded memory. Row k stands at t = k·period; the last row, at the first period
+/// at or after the end, is the exact end of the path at rest. Positions are evaluated on the exact geometry and the
+/// exact polynomials, never by integration, so no error accumulates.
 ///
 /// Keeps references: path, plan and moves must outlive it.
 class Sampler {

@@ -13,10 +13,10 @@ namespace toolpace {
 /// program, at the first period at or after the end, is the exact end.
 struct Setpoints {
   std::size_t first_row = 0;
-  double period = 0.001;                                   ///< [s]
-  std::array<std::vector<double>, kAxisCount> position;    ///< [mm, rad]; rotary columns empty when unused
-  std::vector<double> speed, acceleration, jerk;           ///< along the path [mm/s, mm/s², mm/s³]
-  std::vector<std::uint32_t> line;                         ///< NC line
+  double period = 0.001;                                 ///< [s]
+  std::array<std::vector<double>, kAxisCount> position;  ///< [mm, rad]; rotary columns empty when unused
+  std::vector<double> speed, acceleration, jerk;         ///< along the path [mm/s, mm/s², mm/s³]
+  std::vector<std::uint32_t> line;                       ///< NC line
 
   std::size_t size() const { return speed.size(); }
   double time(std::size_t row) const { return static_cast<double>(first_row + row) * period; }

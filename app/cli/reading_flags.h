@@ -1,0 +1,29 @@
+#pragma once
+/// The flags of every command that reads a program.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "toolpace/nc/reader.h"
+
+namespace toolpace::cli {
+
+struct ReadingFlags {
+  std::string program;
+  std::string dialect = "auto";
+  bool strict = false;
+  bool block_delete = false;
+  std::string tools, parameters;
+  std::vector<std::string> sub_paths;
+
+  /// Adds PROGRAM and the reading flags to a command.
+  void add_to(CLI::App& command);
+
+  ReadOptions options() const;
+
+  /// Reads the program and prints its diagnostics to stderr.
+  Result<Reading> read() const;
+};
+
+}  // namespace toolpace::cli
