@@ -8,6 +8,7 @@
 #include <iterator>
 #include <sstream>
 #define TOML_EXCEPTIONS 0
+#define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
 #include "toolpace/base/numbers.h"
