@@ -1,0 +1,67 @@
+#pragma once
+/// A file that appears whole or not at all.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "toolpace/base/result.h"
+#include "toolpace/io/spool_file.h"
+
+namespace toolpace {
+
+/// Writes to a temporary file beside the target and renames it on commit(), so that readers see the old file or the new
+/// one and never a part. The temporary is removed when the object dies uncommitted. A target that exists and is no
+/// regular file (pipe, device), and "-" (standard output), are written directly. A symbolic link is followed.
+///
+/// A closed pipe is reported as an error only where the process ignores SIGPIPE, as the command line does.
+class OutputFile {
+ public:
+  enum class Access { forward, patched };  ///< patched: overwrite() will be used; unseekable targets are spooled first
+
+  /// Errors (io): no such directory, a directory, no right to write. Nothing of an old file is touched.
+  static Result<OutputFile> create(const std::filesystem::path& target, Access access = Access::forward);
+
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&&) = delete;
+  ~OutputFile();
+
+  /// Appends bytes (buffered). Errors (io): disk full, closed pipe, …
+  Result<void> write(std::string_view bytes);
+
+  /// Replaces bytes that were written before. Needs Access::patched.
+  Result<void> overwrite(std::uint64_t offset, std::string_view bytes);
+
+  /// Makes the file durable (fsync) and puts it in place of the target. To be called once, as the last call.
+  Result<void> commit();
+
+  std::uint64_t size() const { return size_; }
+  const std::filesystem::path& target() const { return target_; }
+  /// False where the target is written directly.
+  bool is_renamed() const { return !temporary_.empty(); }
+
+ private:
+  OutputFile() = default;
+  Result<void> open_direct(Access access);
+  Result<void> open_temporary();
+  Result<void> flush();
+  Result<void> put_in_place();
+  Error error(int number, std::string_view action) const;
+
+  std::filesystem::path target_;     ///< what the caller named
+  std::filesystem::path real_;       ///< the file behind links
+  std::filesystem::path temporary_;  ///< empty when written directly
+  std::optional<SpoolFile> spool_;   ///< for patched access to what cannot seek
+  int descriptor_ = -1;
+  bool owns_descriptor_ = true;
+  std::uint64_t size_ = 0;
+  std::string buffer_;
+};
+
+/// Writes the whole of `bytes` as one file, or nothing.
+Result<void> write_whole_file(const std::filesystem::path& target, std::string_view bytes);
+
+}  // namespace toolpace

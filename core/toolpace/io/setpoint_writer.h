@@ -1,0 +1,59 @@
+#pragma once
+/// Setpoint files: one interface over the formats, fed chunk by chunk in bounded memory.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "toolpace/base/result.h"
+#include "toolpace/sample/setpoints.h"
+
+namespace toolpace {
+
+enum class SetpointFormat : std::uint8_t {
+  csv,        ///< comma-separated, header with units
+  npy,        ///< float64 array (rows, columns)
+  npz,        ///< "setpoints" (rows, columns), "line" (int64), "meta" (JSON text)
+  halstream,  ///< LinuxCNC halstreamer: axis positions separated by spaces, no header
+  semicolon  ///< csv with semicolons and, by choice, decimal commas, as TwinCAT and spreadsheets of many countries read
+             ///< it
+};
+
+struct SetpointFileOptions {
+  std::optional<SetpointFormat> format = {};  ///< none = by the name, see format_of()
+  bool axis_derivatives = false;              ///< add v, a, j of each axis by differences (not in halstream)
+  bool decimal_comma = false;                 ///< semicolon only
+  std::string program_name;                   ///< stands in the "meta" of .npz
+};
+
+/// .csv, .npy, .npz, .halstream; .semicolon.csv; none = csv. Empty for an extension that names no format.
+std::optional<SetpointFormat> format_of(const std::filesystem::path& file);
+/// "csv", "npy", "npz", "halstream", "semicolon"
+std::optional<SetpointFormat> format_named(std::string_view name);
+
+/// Takes setpoints in order and makes a file of them. The file appears at finish(), whole; a writer that dies before it
+/// (cancelled, failed) leaves nothing behind and an old file as it was.
+class SetpointWriter {
+ public:
+  virtual ~SetpointWriter() = default;
+  SetpointWriter(const SetpointWriter&) = delete;
+  SetpointWriter& operator=(const SetpointWriter&) = delete;
+
+  /// Appends a chunk. Chunks follow on (first_row) and have the same axes and period.
+  /// Errors: input (see SetpointTable::load), io.
+  virtual Result<void> write(const Setpoints& chunk) = 0;
+
+  /// Completes the file and puts it in place. To be called once, as the last call. Errors: io.
+  virtual Result<void> finish() = 0;
+
+ protected:
+  SetpointWriter() = default;
+};
+
+/// Errors: usage (setpoint-format-unknown), io.
+Result<std::unique_ptr<SetpointWriter>> open_setpoint_writer(const std::filesystem::path& file,
+                                                             const SetpointFileOptions& options = {});
+
+}  // namespace toolpace
