@@ -25,7 +25,7 @@ struct SetpointFileOptions {
   std::optional<SetpointFormat> format = {};  ///< none = by the name, see format_of()
   bool axis_derivatives = false;              ///< add v, a, j of each axis by differences (not in halstream)
   bool decimal_comma = false;                 ///< semicolon only
-  std::string program_name;                   ///< stands in the "meta" of .npz
+  std::string program_name = {};              ///< stands in the "meta" of .npz
 };
 
 /// .csv, .npy, .npz, .halstream; .semicolon.csv; none = csv. Empty for an extension that names no format.
