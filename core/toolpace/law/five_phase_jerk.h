@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "toolpace/base/cubic.h"
 #include "toolpace/law/law.h"
@@ -39,6 +38,10 @@ struct FivePhaseJerk {
     return 2 * std::max(std::sqrt(dv / limits.jerk), dv / limits.acceleration);
   }
 
+  static DurationTerms terms(const RampLimits& limits) {
+    return detail::larger_of(2.0, limits.acceleration, 2.0, limits.jerk);
+  }
+
   static double reach(double v, double length, const RampLimits& limits) {
     if (std::isinf(limits.acceleration)) return detail::jerk_reach(v, length, limits.jerk);
     const double by_acceleration = detail::parabola_reach(v, length, limits.acceleration);
@@ -56,7 +59,8 @@ struct FivePhaseJerk {
     return std::min(limits.jerk, limits.acceleration * (limits.acceleration / dv));
   }
 
-  static void append_ramp(double v0, double v1, const RampLimits& limits, std::vector<Phase>& phases) {
+  template <class Phases>
+  static void append_ramp(double v0, double v1, const RampLimits& limits, Phases& phases) {
     detail::append_parabolas(v0, v1, duration(std::abs(v1 - v0), limits), phases);
   }
 };

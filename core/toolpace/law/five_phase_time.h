@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "toolpace/law/five_phase_jerk.h"
 #include "toolpace/law/law.h"
@@ -24,6 +23,12 @@ struct FivePhaseTime {
   static double duration(double dv, const RampLimits& limits) {
     if (!(dv > 0)) return 0.0;
     return std::max({limits.time, 2 * dv / limits.acceleration, 2 * std::sqrt(dv / limits.jerk)});
+  }
+
+  static DurationTerms terms(const RampLimits& limits) {
+    DurationTerms terms = detail::larger_of(2.0, limits.acceleration, 2.0, limits.jerk);
+    terms.floor = limits.time;
+    return terms;
   }
 
   static double reach(double v, double length, const RampLimits& limits) {
@@ -49,7 +54,8 @@ struct FivePhaseTime {
     return 4 * dv / (time * time);
   }
 
-  static void append_ramp(double v0, double v1, const RampLimits& limits, std::vector<Phase>& phases) {
+  template <class Phases>
+  static void append_ramp(double v0, double v1, const RampLimits& limits, Phases& phases) {
     detail::append_parabolas(v0, v1, duration(std::abs(v1 - v0), limits), phases);
   }
 };

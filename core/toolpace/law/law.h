@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "toolpace/law/duration_terms.h"
 #include "toolpace/law/phase.h"
 #include "toolpace/limits/ramp_limits.h"
 
@@ -23,13 +24,15 @@ enum class LawKind : std::uint8_t { trapezoid, five_phase_time, five_phase_jerk,
 ///   reach(v, length, limits)   [mm/s] ≥ v: the largest speed that a ramp from v can end at (or, by symmetry, that can
 ///   be
 ///                              slowed to v) within `length`; v itself where no ramp fits
+///   terms(limits)              the same duration in the form that all laws share
 ///   append_ramp(v0, v1, limits, phases)   appends the ramp's phases; the first one starts where the last phase of
-///                              `phases` ends (begin, distance), or at 0
+///                              `phases` ends (begin, distance), or at 0. `phases` is a std::vector<Phase> or PhaseList
 template <class Law>
 concept VelocityLaw = requires(double x, const RampLimits& limits, std::vector<Phase>& phases) {
   { Law::kKind } -> std::convertible_to<LawKind>;
   { Law::duration(x, limits) } -> std::same_as<double>;
   { Law::reach(x, x, limits) } -> std::same_as<double>;
+  { Law::terms(limits) } -> std::same_as<DurationTerms>;
   { Law::peak_acceleration(x, limits) } -> std::same_as<double>;
   { Law::peak_jerk(x, limits) } -> std::same_as<double>;
   Law::append_ramp(x, x, limits, phases);

@@ -30,7 +30,7 @@ constexpr LawRow row(const Traits& t) {
           &Law::reach,
           &Law::peak_acceleration,
           &Law::peak_jerk,
-          &Law::append_ramp};
+          &Law::template append_ramp<std::vector<Phase>>};
 }
 
 constexpr std::array kTable{

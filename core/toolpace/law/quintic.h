@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "toolpace/base/cubic.h"
 #include "toolpace/law/law.h"
@@ -26,6 +25,10 @@ struct Quintic {
 
   static double duration(double dv, const RampLimits& limits) {
     return std::max(kSteepest * dv / limits.acceleration, std::sqrt(kSharpest * dv / limits.jerk));
+  }
+
+  static DurationTerms terms(const RampLimits& limits) {
+    return detail::larger_of(kSteepest, limits.acceleration, std::sqrt(kSharpest), limits.jerk);
   }
 
   static double reach(double v, double length, const RampLimits& limits) {
@@ -50,7 +53,8 @@ struct Quintic {
     return kSharpest * dv / (time * time);
   }
 
-  static void append_ramp(double v0, double v1, const RampLimits& limits, std::vector<Phase>& phases) {
+  template <class Phases>
+  static void append_ramp(double v0, double v1, const RampLimits& limits, Phases& phases) {
     const double time = duration(std::abs(v1 - v0), limits);
     if (!(time > 0)) return;
     const detail::RampCursor cursor = detail::end_of(phases);

@@ -1,8 +1,6 @@
 #pragma once
 /// How laws write their phases.
 
-#include <vector>
-
 #include "toolpace/law/phase.h"
 
 namespace toolpace::detail {
@@ -13,7 +11,8 @@ struct RampCursor {
   double distance = 0.0;
 };
 
-inline RampCursor end_of(const std::vector<Phase>& phases) {
+template <class Phases>
+RampCursor end_of(const Phases& phases) {
   if (phases.empty()) return {};
   const Phase& last = phases.back();
   return {last.begin + last.duration, evaluate(last, last.duration).distance};
@@ -24,7 +23,8 @@ struct JerkPiece {
   double duration, speed, acceleration, jerk;
 };
 
-inline void append_piece(const JerkPiece& piece, RampCursor& cursor, std::vector<Phase>& phases) {
+template <class Phases>
+void append_piece(const JerkPiece& piece, RampCursor& cursor, Phases& phases) {
   if (!(piece.duration > 0)) return;
   const Phase p{cursor.begin,       piece.duration, cursor.distance,          piece.speed,
                 piece.acceleration, piece.jerk,     PhaseShape::constant_jerk};
@@ -34,7 +34,8 @@ inline void append_piece(const JerkPiece& piece, RampCursor& cursor, std::vector
 
 /// The ramp of two parabolas: jerk 4Δ/T² for the first half, −4Δ/T² for the second.
 /// @source Zheng et al. 2014, eqs. (7)–(10), (12), (13)
-inline void append_parabolas(double v0, double v1, double duration, std::vector<Phase>& phases) {
+template <class Phases>
+void append_parabolas(double v0, double v1, double duration, Phases& phases) {
   if (!(duration > 0)) return;
   RampCursor cursor = end_of(phases);
   const double half = duration / 2;

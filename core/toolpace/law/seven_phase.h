@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "toolpace/law/five_phase_jerk.h"
 #include "toolpace/law/law.h"
@@ -27,6 +26,13 @@ struct SevenPhase {
     return 2 * std::sqrt(dv / limits.jerk);
   }
 
+  static DurationTerms terms(const RampLimits& limits) {
+    const double root = 2 / std::sqrt(limits.jerk);
+    if (std::isinf(limits.acceleration)) return {0.0, 0.0, root, limits.acceleration, 0.0};
+    const double build_up = limits.acceleration / limits.jerk;
+    return {1 / limits.acceleration, build_up, root, limits.acceleration * build_up, 0.0};
+  }
+
   static double reach(double v, double length, const RampLimits& limits) {
     const double build_up = limits.acceleration / limits.jerk;
     const double change = limits.acceleration * build_up;
@@ -44,7 +50,8 @@ struct SevenPhase {
 
   static double peak_jerk(double dv, const RampLimits& limits) { return dv > 0 ? limits.jerk : 0.0; }
 
-  static void append_ramp(double v0, double v1, const RampLimits& limits, std::vector<Phase>& phases) {
+  template <class Phases>
+  static void append_ramp(double v0, double v1, const RampLimits& limits, Phases& phases) {
     const double dv = std::abs(v1 - v0);
     const double sign = v1 > v0 ? 1.0 : -1.0;
     const double build_up = limits.acceleration / limits.jerk;

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "toolpace/law/law.h"
 #include "toolpace/law/ramp_phases.h"
@@ -18,6 +17,8 @@ struct Trapezoid {
 
   static double duration(double dv, const RampLimits& limits) { return dv / limits.acceleration; }
 
+  static DurationTerms terms(const RampLimits& limits) { return {1 / limits.acceleration, 0.0, 0.0, 0.0, 0.0}; }
+
   static double reach(double v, double length, const RampLimits& limits) {
     if (std::isinf(limits.acceleration)) return limits.acceleration;
     return std::sqrt(v * v + 2 * limits.acceleration * length);
@@ -30,7 +31,8 @@ struct Trapezoid {
     return dv > 0 ? std::numeric_limits<double>::infinity() : 0.0;
   }
 
-  static void append_ramp(double v0, double v1, const RampLimits& limits, std::vector<Phase>& phases) {
+  template <class Phases>
+  static void append_ramp(double v0, double v1, const RampLimits& limits, Phases& phases) {
     detail::RampCursor cursor = detail::end_of(phases);
     const double time = duration(std::abs(v1 - v0), limits);
     detail::append_piece({time, v0, v1 > v0 ? limits.acceleration : -limits.acceleration, 0.0}, cursor, phases);
