@@ -1,6 +1,7 @@
 #pragma once
 /// Small maths that all curves share: quadrature, and derivatives by arc length from derivatives by a parameter.
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -10,7 +10,7 @@ namespace {
 constexpr int kMaxDegree = 9;
 constexpr int kMaxDepth = 8;  // halvings of a knot span
 constexpr std::size_t kMaxPieces = 4096;
-constexpr double kLengthAccuracy = 1e-11;
+constexpr double kLengthAccuracy = 1e-13;
 constexpr double kCurvatureChange = 1.0 / 3;
 
 struct Homogeneous {

@@ -25,7 +25,7 @@ struct SplinePiece {
 
 SplineCurve make_spline(const AxisVector& begin, const AxisVector& end, const SplineDetail& detail);
 
-/// Cuts a curve at its knots and further, until in each piece length is exact to 1e-11 relative and the curvature
+/// Cuts a curve at its knots and further, until in each piece length is exact to 1e-13 relative and the curvature
 /// changes by at most a third of its larger value. Bounded: at most 4096 pieces. Pieces without length are left out.
 std::vector<SplinePiece> cut_spline(const SplineCurve& curve, std::uint32_t index);
 

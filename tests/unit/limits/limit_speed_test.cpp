@@ -1,0 +1,126 @@
+#include "toolpace/limits/limit_speed.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "toolpace/path/build_path.h"
+
+namespace toolpace {
+namespace {
+
+AxisVector at(double x, double y, double z = 0) {
+  AxisVector p = AxisVector::Zero();
+  p.head<3>() << x, y, z;
+  return p;
+}
+
+void add(Moves& moves, MoveKind kind, const AxisVector& end, double feed, std::uint16_t mode = 0) {
+  moves.kind.push_back(kind);
+  moves.line.push_back(static_cast<std::uint32_t>(moves.size()));
+  moves.file.push_back(0);
+  moves.mode.push_back(mode);
+  moves.detail.push_back(kNoDetail);
+  moves.end.push_back(end);
+  moves.feed.push_back(feed);
+}
+
+Machine default_machine() {
+  Machine machine;
+  machine.path = {100, 3000, 3000, 1e6, 1e6};
+  return machine;
+}
+
+SpeedLimits limits_of(const Moves& moves, const Machine& machine, const LimitOptions& options = {}) {
+  const auto path = build_path(moves, 0);
+  const auto limits = limit_speed(*path, moves, machine, options);
+  EXPECT_TRUE(limits) << limits.error().message;
+  return limits.value_or(SpeedLimits{});
+}
+
+TEST(LimitSpeed, FeedIsCappedByThePathAndOverrideScalesIt) {
+  Moves moves;
+  add(moves, MoveKind::feed, at(10, 0), 40);
+  add(moves, MoveKind::feed, at(20, 0), 400);
+  add(moves, MoveKind::rapid, at(30, 0), 0);
+  LimitOptions options;
+  options.feed_override = 0.5;
+  options.rapid_override = 0.25;
+  const SpeedLimits limits = limits_of(moves, default_machine(), options);
+  EXPECT_EQ(limits.block_cap[0], 20);
+  EXPECT_EQ(limits.block_cap[1], 100);
+  EXPECT_EQ(limits.block_cap[2], 25);
+  EXPECT_EQ(limits.block_cause[2], Cause::rapid);
+}
+
+TEST(LimitSpeed, AnAxisCapsTheBlocksThatUseIt) {
+  Moves moves;
+  add(moves, MoveKind::feed, at(30, 0, 40), 90);
+  Machine machine = default_machine();
+  machine.axes[2].speed = 20;
+  machine.axes[2].acceleration = 400;
+  machine.axes[2].jerk = 8000;
+  const SpeedLimits limits = limits_of(moves, machine);
+  EXPECT_DOUBLE_EQ(limits.block_cap[0], 25);
+  EXPECT_EQ(limits.block_cause[0], Cause::axis_speed);
+  EXPECT_DOUBLE_EQ(limits.dynamics_of(0).up.acceleration, 500);
+  EXPECT_DOUBLE_EQ(limits.dynamics_of(0).down.jerk, 10000);
+}
+
+TEST(LimitSpeed, BlocksWithTheSameLimitsShareThem) {
+  Moves moves;
+  for (int i = 1; i <= 100; ++i) add(moves, MoveKind::feed, at(i, i % 2), 50);
+  EXPECT_EQ(limits_of(moves, default_machine()).dynamics.size(), 1u);
+}
+
+TEST(LimitSpeed, EndsAndPausesRest) {
+  Moves moves;
+  moves.dwells = {0.1};
+  add(moves, MoveKind::feed, at(1, 0), 50);
+  add(moves, MoveKind::dwell, at(1, 0), 0);
+  moves.detail.back() = 0;
+  add(moves, MoveKind::feed, at(2, 0), 50);
+  const SpeedLimits limits = limits_of(moves, default_machine());
+  ASSERT_EQ(limits.node_cap.size(), 3u);
+  EXPECT_EQ(limits.node_cap[0], 0);
+  EXPECT_EQ(limits.node_cap[1], 0);
+  EXPECT_EQ(limits.node_cap[2], 0);
+}
+
+TEST(LimitSpeed, ExactStopModeInTheProgramStops) {
+  Moves moves;
+  moves.modes.push_back({PathControl::exact_stop, 0, 0, 17, 94});
+  add(moves, MoveKind::feed, at(1, 0), 50, 1);
+  add(moves, MoveKind::feed, at(2, 0), 50, 0);
+  add(moves, MoveKind::feed, at(3, 0), 50, 0);
+  const SpeedLimits limits = limits_of(moves, default_machine());
+  EXPECT_EQ(limits.node_cap[1], 0);
+  EXPECT_EQ(limits.node_cap[2], 50);
+}
+
+TEST(LimitSpeed, WithoutAxisLimitsAnArcIsCappedByThePathsAcceleration) {
+  Moves moves;
+  moves.start = at(1, 0);
+  add(moves, MoveKind::arc, at(-1, 0), 90);
+  moves.arcs = {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 3.14159265358979}};
+  moves.detail.back() = 0;
+  const SpeedLimits limits = limits_of(moves, default_machine());
+  EXPECT_LE(limits.block_cap[0] * limits.block_cap[0] / 1.0, 3000.0 * (1 + 1e-12));
+  EXPECT_EQ(limits.block_cause[0], Cause::curvature);
+  EXPECT_EQ(limits.dynamics_of(0).up.acceleration, 3000);
+}
+
+TEST(LimitSpeed, NothingThatBoundsTheSpeedIsAUsageError) {
+  Moves moves;
+  add(moves, MoveKind::rapid, at(1, 0), 0);
+  const auto path = build_path(moves, 0);
+  Machine machine;
+  machine.path.acceleration = machine.path.deceleration = 100;
+  const auto limits = limit_speed(*path, moves, machine, {});
+  ASSERT_FALSE(limits);
+  EXPECT_EQ(limits.error().kind, ErrorKind::usage);
+  EXPECT_EQ(limits.error().code, "no-speed-limit");
+}
+
+}  // namespace
+}  // namespace toolpace

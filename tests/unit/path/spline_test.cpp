@@ -1,0 +1,103 @@
+#include "toolpace/path/spline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "toolpace/path/build_path.h"
+
+namespace toolpace {
+namespace {
+
+AxisVector at(double x, double y) {
+  AxisVector p = AxisVector::Zero();
+  p[0] = x;
+  p[1] = y;
+  return p;
+}
+
+/// Quarter circle of radius 10 as a rational quadratic: weights 1, cos 45°, 1.
+SplineDetail quarter_circle() {
+  return {2, {{10, 0, 0}, {10, 10, 0}, {0, 10, 0}}, {1, std::sqrt(0.5), 1}, {0, 0, 0, 1, 1, 1}};
+}
+
+Moves one_spline(const SplineDetail& detail) {
+  Moves moves;
+  moves.start.head<3>() = detail.points.front();
+  moves.kind = {MoveKind::spline};
+  moves.line = {1};
+  moves.file = {0};
+  moves.mode = {0};
+  moves.detail = {0};
+  AxisVector end = AxisVector::Zero();
+  end.head<3>() = detail.points.back();
+  moves.end = {end};
+  moves.feed = {10};
+  moves.splines = {detail};
+  return moves;
+}
+
+TEST(Spline, RationalQuarterCircleIsACircle) {
+  const SplineCurve curve = make_spline(at(10, 0), at(0, 10), quarter_circle());
+  for (const double u : {0.0, 0.2, 0.5, 0.8, 1.0}) {
+    EXPECT_NEAR(spline_point(curve, u).head<2>().norm(), 10, 1e-13);
+  }
+}
+
+TEST(Spline, PiecesAddUpToTheArcLength) {
+  const SplineCurve curve = make_spline(at(10, 0), at(0, 10), quarter_circle());
+  double length = 0;
+  for (const SplinePiece& piece : cut_spline(curve, 0)) length += piece_length(curve, piece.begin, piece.end);
+  EXPECT_NEAR(length, 5 * std::numbers::pi, 1e-10);
+}
+
+TEST(Spline, FrameOfTheQuarterCircleHasItsCurvature) {
+  const auto path = build_path(one_spline(quarter_circle()), 0.0);
+  ASSERT_TRUE(path);
+  for (std::size_t i = 0; i < path->size(); ++i) {
+    const Frame f = frame_at(*path, i, path->length[i] * 0.37);
+    EXPECT_NEAR(f.first.norm(), 1, 1e-13);
+    EXPECT_NEAR(f.second.norm(), 0.1, 1e-11);
+    EXPECT_NEAR(f.third.norm(), 0.01, 1e-9);
+    EXPECT_NEAR(f.point.head<2>().norm(), 10, 1e-12);
+  }
+}
+
+TEST(Spline, DerivativesOfAQuinticAgreeWithDifferences) {
+  const SplineDetail detail{5,
+                            {{0, 0, 0}, {3, 9, 1}, {8, -4, 2}, {12, 7, 0}, {15, 1, 3}, {20, 0, 0}, {22, 5, 1}},
+                            {1, 2, 1, 0.5, 1, 1, 1},
+                            {0, 0, 0, 0, 0, 0, 0.4, 1, 1, 1, 1, 1, 1}};
+  const SplineCurve curve = make_spline(at(0, 0), at(22, 5), detail);
+  const double e = 1e-5;
+  for (const double u : {0.1, 0.39, 0.41, 0.9}) {
+    const ParameterDerivatives d = spline_derivatives(curve, u);
+    const ParameterDerivatives a = spline_derivatives(curve, u - e), b = spline_derivatives(curve, u + e);
+    EXPECT_LT(((spline_point(curve, u + e) - spline_point(curve, u - e)) / (2 * e) - d.first).norm(), 1e-5);
+    EXPECT_LT(((b.first - a.first) / (2 * e) - d.second).norm(), 1e-4);
+    EXPECT_LT(((b.second - a.second) / (2 * e) - d.third).norm(), 1e-2);
+  }
+}
+
+TEST(Spline, ParameterInvertsLength) {
+  const SplineCurve curve = make_spline(at(10, 0), at(0, 10), quarter_circle());
+  const SplinePiece piece = cut_spline(curve, 0).front();
+  const double length = piece_length(curve, piece.begin, piece.end);
+  for (const double share : {0.0, 0.25, 0.99, 1.0}) {
+    const double u = parameter_at(curve, piece, length, share * length);
+    EXPECT_NEAR(piece_length(curve, piece.begin, u), share * length, 1e-12 * length);
+  }
+}
+
+TEST(Spline, CurveWithACuspIsCutIntoABoundedNumberOfPieces) {
+  // Control points that fold back make a cusp, where curvature is unbounded.
+  const SplineDetail cusp{3, {{0, 0, 0}, {10, 10, 0}, {0, 10, 0}, {10, 0, 0}}, {}, {0, 0, 0, 0, 1, 1, 1, 1}};
+  const auto path = build_path(one_spline(cusp), 0.0);
+  ASSERT_TRUE(path);
+  EXPECT_LE(path->size(), 4096u);
+  for (const double length : path->length) EXPECT_GT(length, 0);
+}
+
+}  // namespace
+}  // namespace toolpace
