@@ -1,0 +1,42 @@
+#pragma once
+/// Plans in a worker.
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "jobs/background.h"
+#include "models/timeline.h"
+#include "toolpace/pipeline/job.h"
+
+namespace toolpace::ui {
+
+/// Finishes the plan that runs, then takes the latest job: a drag shows every plan that gets done, never starves.
+class PlannerService : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PlannerService(QObject* parent = nullptr);
+
+  /// @return the job's generation; results of older generations are marked stale by isLatest
+  quint64 submit(std::shared_ptr<const Job> job);
+  /// Drops what waits and stops what runs.
+  void cancel();
+  bool isBusy() const { return worker_.isBusy(); }
+  bool isLatest(quint64 generation) const { return generation == latest_; }
+
+ signals:
+  void planned(std::shared_ptr<const toolpace::ui::Timeline> timeline, quint64 generation);
+  void failed(const toolpace::Error& error, quint64 generation);
+  void progressed(double fraction);
+  void busyChanged(bool busy);
+
+ private:
+  void start(std::shared_ptr<const Job> job, quint64 generation);
+
+  Background worker_;
+  std::shared_ptr<const Job> pending_;
+  quint64 latest_ = 0;
+};
+
+}  // namespace toolpace::ui

@@ -1,0 +1,167 @@
+#include "jobs/workspace.h"
+
+#include <algorithm>
+
+namespace toolpace::ui {
+namespace {
+
+Diagnostic as_diagnostic(const Error& error) {
+  return {Severity::error, error.code, error.message, error.remedy, error.where, {}};
+}
+
+}  // namespace
+
+Workspace::Workspace(QObject* parent) : QObject(parent) {
+  connect(&tuning_, &TuningModel::changed, this, &Workspace::replan);
+  connect(&reader_, &ReaderService::read, this, &Workspace::takeDocument);
+  connect(&reader_, &ReaderService::failed, this, &Workspace::openFailed);
+  connect(&reader_, &ReaderService::progressed, this, &Workspace::progressed);
+  connect(&planner_, &PlannerService::planned, this, &Workspace::takeTimeline);
+  connect(&planner_, &PlannerService::failed, this, &Workspace::takeFailure);
+  connect(&planner_, &PlannerService::progressed, this, &Workspace::progressed);
+  connect(&watcher_, &FileWatcher::changed, this, &Workspace::reload);
+  connect(&playback_, &Playback::advanced, this, &Workspace::setCursorTime);
+  const auto busy = [this] { emit busyChanged(isBusy()); };
+  connect(&reader_, &ReaderService::busyChanged, this, busy);
+  connect(&planner_, &PlannerService::busyChanged, this, busy);
+}
+
+std::shared_ptr<const Job> Workspace::job() const {
+  if (!document_) return nullptr;
+  auto job = std::make_shared<Job>();
+  job->program_name = document_->name.toStdString();
+  job->program = document_->reading;
+  job->machine = tuning_.value().machine;
+  job->options = tuning_.value().options;
+  return job;
+}
+
+void Workspace::openFile(const QString& path) { reader_.readFile(path); }
+
+void Workspace::openText(const QByteArray& text, const QString& name) { reader_.readText(text, name); }
+
+void Workspace::reload() {
+  if (!document_) return;
+  if (document_->path.isEmpty()) {
+    reader_.readText(document_->text, document_->name);
+  } else {
+    reader_.readFile(document_->path);
+  }
+}
+
+void Workspace::editLine(int line, const QString& text) {
+  if (!document_ || line < 1 || line > document_->line_count()) return;
+  const qsizetype begin = document_->line_starts[static_cast<std::size_t>(line - 1)];
+  qsizetype end = begin;
+  const QByteArray& old = document_->text;
+  while (end < old.size() && old[end] != '\n' && old[end] != '\r') ++end;
+  QByteArray edited = old;
+  edited.replace(begin, end - begin, text.toUtf8());
+  reader_.readText(edited, document_->name, document_->path);
+}
+
+void Workspace::cancel() {
+  reader_.cancel();
+  planner_.cancel();
+}
+
+void Workspace::takeDocument(std::shared_ptr<const Document> document) {
+  const bool another = !document_ || document_->path != document->path || document_->name != document->name;
+  document_ = std::move(document);
+  if (another) {
+    playback_.pause();
+    watcher_.watch(document_->path);
+    pinned_ = nullptr;
+    timeline_ = nullptr;
+    cursor_ = 0;
+  }
+  collectProblems({});
+  emit documentChanged();
+  if (another) {
+    emit pinnedChanged();
+    emit timelineChanged();
+    emit cursorChanged(cursor_);
+  }
+  replan();
+}
+
+void Workspace::replan() {
+  const auto next = job();
+  if (!next) return;
+  setStale(true);
+  planner_.submit(next);
+}
+
+void Workspace::takeTimeline(std::shared_ptr<const Timeline> timeline, quint64 generation) {
+  if (!document_ || timeline->outcome()->job->program != document_->reading) return;  // another program was opened
+  timeline_ = std::move(timeline);
+  if (planner_.isLatest(generation)) setStale(false);
+  collectProblems(timeline_->outcome()->warnings);
+  emit timelineChanged();
+  setCursorTime(cursor_);
+}
+
+void Workspace::takeFailure(const Error& error, quint64 generation) {
+  if (!planner_.isLatest(generation) || error.kind == ErrorKind::cancelled) return;
+  collectProblems({as_diagnostic(error)});
+}
+
+void Workspace::collectProblems(const Diagnostics& of_plan) {
+  problems_ = document_->reading->diagnostics;
+  problems_.insert(problems_.end(), of_plan.begin(), of_plan.end());
+  emit problemsChanged();
+}
+
+void Workspace::setStale(bool stale) {
+  if (stale_ == stale) return;
+  stale_ = stale;
+  emit staleChanged(stale);
+}
+
+void Workspace::pin() {
+  if (!timeline_) return;
+  pinned_ = timeline_;
+  emit pinnedChanged();
+}
+
+void Workspace::unpin() {
+  if (!pinned_) return;
+  pinned_ = nullptr;
+  emit pinnedChanged();
+}
+
+void Workspace::swap() {
+  if (!pinned_ || !timeline_) return;
+  std::swap(pinned_, timeline_);
+  const auto& job = *timeline_->outcome()->job;
+  emit pinnedChanged();
+  emit timelineChanged();
+  tuning_.replace(tr("Swap A and B"), {job.machine, job.options});
+}
+
+void Workspace::setCursorTime(double time) {
+  const double end = timeline_ ? timeline_->duration() : 0.0;
+  cursor_ = std::clamp(time, 0.0, std::max(end, 0.0));
+  emit cursorChanged(cursor_);
+}
+
+void Workspace::setCursorLine(std::uint32_t line) {
+  if (!timeline_) return;
+  if (const auto time = timeline_->time_of_line(line)) setCursorTime(*time);
+}
+
+void Workspace::stepLine(int direction) {
+  if (!timeline_) return;
+  playback_.pause();
+  setCursorTime(direction > 0 ? timeline_->next_line(cursor_) : timeline_->previous_line(cursor_));
+}
+
+void Workspace::togglePlay() {
+  if (playback_.isPlaying()) {
+    playback_.pause();
+  } else if (timeline_) {
+    playback_.play(cursor_, timeline_->duration());
+  }
+}
+
+}  // namespace toolpace::ui

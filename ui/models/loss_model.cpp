@@ -1,0 +1,66 @@
+#include "models/loss_model.h"
+
+#include <algorithm>
+
+namespace toolpace::ui {
+
+void LossModel::setTimeline(std::shared_ptr<const Timeline> timeline) {
+  beginResetModel();
+  timeline_ = std::move(timeline);
+  endResetModel();
+}
+
+void LossModel::setUnit(LengthUnit unit) {
+  beginResetModel();
+  unit_ = unit;
+  endResetModel();
+}
+
+int LossModel::rowCount(const QModelIndex& parent) const {
+  if (parent.isValid() || !timeline_) return 0;
+  return static_cast<int>(std::min<std::size_t>(timeline_->worst_lines().size(), kRows));
+}
+
+int LossModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+double LossModel::number(std::uint32_t line, int column) const {
+  const auto& stats = timeline_->lines()[line];
+  switch (column) {
+    case kLine: return line;
+    case kAsked: return stats.asked_speed();
+    case kMean: return stats.mean_speed();
+    case kTime: return stats.time;
+    default: return stats.loss();
+  }
+}
+
+QVariant LossModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole && role != kSortRole) return {};
+  const std::uint32_t line = timeline_->worst_lines()[static_cast<std::size_t>(index.row())];
+  const double value = number(line, index.column());
+  if (role == kSortRole) return value;
+  switch (index.column()) {
+    case kLine: return QString::number(line);
+    case kAsked:
+    case kMean: return QString::number(value * display_unit(Quantity::speed, unit_).factor, 'f', 2);
+    default: return QString::number(value, 'f', 3);
+  }
+}
+
+QVariant LossModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  const QString speed = display_unit(Quantity::speed, unit_).text;
+  switch (section) {
+    case kLine: return tr("Line");
+    case kAsked: return tr("Feed") + "  " + speed;
+    case kMean: return tr("Mean") + "  " + speed;
+    case kTime: return tr("Time") + "  s";
+    default: return tr("Loss") + "  s";
+  }
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,65 @@
+#include "models/problem_model.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "theme/icons.h"
+
+namespace toolpace::ui {
+
+QString message_text(const std::string& code, const std::string& english) {
+  const QString translated = QCoreApplication::translate("codes", code.c_str());
+  return translated == QString::fromStdString(code) ? QString::fromStdString(english) : translated;
+}
+
+void ProblemModel::setProblems(Diagnostics problems) {
+  beginResetModel();
+  problems_ = std::move(problems);
+  endResetModel();
+}
+
+void ProblemModel::setTheme(const Theme& theme) {
+  beginResetModel();
+  theme_ = theme;
+  endResetModel();
+}
+
+int ProblemModel::count(Severity severity) const {
+  return static_cast<int>(
+      std::count_if(problems_.begin(), problems_.end(), [severity](const auto& p) { return p.severity == severity; }));
+}
+
+int ProblemModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(problems_.size());
+}
+
+int ProblemModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant ProblemModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const Diagnostic& problem = at(index.row());
+  if (role == Qt::DecorationRole && index.column() == kPlace) {
+    Theme tint = theme_;
+    tint.text = problem.severity == Severity::error     ? theme_.error
+                : problem.severity == Severity::warning ? theme_.warning
+                                                        : theme_.secondary;
+    return icon(problem.severity == Severity::error ? "error" : "warning", tint);
+  }
+  const QString message = message_text(problem.code, problem.message);
+  if (role == Qt::ToolTipRole) {
+    const QString remedy = QString::fromStdString(problem.remedy);
+    return remedy.isEmpty() ? message : message + "\n" + remedy;
+  }
+  if (role != Qt::DisplayRole) return {};
+  if (index.column() == kMessage) return message;
+  if (problem.where.line == 0) return "–";
+  return problem.where.column == 0 ? QString::number(problem.where.line)
+                                   : QString("%1:%2").arg(problem.where.line).arg(problem.where.column);
+}
+
+QVariant ProblemModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  return section == kPlace ? tr("Line") : tr("Message");
+}
+
+}  // namespace toolpace::ui

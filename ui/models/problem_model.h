@@ -1,0 +1,38 @@
+#pragma once
+/// Errors and warnings of the program and of its plan, as a table.
+
+#include <QAbstractTableModel>
+
+#include "theme/theme.h"
+#include "toolpace/base/result.h"
+
+namespace toolpace::ui {
+
+/// Message of a diagnostic in the language of the window; English where its code has no translation.
+QString message_text(const std::string& code, const std::string& english);
+
+class ProblemModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kPlace, kMessage, kColumns };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  void setProblems(Diagnostics problems);
+  void setTheme(const Theme& theme);
+  const Diagnostic& at(int row) const { return problems_[static_cast<std::size_t>(row)]; }
+  const Diagnostics& problems() const { return problems_; }
+  int count(Severity severity) const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  Diagnostics problems_;
+  Theme theme_ = light_theme();
+};
+
+}  // namespace toolpace::ui

@@ -1,0 +1,104 @@
+#include "models/timeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toolpace::ui {
+
+Timeline::Timeline(std::shared_ptr<const Outcome> outcome) : outcome_(std::move(outcome)) {
+  const auto& length = outcome_->path->length;
+  distance_.reserve(length.size() + 1);
+  distance_.push_back(0);
+  for (double l : length) distance_.push_back(distance_.back() + l);
+  collect_lines();
+}
+
+std::uint32_t Timeline::line_of_block(std::size_t block) const {
+  const auto& moves = outcome_->job->program->moves;
+  const std::uint32_t row = outcome_->path->move[block];
+  return moves.file[row] == 0 ? moves.line[row] : 0;
+}
+
+void Timeline::collect_lines() {
+  const auto& o = *outcome_;
+  const auto& moves = o.job->program->moves;
+  for (std::size_t i = 0; i < o.path->size(); ++i) {
+    const std::uint32_t line = line_of_block(i);
+    if (line == 0) continue;
+    if (line >= lines_.size()) lines_.resize(line + 1);
+    auto& stats = lines_[line];
+    double time = o.node_time[i + 1] - o.node_time[i];
+    if (stats.begin < 0) stats.begin = o.node_time[i];
+    stats.length += o.path->length[i];
+    const double feed = moves.feed[o.path->move[i]] * o.job->options.feed_override;
+    const bool asked = feed > 0 && std::isfinite(feed) && moves.kind[o.path->move[i]] != MoveKind::rapid;
+    stats.time += time;
+    stats.asked_time += asked ? std::min(time, o.path->length[i] / feed) : time;
+  }
+  for (std::uint32_t line = 1; line < lines_.size(); ++line) {
+    if (lines_[line].loss() > 0) worst_lines_.push_back(line);
+  }
+  std::stable_sort(worst_lines_.begin(), worst_lines_.end(),
+                   [this](auto a, auto b) { return lines_[a].loss() > lines_[b].loss(); });
+}
+
+std::size_t Timeline::block_at(double time) const {
+  const auto& t = outcome_->node_time;
+  if (t.size() < 2) return 0;
+  const auto after = std::upper_bound(t.begin(), t.end(), time);
+  const auto index = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - t.begin(), 1)) - 1;
+  return std::min(index, t.size() - 2);
+}
+
+Instant Timeline::at(double time) const {
+  const auto& o = *outcome_;
+  Instant instant;
+  instant.time = std::clamp(time, 0.0, duration());
+  const auto& phases = o.plan.phases;
+  if (phases.empty() || o.path->size() == 0) return instant;
+  const auto after = std::upper_bound(phases.begin(), phases.end(), instant.time,
+                                      [](double t, const Phase& phase) { return t < phase.begin; });
+  const Phase& phase = after == phases.begin() ? phases.front() : *std::prev(after);
+  instant.state = evaluate(phase, std::clamp(instant.time - phase.begin, 0.0, phase.duration));
+  instant.block = block_at(instant.time);
+  const double along = instant.state.distance - distance_[instant.block];
+  instant.position = point_at(*o.path, instant.block, std::clamp(along, 0.0, o.path->length[instant.block]));
+  instant.line = line_of_block(instant.block);
+  const auto restraint = std::upper_bound(o.restraints.begin(), o.restraints.end(), instant.time,
+                                          [](double t, const Restraint& r) { return t < r.begin; });
+  if (restraint != o.restraints.begin()) instant.cause = std::prev(restraint)->cause;
+  return instant;
+}
+
+std::optional<double> Timeline::time_of_line(std::uint32_t line) const {
+  for (std::size_t i = std::max(line, 1u); i < lines_.size(); ++i) {
+    if (lines_[i].begin >= 0) return lines_[i].begin;
+  }
+  return std::nullopt;
+}
+
+double Timeline::next_line(double time) const {
+  if (outcome_->path->size() == 0) return 0;
+  const std::size_t block = block_at(time);
+  const std::uint32_t line = line_of_block(block);
+  for (std::size_t i = block + 1; i < outcome_->path->size(); ++i) {
+    if (line_of_block(i) != line) return outcome_->node_time[i];
+  }
+  return duration();
+}
+
+double Timeline::previous_line(double time) const {
+  if (outcome_->path->size() == 0) return 0;
+  std::size_t block = block_at(time);
+  const auto begin_of = [this](std::size_t i) {
+    const std::uint32_t line = line_of_block(i);
+    while (i > 0 && line_of_block(i - 1) == line) --i;
+    return i;
+  };
+  block = begin_of(block);
+  constexpr double kJustArrived = 1e-9;  // standing on a line's begin means: go to the one before
+  if (time <= outcome_->node_time[block] + kJustArrived && block > 0) block = begin_of(block - 1);
+  return outcome_->node_time[block];
+}
+
+}  // namespace toolpace::ui

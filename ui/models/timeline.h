@@ -1,0 +1,66 @@
+#pragma once
+/// A plan with look-up by time, by NC line and by block.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "toolpace/pipeline/job.h"
+
+namespace toolpace::ui {
+
+/// What the program asked of a line and what the plan made of it.
+struct LineStats {
+  double length = 0;      ///< [mm; deg where only rotary axes move]
+  double time = 0;        ///< as planned, without dwells [s]
+  double asked_time = 0;  ///< at the programmed feed all along [s]; equals `time` where no feed was programmed
+  double begin = -1;      ///< when the line begins [s]; < 0: no motion
+
+  double loss() const { return time - asked_time; }
+  double mean_speed() const { return time > 0 ? length / time : 0; }
+  double asked_speed() const { return asked_time > 0 ? length / asked_time : 0; }
+};
+
+/// State at an instant.
+struct Instant {
+  double time = 0;                           ///< [s]
+  PhaseState state = {};                     ///< along the path
+  AxisVector position = AxisVector::Zero();  ///< [mm, rad]
+  std::size_t block = 0;
+  std::uint32_t line = 0;  ///< NC line of the program itself; 0 = none
+  Cause cause = Cause::feed;
+};
+
+/// Immutable; built by a worker, shared with the window.
+class Timeline {
+ public:
+  explicit Timeline(std::shared_ptr<const Outcome> outcome);
+
+  const std::shared_ptr<const Outcome>& outcome() const { return outcome_; }
+  double duration() const { return outcome_->plan.cycle_time(); }
+
+  Instant at(double time) const;  ///< time is clamped into the plan
+  /// When the motion of a line begins, or of the next line that moves; nothing after the last.
+  std::optional<double> time_of_line(std::uint32_t line) const;
+  /// Begin of the next (or previous) NC line that moves, as seen from `time`.
+  double next_line(double time) const;
+  double previous_line(double time) const;
+
+  /// Indexed by NC line, counted from 1 (entry 0 is unused).
+  const std::vector<LineStats>& lines() const { return lines_; }
+  /// Where the speed is least for longest against what was asked: begins of the worst lines, worst first.
+  const std::vector<std::uint32_t>& worst_lines() const { return worst_lines_; }
+
+ private:
+  std::uint32_t line_of_block(std::size_t block) const;
+  std::size_t block_at(double time) const;
+  void collect_lines();
+
+  std::shared_ptr<const Outcome> outcome_;
+  std::vector<double> distance_;  // path length up to each node
+  std::vector<LineStats> lines_;
+  std::vector<std::uint32_t> worst_lines_;
+};
+
+}  // namespace toolpace::ui
