@@ -21,8 +21,8 @@ struct Point {
 constexpr int kDegree = 3;
 constexpr double kScale = 0.398;
 constexpr double kChordError = 0.001554;  // [mm]
-constexpr double kLongestChord = 0.75;   // [mm]
-constexpr double kFeed = 3000;           // [mm/min]
+constexpr double kLongestChord = 0.75;    // [mm]
+constexpr double kFeed = 3000;            // [mm/min]
 
 constexpr std::array<Point, 51> kControl = {{
     {54.493, 52.139}, {55.507, 52.139},  {56.082, 49.615}, {56.78, 44.971},  {69.575, 51.358}, {77.786, 58.573},

@@ -1,5 +1,5 @@
-/// A fixed piece of work whose cost stands beside every figure: absolute times drift from machine to machine and from hour
-/// to hour, ratios to this loop much less.
+/// A fixed piece of work whose cost stands beside every figure: absolute times drift from machine to machine and from
+/// hour to hour, ratios to this loop much less.
 
 #include <benchmark/benchmark.h>
 

@@ -10,7 +10,8 @@ namespace toolpace {
 
 struct Monitor {
   std::stop_token stop = {};
-  std::function<void(double fraction)> progress = {};  ///< fraction in [0, 1], never falling; called on the working thread
+  std::function<void(double fraction)> progress =
+      {};  ///< fraction in [0, 1], never falling; called on the working thread
 
   bool is_cancelled() const { return stop.stop_requested(); }
   void report(double fraction) const {

@@ -17,7 +17,8 @@ struct Location {
   std::size_t column = 0;
 };
 
-/// Who has to act, and with it the exit code of the command line (CLI: usage 2, input 3, infeasible 3, io 4, cancelled 130).
+/// Who has to act, and with it the exit code of the command line (CLI: usage 2, input 3, infeasible 3, io 4, cancelled
+/// 130).
 enum class ErrorKind : std::uint8_t { usage, input, infeasible, io, cancelled };
 
 struct Error {
