@@ -9,4 +9,7 @@ namespace toolpace::cli {
 
 using Action = std::function<int()>;  ///< returns the exit code
 
+void add_move_command(CLI::App& app, Action& action);
+void add_steps_command(CLI::App& app, Action& action);
+
 }  // namespace toolpace::cli

@@ -12,6 +12,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "toolpace " TOOLPACE_VERSION);
   app.require_subcommand(1);
   Action action;
+  add_move_command(app, action);
+  add_steps_command(app, action);
 
   try {
     app.parse(argc, argv);

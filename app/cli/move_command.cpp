@@ -1,0 +1,149 @@
+/// toolpace move: one move under one law, in any consistent units (mm and s, pulse and cycle, …).
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "commands.h"
+#include "report.h"
+#include "toolpace/law/single_move.h"
+
+namespace toolpace::cli {
+namespace {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+struct MoveFlags {
+  std::string law = "quintic";
+  MoveRequest move;
+  std::optional<double> tacc, tdec, am, dm, jm, jd;
+  bool json = false;
+};
+
+Error usage_error(std::string code, std::string message, std::string remedy) {
+  return {ErrorKind::usage, std::move(code), std::move(message), std::move(remedy), {}, {}};
+}
+
+/// What the law has to be told, and was not.
+std::optional<Error> find_missing(const LawRow& law, const MoveFlags& flags) {
+  const auto missing = [&](const char* what, const char* flag) {
+    return usage_error("limit-missing", fmt::format("{} needs {}", law.id, what), fmt::format("add {}", flag));
+  };
+  if (law.uses_time && !flags.tacc) return missing("a ramp time", "--tacc, and --tdec where it differs");
+  if (law.needs_acceleration && !flags.am) return missing("an acceleration limit", "--am");
+  if (law.needs_jerk && !flags.jm) return missing("a jerk limit", "--jm");
+  const auto is_zero = [](const std::optional<double>& time) { return time && *time == 0; };
+  if (law.uses_time && (is_zero(flags.tacc) || is_zero(flags.tdec))) {
+    return usage_error("number-out-of-range", "a ramp time is 0, which takes an unbounded acceleration",
+                       "give --tacc and --tdec above 0, or use --law trapezoid");
+  }
+  return std::nullopt;
+}
+
+/// Limits that were given although the law does not look at them are worth a word: the move may break them.
+void mention_unused(const LawRow& law, const MoveFlags& flags) {
+  const auto mention = [&](const char* names) { fmt::print(stderr, "note: {} does not use {}\n", law.id, names); };
+  if (law.uses_time && (flags.am || flags.dm || flags.jm || flags.jd)) mention("--am, --dm, --jm, --jd");
+  if (!law.uses_time && (flags.tacc || flags.tdec)) mention("--tacc, --tdec");
+  if (!law.bounds_jerk && (flags.jm || flags.jd)) mention("--jm, --jd");
+}
+
+Dynamics dynamics_of(const LawRow& law, const MoveFlags& flags) {
+  if (law.uses_time) {
+    return {{kUnbounded, kUnbounded, *flags.tacc}, {kUnbounded, kUnbounded, flags.tdec.value_or(*flags.tacc)}};
+  }
+  const double am = flags.am.value_or(kUnbounded), jm = flags.jm.value_or(kUnbounded);
+  return {{am, jm, 0.0}, {flags.dm.value_or(am), flags.jd.value_or(jm), 0.0}};
+}
+
+nlohmann::ordered_json number(double value) { return std::isinf(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value); }
+
+nlohmann::ordered_json to_json(const LawRow& law, const SingleMove& move) {
+  nlohmann::ordered_json phases = nlohmann::ordered_json::array();
+  for (const Phase& p : move.phases) {
+    const PhaseState first = evaluate(p, 0.0), last = evaluate(p, p.duration);
+    phases.push_back({{"begin", p.begin},
+                      {"duration", p.duration},
+                      {"distance", p.distance},
+                      {"v_begin", first.speed},
+                      {"v_end", last.speed},
+                      {"a_begin", first.acceleration},
+                      {"a_end", last.acceleration},
+                      {"shape", p.shape == PhaseShape::quintic ? "quintic" : "constant_jerk"}});
+  }
+  return {{"law", law.id},
+          {"reaches_feed", move.reaches_feed},
+          {"fmax", move.peak},
+          {"sa", move.up.length},
+          {"sb", move.down.length},
+          {"t_acc", move.up.time},
+          {"t_cruise", move.cruise_time},
+          {"t_dec", move.down.time},
+          {"t_total", move.total_time()},
+          {"j_acc", number(move.up.peak_jerk)},
+          {"j_dec", number(move.down.peak_jerk)},
+          {"a_peak", number(move.up.peak_acceleration)},
+          {"d_peak", number(move.down.peak_acceleration)},
+          {"phases", phases}};
+}
+
+void print_table(const LawRow& law, const SingleMove& move) {
+  const auto text = [](double value) {
+    return std::isinf(value) ? std::string("unbounded") : fmt::format("{:.9g}", value);
+  };
+  fmt::print("{}: {}\n", law.title, move.reaches_feed ? "reaches the feed" : "does not reach the feed");
+  fmt::print("peak speed            {}\n", text(move.peak));
+  fmt::print("                      {:>16} {:>16} {:>16}\n", "speeding up", "cruise", "slowing down");
+  fmt::print("time                  {:>16} {:>16} {:>16}\n", text(move.up.time), text(move.cruise_time),
+             text(move.down.time));
+  const double end = move.phases.empty() ? 0.0 : evaluate(move.phases.back(), move.phases.back().duration).distance;
+  fmt::print("length                {:>16} {:>16} {:>16}\n", text(move.up.length),
+             text(move.cruise_time > 0 ? end - move.up.length - move.down.length : 0.0), text(move.down.length));
+  fmt::print("peak acceleration     {:>16} {:>16} {:>16}\n", text(move.up.peak_acceleration), "0",
+             text(move.down.peak_acceleration));
+  fmt::print("peak jerk             {:>16} {:>16} {:>16}\n", text(move.up.peak_jerk), "0", text(move.down.peak_jerk));
+  fmt::print("total time            {}\n", text(move.total_time()));
+}
+
+int run_move(const MoveFlags& flags) {
+  const auto kind = find_law(flags.law);
+  if (!kind) {
+    return report(usage_error("law-unknown", "there is no law called " + flags.law, "take one of " + law_ids()));
+  }
+  const LawRow& law = law_row(*kind);
+  if (auto error = find_missing(law, flags)) return report(*error);
+  const auto move = single_move(*kind, flags.move, dynamics_of(law, flags));
+  if (!move) return report(move.error());
+  mention_unused(law, flags);
+  if (flags.json) {
+    fmt::print("{}\n", to_json(law, *move).dump(2));
+  } else {
+    print_table(law, *move);
+  }
+  return kFine;
+}
+
+}  // namespace
+
+void add_move_command(CLI::App& app, Action& action) {
+  auto flags = std::make_shared<MoveFlags>();
+  CLI::App& command = *app.add_subcommand("move", "Computes one move: ramp, cruise, ramp. Takes any consistent units.");
+  command.add_option("--law", flags->law, "one of " + law_ids())->required();
+  command.add_option("--length", flags->move.length, "length of the move")->required();
+  command.add_option("--feed", flags->move.feed, "top speed")->required();
+  command.add_option("--start", flags->move.start, "speed at the start")->capture_default_str();
+  command.add_option("--end", flags->move.end, "speed at the end")->capture_default_str();
+  command.add_option("--tacc", flags->tacc, "acceleration time, five-phase-time");
+  command.add_option("--tdec", flags->tdec, "deceleration time, five-phase-time; default --tacc");
+  command.add_option("--am", flags->am, "acceleration limit");
+  command.add_option("--dm", flags->dm, "deceleration limit; default --am");
+  command.add_option("--jm", flags->jm, "jerk limit");
+  command.add_option("--jd", flags->jd, "jerk limit while slowing down; default --jm");
+  command.add_flag("--json", flags->json, "print one JSON object");
+  command.callback([flags, &action] { action = [flags] { return run_move(*flags); }; });
+}
+
+}  // namespace toolpace::cli

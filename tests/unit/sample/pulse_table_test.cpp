@@ -1,0 +1,167 @@
+#include "toolpace/sample/pulse_table.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_dec_float.hpp>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "toolpace/io/pulse_writer.h"
+
+namespace toolpace {
+namespace {
+
+using Exact = boost::multiprecision::cpp_dec_float_50;
+
+/// The exact time of each pulse by bisection on the definition, with 50 digits.
+class ExactMove {
+ public:
+  explicit ExactMove(const StepperMove& m) : steps_(m.steps), t_acc_(m.t_acc), t_dec_(m.t_dec), peak_(m.speed) {
+    const Exact highest = 2 * steps_ / (t_acc_ + t_dec_);
+    if (highest < peak_) peak_ = highest;
+    cruise_ = (steps_ - peak_ * (t_acc_ + t_dec_) / 2) / peak_;
+  }
+  Exact total() const { return t_acc_ + cruise_ + t_dec_; }
+
+  Exact time(std::uint64_t pulse) const {
+    const Exact k = pulse;
+    const Exact up = peak_ * t_acc_ / 2, down = peak_ * t_dec_ / 2;
+    if (k < up) return on_ramp(k, t_acc_);
+    if (steps_ - k < down) return total() - on_ramp(steps_ - k, t_dec_);
+    return t_acc_ + (k - up) / peak_;
+  }
+
+ private:
+  /// v = 2·peak·τ², then mirrored: s = T·peak·(2τ³/3), s(1) − s = T·peak·((1−τ) − 2(1−τ)³/3)
+  Exact on_ramp(const Exact& distance, const Exact& time) const {
+    const Exact wanted = distance / (time * peak_);
+    Exact low = 0, high = 1;
+    for (int i = 0; i < 150; ++i) {
+      const Exact middle = (low + high) / 2, rest = 1 - middle;
+      const Exact covered = middle < Exact(1) / 2 ? Exact(2 * middle * middle * middle / 3)
+                                                  : Exact(Exact(1) / 2 - (rest - 2 * rest * rest * rest / 3));
+      (covered < wanted ? low : high) = middle;
+    }
+    return low * time;
+  }
+
+  Exact steps_, t_acc_, t_dec_, peak_, cruise_;
+};
+
+std::vector<std::uint32_t> all_ticks(const PulseTable& table) {
+  std::vector<std::uint32_t> ticks(table.move().steps);
+  table.read(0, ticks);
+  return ticks;
+}
+
+const StepperMove kMoves[] = {
+    {2000, 5000, 0.2, 0.1, 1e6},        // cruise
+    {500, 50000, 0.2, 0.07, 72e6},      // top speed not reached, Tacc ≠ Tdec
+    {1, 1000, 0.01, 0.02, 1e6},         // one step
+    {1, 1000, 0.0001, 0.0002, 1e6},     // one step, ramps shorter than it
+    {2, 1000, 0.01, 0.02, 84e6},        // first and last pulse alone
+    {3, 10, 5.0, 0.001, 1e4},           // very unequal ramps
+    {700, 1000, 0.001, 0.5, 1e3},       // a tick is one step at top speed
+    {1000, 123.456, 1.7, 2.9, 32768},   // nothing is round
+};
+
+TEST(PulseTable, EveryPulseLiesWithinHalfATickOfItsExactTime) {
+  for (const StepperMove& move : kMoves) {
+    const auto table = PulseTable::create(move);
+    ASSERT_TRUE(table) << table.error().message;
+    const ExactMove exact(move);
+    const auto ticks = all_ticks(*table);
+    std::uint64_t sum = 0;
+    for (std::uint64_t k = 1; k <= move.steps; ++k) {
+      sum += ticks[k - 1];
+      const double off = static_cast<double>(Exact(sum) - exact.time(k) * Exact(move.timer_hz));
+      EXPECT_LE(std::abs(off), 0.5 + 1e-6) << "pulse " << k << " of " << move.steps;
+      EXPECT_GT(ticks[k - 1], 0u) << "pulse " << k;
+    }
+  }
+}
+
+TEST(PulseTable, TimesAreExactToFourteenDigitsOfTheMove) {
+  for (const StepperMove& move : kMoves) {
+    const auto table = PulseTable::create(move);
+    ASSERT_TRUE(table);
+    const ExactMove exact(move);
+    for (std::uint64_t k = 0; k <= move.steps; ++k) {
+      EXPECT_NEAR(table->time(k), static_cast<double>(exact.time(k)), 1e-14 * table->total_time()) << k;
+    }
+  }
+}
+
+TEST(PulseTable, TheIntervalsAddUpToTheMove) {
+  for (const StepperMove& move : kMoves) {
+    const auto table = PulseTable::create(move);
+    ASSERT_TRUE(table);
+    const auto ticks = all_ticks(*table);
+    const auto sum = std::accumulate(ticks.begin(), ticks.end(), std::uint64_t{0});
+    EXPECT_EQ(sum, table->total_ticks());
+    EXPECT_NEAR(static_cast<double>(sum), table->total_time() * move.timer_hz, 0.5 + 1e-6);
+  }
+}
+
+TEST(PulseTable, AnyStretchIsTheSameAsInTheWhole) {
+  const auto table = PulseTable::create(kMoves[7]);
+  ASSERT_TRUE(table);
+  const auto whole = all_ticks(*table);
+  for (std::size_t first = 0; first < whole.size(); first += 61) {
+    std::vector<std::uint32_t> part(std::min<std::size_t>(97, whole.size() - first));
+    table->read(first, part);
+    for (std::size_t i = 0; i < part.size(); ++i) EXPECT_EQ(part[i], whole[first + i]) << first + i;
+  }
+}
+
+// Ten million steps with ramps of 2.5 and 1.5 million: the far ends as exact as the near ones.
+TEST(PulseTable, TenMillionStepsStayExactToTheLast) {
+  const StepperMove move{10'000'000, 1e6, 5.0, 3.0, 100e6};
+  const auto table = PulseTable::create(move);
+  ASSERT_TRUE(table);
+  const ExactMove exact(move);
+  std::vector<std::uint32_t> ticks(100'000);
+  std::uint64_t sum = 0;
+  for (std::uint64_t first = 0; first < move.steps; first += ticks.size()) {
+    table->read(first, ticks);
+    sum = std::accumulate(ticks.begin(), ticks.end(), sum);
+    const double off = static_cast<double>(Exact(sum) - exact.time(first + ticks.size()) * Exact(move.timer_hz));
+    EXPECT_LE(std::abs(off), 0.5 + 1e-5) << first;
+  }
+  for (std::uint64_t k = move.steps - 20; k <= move.steps; ++k) {
+    EXPECT_NEAR(table->time(k), static_cast<double>(exact.time(k)), 1e-14 * 15) << k;
+  }
+}
+
+// N = 100, Tacc = 0.1, Tdec = 0.3: 2·100/0.4 = 500 step/s.
+TEST(PulseTable, PeakIsWhatTheLengthAllows) {
+  const auto table = PulseTable::create({100, 1000, 0.1, 0.3, 1e6});
+  ASSERT_TRUE(table);
+  EXPECT_NEAR(table->peak_speed(), 500, 1e-9);
+  EXPECT_FALSE(table->reaches_speed());
+  EXPECT_NEAR(table->total_time(), 0.4, 1e-15);
+}
+
+TEST(PulseTable, NumbersThatMakeNoSenseAreUsageErrors) {
+  const double nan = std::nan("");
+  for (const StepperMove& move :
+       {StepperMove{0, 1, 1, 1, 1e6}, StepperMove{1, 0, 1, 1, 1e6}, StepperMove{1, nan, 1, 1, 1e6},
+        StepperMove{1, 1, 0, 1, 1e6}, StepperMove{1, 1, 1, -1, 1e6}, StepperMove{1, 1, 1, 1, 0},
+        StepperMove{1, 1, 1, 1, nan}}) {
+    const auto table = PulseTable::create(move);
+    ASSERT_FALSE(table);
+    EXPECT_EQ(table.error().kind, ErrorKind::usage);
+    EXPECT_EQ(table.error().code, "number-out-of-range");
+  }
+}
+
+TEST(PulseTable, ATimerThatCannotKeepUpIsRefused) {
+  EXPECT_EQ(PulseTable::create({1000, 1e6, 0.0001, 0.0001, 1e5}).error().code, "timer-too-slow");
+  EXPECT_EQ(PulseTable::create({10, 1, 100, 100, 84e6}).error().code, "timer-too-fast");       // 32 bits
+  EXPECT_EQ(PulseTable::create({1'000'000'000, 1, 1, 1, 1e6}).error().code, "timer-too-fast");  // 2^45
+}
+
+}  // namespace
+}  // namespace toolpace
