@@ -59,7 +59,9 @@ Dynamics dynamics_of(const LawRow& law, const MoveFlags& flags) {
   return {{am, jm, 0.0}, {flags.dm.value_or(am), flags.jd.value_or(jm), 0.0}};
 }
 
-nlohmann::ordered_json number(double value) { return std::isinf(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value); }
+nlohmann::ordered_json number(double value) {
+  return std::isinf(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value);
+}
 
 nlohmann::ordered_json to_json(const LawRow& law, const SingleMove& move) {
   nlohmann::ordered_json phases = nlohmann::ordered_json::array();

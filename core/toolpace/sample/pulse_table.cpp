@@ -124,9 +124,10 @@ Result<void> PulseTable::check_timer() const {
   const auto refuse = [](std::string code, std::string message, std::string remedy) -> Result<void> {
     return tl::make_unexpected(Error{ErrorKind::usage, std::move(code), std::move(message), std::move(remedy), {}, {}});
   };
-  if (peak_ > move_.timer_hz) {
+  // At exactly one tick a pulse, rounding would put two pulses on the same tick here and there.
+  if (peak_ > move_.timer_hz * (1 - 1e-9)) {
     return refuse("timer-too-slow",
-                  "pulses at " + to_text(peak_) + " step/s are closer than one tick of a timer of " +
+                  "pulses at " + to_text(peak_) + " step/s are no more than one tick apart with a timer of " +
                       to_text(move_.timer_hz) + " Hz",
                   "take a faster timer clock or a lower top speed");
   }

@@ -16,7 +16,7 @@ struct StepperMove {
   double speed = 0.0;       ///< top speed [step/s], > 0
   double t_acc = 0.0;       ///< [s], > 0
   double t_dec = 0.0;       ///< [s], > 0
-  double timer_hz = 0.0;    ///< timer clock [Hz], at least the top speed that is reached
+  double timer_hz = 0.0;    ///< timer clock [Hz], above the peak speed, so that intervals are never 0
 };
 
 /// The times of all pulses, exact on the polynomial profile, without storing them.
