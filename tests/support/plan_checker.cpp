@@ -31,10 +31,10 @@ double time_at(const Phase& p, double s) {
   double t = high / 2;
   for (int i = 0; i < 200 && high - low > 1e-16 * p.duration; ++i) {
     const State x = state_at(p, t);
+    if (std::abs(x.s - s) <= 1e-15 * s) break;
     (x.s < s ? low : high) = t;
     const double newton = x.v > 0 ? t - (x.s - s) / x.v : -1;
     t = newton > low && newton < high && i % 4 != 3 ? newton : (low + high) / 2;
-    if (std::abs(x.s - s) <= 1e-15 * s) break;
   }
   return t;
 }
@@ -123,12 +123,18 @@ class Measure {
       const State x = state_at(p, t);
       raise(use_.block_speed, x.v / limits_.block_cap[block_], "speed", p);
       use_.lowest_speed = std::min(use_.lowest_speed, x.v);
+    }
+    // A phase that ends at a node may reach past it by a rounding of the position, which is no time at all, except near
+    // a rest, where it takes the cube root of that.
+    if (state_at(p, t1).s - state_at(p, t0).s < 1e-12 * std::max(1.0, node_.back())) return;
+    for (const double t : times) {
+      const State x = state_at(p, t);
       raise(use_.acceleration, x.a > 0 ? x.a / d.up.acceleration : -x.a / d.down.acceleration, "acceleration", p);
       if (p.shape == PhaseShape::quintic) {
         raise(use_.jerk, std::abs(x.j) / (p.rate > 0 ? d.up.jerk : d.down.jerk), "jerk", p);
       }
     }
-    if (p.shape == PhaseShape::quintic || t1 - t0 < 1e-9 * p.duration) return;
+    if (p.shape == PhaseShape::quintic) return;
     // Constant jerk: it belongs to speeding up where the acceleration is positive inside the stretch.
     const double a0 = p.acceleration + t0 * p.rate, a1 = p.acceleration + t1 * p.rate;
     const double rounding = 1e-7 * std::max(std::abs(p.acceleration), std::abs(p.acceleration + p.duration * p.rate));

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "toolpace/law/law.h"
 #include "toolpace/limits/ramp_limits.h"
 #include "toolpace/plan/increasing_root.h"
+#include "toolpace/plan/phase_writer.h"
 
 namespace toolpace::detail {
 
@@ -56,49 +56,6 @@ double stretch_time(const Stretch& s, const Dynamics& dynamics) {
   const double rest = s.length - (s.entry + peak) / 2 * up - (peak + s.exit) / 2 * down;
   return up + down + std::max(0.0, rest) / peak;
 }
-
-/// Writes phases one after another while time is summed with compensation and positions are set by the caller, so that
-/// neither drifts over millions of blocks.
-class PhaseWriter {
- public:
-  explicit PhaseWriter(std::vector<Phase>& phases) : phases_(phases) {}
-
-  double time() const { return time_; }
-
-  /// Appends a phase at the present time; durations ≤ 0 are left out.
-  void push(Phase phase) {
-    if (!(phase.duration > 0)) return;
-    phase.begin = time_;
-    advance(phase.duration);
-    phases_.push_back(phase);
-  }
-
-  /// Appends the phases of a ramp so that the first one starts at `position`.
-  template <class Law>
-  void push_ramp(double v0, double v1, const RampLimits& limits, double position) {
-    const std::size_t first = phases_.size();
-    Law::append_ramp(v0, v1, limits, phases_);
-    if (phases_.size() == first) return;
-    const double shift = position - phases_[first].distance;
-    for (std::size_t i = first; i < phases_.size(); ++i) {
-      phases_[i].distance += shift;
-      phases_[i].begin = time_;
-      advance(phases_[i].duration);
-    }
-  }
-
- private:
-  /// Neumaier's sum: the error of 10⁶ additions stays that of one.
-  void advance(double duration) {
-    const double sum = sum_ + duration;
-    carry_ += sum_ >= duration ? (sum_ - sum) + duration : (duration - sum) + sum_;
-    sum_ = sum;
-    time_ = sum_ + carry_;
-  }
-
-  std::vector<Phase>& phases_;
-  double sum_ = 0.0, carry_ = 0.0, time_ = 0.0;
-};
 
 /// Appends the stretch's fastest profile.
 template <class Law>

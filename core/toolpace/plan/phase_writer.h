@@ -1,0 +1,69 @@
+#pragma once
+/// How planners write their phases.
+
+#include <cmath>
+#include <vector>
+
+#include "toolpace/law/phase.h"
+#include "toolpace/limits/ramp_limits.h"
+
+namespace toolpace::detail {
+
+/// Writes phases one after another while time is summed with compensation and positions are set by the caller, so that
+/// neither drifts over millions of blocks.
+class PhaseWriter {
+ public:
+  explicit PhaseWriter(std::vector<Phase>& phases) : phases_(phases) {}
+
+  double time() const { return time_; }
+
+  /// Appends a phase at the present time; durations ≤ 0 are left out.
+  void push(Phase phase) {
+    if (!(phase.duration > 0)) return;
+    phase.begin = time_;
+    advance(phase.duration);
+    phases_.push_back(phase);
+  }
+
+  /// Appends a cruise from one place to another, joined with the cruise before it where that had the same speed.
+  void push_cruise(double from, double to, double speed) {
+    if (!(to > from)) return;
+    if (!phases_.empty() && phases_.back().speed == speed && phases_.back().acceleration == 0 &&
+        phases_.back().rate == 0) {
+      Phase& last = phases_.back();
+      const double longer = (to - last.distance) / speed;
+      advance(longer - last.duration);
+      last.duration = longer;
+      return;
+    }
+    push({0, (to - from) / speed, from, speed, 0, 0, PhaseShape::constant_jerk});
+  }
+
+  /// Appends the phases of a ramp so that the first one starts at `position`.
+  template <class Law>
+  void push_ramp(double v0, double v1, const RampLimits& limits, double position) {
+    const std::size_t first = phases_.size();
+    Law::append_ramp(v0, v1, limits, phases_);
+    if (phases_.size() == first) return;
+    const double shift = position - phases_[first].distance;
+    for (std::size_t i = first; i < phases_.size(); ++i) {
+      phases_[i].distance += shift;
+      phases_[i].begin = time_;
+      advance(phases_[i].duration);
+    }
+  }
+
+ private:
+  /// Neumaier's sum: the error of 10⁶ additions stays that of one.
+  void advance(double duration) {
+    const double sum = sum_ + duration;
+    carry_ += sum_ >= std::abs(duration) ? (sum_ - sum) + duration : (duration - sum) + sum_;
+    sum_ = sum;
+    time_ = sum_ + carry_;
+  }
+
+  std::vector<Phase>& phases_;
+  double sum_ = 0.0, carry_ = 0.0, time_ = 0.0;
+};
+
+}  // namespace toolpace::detail

@@ -1,0 +1,16 @@
+#pragma once
+/// Phases of a hull.
+
+#include <vector>
+
+#include "toolpace/plan/phase_writer.h"
+#include "toolpace/plan/span_hull.h"
+#include "toolpace/plan/span_kernel.h"
+
+namespace toolpace::detail {
+
+/// Writes the motion along the hull: each kernel from the acceleration at which it is met to that at which it is left,
+/// then the bridge. Every kernel is an anchor for position and speed, so that rounding does not add up.
+void emit_hull(const std::vector<Kernel>& kernels, const std::vector<HullEntry>& hull, PhaseWriter& out);
+
+}  // namespace toolpace::detail

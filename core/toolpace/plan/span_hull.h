@@ -1,0 +1,25 @@
+#pragma once
+/// The plan as the lower hull of all speed caps: which of them are touched, and the bridges between these.
+
+#include <cstdint>
+#include <vector>
+
+#include "toolpace/plan/span_bridge.h"
+#include "toolpace/plan/span_kernel.h"
+
+namespace toolpace::detail {
+
+/// A touched cap and the bridge that leads to it. The first one is the start and has no bridge.
+struct HullEntry {
+  std::uint32_t kernel;
+  Bridge bridge;
+};
+
+/// Goes through the kernels once; each is bridged to from the last touched one. A kernel that cannot be reached is
+/// skipped; a touched one that would have to be left before it is met is dropped again. Linear: at most two bridges a
+/// kernel, amortised.
+/// @param kernels  sorted by `left`; the first and last have bottom 0
+/// @param uniform  limits that hold everywhere; nothing = each bridge takes the smallest limits of the blocks under it
+void build_hull(const std::vector<Kernel>& kernels, const SpanLimits* uniform, std::vector<HullEntry>& hull);
+
+}  // namespace toolpace::detail

@@ -1,0 +1,17 @@
+#pragma once
+/// Plans whose ramps run across blocks, jerk-limited with whatever acceleration at the nodes.
+
+#include <cstddef>
+
+#include "toolpace/base/monitor.h"
+#include "toolpace/limits/speed_limits.h"
+#include "toolpace/plan/motion_plan.h"
+
+namespace toolpace::detail {
+
+/// The motion under the lower hull of the valleys that the caps throw, joined by the fastest bridges; the accelerations
+/// at the touched nodes are then shifted to what both their bridges would like.
+/// @return no phases when cancelled
+MotionPlan plan_span_ramps(const SpeedLimits& limits, const Monitor& monitor);
+
+}  // namespace toolpace::detail

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plan_cases.h"
+#include "plan_checker.h"
+#include "toolpace/plan/plan.h"
+
+namespace toolpace {
+namespace {
+
+using test::symmetric;
+
+double cycle_time(const SpeedLimits& limits, LawKind law = LawKind::seven_phase) {
+  PlanOptions options;
+  options.law = law;
+  options.ramps = Ramps::span;
+  const auto plan = plan_motion(limits, options);
+  if (!plan) {
+    ADD_FAILURE() << plan.error().message;
+    return -1;
+  }
+  EXPECT_EQ(test::find_offence(limits, *plan), "");
+  return plan->cycle_time();
+}
+
+// No jerk-limited plan can beat 0.3364 s (convex relaxation); with zero acceleration at every node the best is 0.3396
+// s.
+TEST(SpanPlan, RunsTheTwentyBlocksFasterThanAnyPlanThatRestsItsAccelerationAtNodes) {
+  const double t = cycle_time(test::ning_blocks(symmetric(3000, 1e6)));
+  EXPECT_LE(t, 0.3378);
+  EXPECT_GE(t, 0.3364);
+}
+
+struct ButterflyFigure {
+  double step, jerk, at_most, bound;
+};
+
+class SpanPlanOfTheButterfly : public ::testing::TestWithParam<ButterflyFigure> {};
+
+TEST_P(SpanPlanOfTheButterfly, ComesCloseToTheProvenBound) {
+  const ButterflyFigure& f = GetParam();
+  test::PolylineRules rules{symmetric(294.2, f.jerk)};
+  rules.corner_step = f.step;
+  const auto limits = test::read_polyline("curves/butterfly588.csv", rules);
+  if (!limits) GTEST_SKIP() << "no shared curves here";
+  const double t = cycle_time(*limits);
+  EXPECT_LE(t, f.at_most);
+  EXPECT_GE(t, f.bound);
+}
+
+INSTANTIATE_TEST_SUITE_P(Figures, SpanPlanOfTheButterfly,
+                         ::testing::Values(ButterflyFigure{1e9, 1e6, 3.218, 3.217},
+                                           ButterflyFigure{1e9, 3e4, 3.228, 3.226},
+                                           ButterflyFigure{1e9, 1e4, 3.248, 3.244}));
+
+TEST(SpanPlan, RunsLineAndCircleAsTheLimitsAllow) {
+  test::PolylineRules rules{symmetric(INFINITY, INFINITY)};
+  rules.axis_acceleration = 2000;
+  rules.axis_jerk = 5e4;
+  rules.axis_speed = 100;
+  rules.servo_acceleration = 2000;
+  const auto line = test::read_polyline("paths/line.csv", rules);
+  const auto circle = test::read_polyline("paths/circle.csv", rules);
+  if (!line || !circle) GTEST_SKIP() << "no shared paths here";
+  EXPECT_LE(cycle_time(*line), 1.091);
+  EXPECT_LE(cycle_time(*circle), 5.10);
+}
+
+// By hand: 10 mm, J 1e4, A 1e9, no cap in the way: up and down with √(JΔ) at the middle, R = vp·√(vp/J) = 5 mm
+// gives vp = (25·1e4)^⅓ = 62.996 mm/s and T = 4·√(vp/J) = 0.31748 s, however the 10 mm are cut into blocks.
+TEST(SpanPlan, DoesNotFeelNodesThatRestrainNothing) {
+  for (const std::size_t blocks : {1u, 2u, 7u, 1000u}) {
+    const std::vector<double> length(blocks, 10.0 / static_cast<double>(blocks));
+    const std::vector<double> feed(blocks, 1000.0);
+    EXPECT_NEAR(cycle_time(test::line_of(length, feed, symmetric(1e9, 1e4))), 4 * std::sqrt(std::cbrt(25e4) / 1e4),
+                1e-9);
+  }
+}
+
+TEST(SpanPlan, KeepsEveryLimitOnRandomChains) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    for (const bool mixed : {false, true}) {
+      const SpeedLimits limits = test::random_chain(seed, 100, mixed);
+      const double span = cycle_time(limits);
+      PlanOptions block;
+      block.law = LawKind::seven_phase;
+      EXPECT_LE(span, plan_motion(limits, block)->cycle_time() * 1.001) << "seed " << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace toolpace
