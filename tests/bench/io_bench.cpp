@@ -49,6 +49,7 @@ void write_setpoints(benchmark::State& state, const char* extension) {
   }
   std::filesystem::remove(file);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kChunkRows * kChunks));
+  state.SetLabel("setpoints");
 }
 
 BENCHMARK_CAPTURE(write_setpoints, csv, ".csv")->Unit(benchmark::kMillisecond);
