@@ -65,7 +65,7 @@ struct Moves {
   std::vector<SplineDetail> splines;
   std::vector<double> dwells;       ///< [s]
   std::vector<std::string> notes;   ///< tool number, …
-  std::vector<MoveMode> modes = {MoveMode{}};
+  std::vector<MoveMode> modes = std::vector<MoveMode>(1);
   std::vector<std::string> files;   ///< names, [0] is the program
 
   std::size_t size() const { return kind.size(); }

@@ -34,7 +34,7 @@ struct Summary {
   double cycle_time = 0, feed_time = 0, rapid_time = 0, dwell_time = 0;  ///< [s]
   double max_speed = 0, max_acceleration = 0,
          max_jerk = 0;                        ///< of the exact profile along the path; jerk may be infinite
-  std::array<double, 11> time_by_cause = {};  ///< [s], indexed by Cause
+  std::array<double, kCauseCount> time_by_cause = {};  ///< [s], indexed by Cause
   std::optional<double> bound;                ///< [s]
 };
 

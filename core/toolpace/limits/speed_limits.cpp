@@ -1,0 +1,14 @@
+#include "toolpace/limits/speed_limits.h"
+
+#include <array>
+
+namespace toolpace {
+
+std::string_view cause_name(Cause cause) {
+  static constexpr std::array<std::string_view, kCauseCount> names = {
+      "feed",      "rapid", "axis_speed", "axis_acceleration", "acceleration", "jerk", "corner", "curvature",
+      "lookahead", "stop",  "dwell"};
+  return names[static_cast<std::size_t>(cause)];
+}
+
+}  // namespace toolpace

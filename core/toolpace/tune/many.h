@@ -1,0 +1,47 @@
+#pragma once
+/// The same work on many values, on all cores, with the results in the order of the values.
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "toolpace/base/monitor.h"
+
+namespace toolpace {
+
+/// Calls work(i, monitor) -> Result<T> for i = 0 … count − 1 on up to `threads` threads. The first error in the order
+/// of i is returned; cancelling stops all. Progress counts finished items.
+template <class T, class Work>
+Result<std::vector<T>> for_many(std::size_t count, std::size_t threads, const Monitor& monitor, const Work& work) {
+  std::vector<std::optional<Result<T>>> results(count);
+  std::atomic<std::size_t> next = 0;
+  std::mutex progress;
+  std::size_t done = 0;
+  const auto worker = [&] {
+    const Monitor quiet{monitor.stop, {}};
+    for (std::size_t i = next++; i < count && !monitor.is_cancelled(); i = next++) {
+      results[i].emplace(work(i, quiet));
+      const std::scoped_lock lock(progress);
+      monitor.report(static_cast<double>(++done) / static_cast<double>(count));
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (std::size_t k = 1; k < std::min(threads, count); ++k) helpers.emplace_back(worker);
+    worker();
+  }
+  if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+  std::vector<T> values;
+  values.reserve(count);
+  for (auto& result : results) {
+    if (!*result) return tl::unexpected(result->error());
+    values.push_back(std::move(**result));
+  }
+  return values;
+}
+
+}  // namespace toolpace

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+
+#include "toolpace/pipeline/setup.h"
+#include "toolpace/tune/many.h"
+#include "toolpace/tune/savings.h"
+#include "toolpace/tune/sweep.h"
+
+namespace toolpace {
+namespace {
+
+/// Straight blocks of 1 mm at 50 mm/s.
+Job straight_blocks(std::size_t count) {
+  auto reading = std::make_shared<Reading>();
+  Moves& m = reading->moves;
+  for (std::size_t i = 1; i <= count; ++i) {
+    AxisVector end = AxisVector::Zero();
+    end[0] = static_cast<double>(i);
+    m.kind.push_back(MoveKind::feed);
+    m.line.push_back(static_cast<std::uint32_t>(i));
+    m.file.push_back(0);
+    m.mode.push_back(0);
+    m.detail.push_back(kNoDetail);
+    m.end.push_back(end);
+    m.feed.push_back(50);
+  }
+  Job job;
+  job.program = reading;
+  job.machine = default_setup().machine;
+  return job;
+}
+
+TEST(SweepLookahead, TimeFallsToTheTimeAtFullDepthAndTheKneeIsMarked) {
+  const auto sweep = sweep_lookahead(straight_blocks(40));
+  ASSERT_TRUE(sweep) << sweep.error().message;
+  EXPECT_EQ(sweep->points.front().lookahead, 1u);
+  EXPECT_EQ(sweep->points.back().lookahead, std::nullopt);
+  EXPECT_GT(sweep->points.front().cycle_time, 1.5 * sweep->points.back().cycle_time);
+  const double best = sweep->points.back().cycle_time;
+  EXPECT_LE(sweep->points[sweep->knee].cycle_time, 1.005 * best);
+  EXPECT_GT(sweep->points[sweep->knee - 1].cycle_time, 1.005 * best);
+}
+
+TEST(FindSavings, TheFeedIsWhatHoldsALongStraightLineBack) {
+  const Job job = straight_blocks(200);
+  const auto outcome = run(std::make_shared<Job>(job));
+  ASSERT_TRUE(outcome);
+  const auto savings = find_savings(job, outcome->summary.cycle_time);
+  ASSERT_TRUE(savings) << savings.error().message;
+  EXPECT_EQ(savings->front().parameter, "feed_override_percent");
+  EXPECT_NEAR(savings->front().saved, 200.0 / 50 - 200.0 / 55, 0.01);
+  const auto speed = std::find_if(savings->begin(), savings->end(),
+                                  [](const Saving& s) { return s.parameter == "path.max_speed_mm_s"; });
+  ASSERT_NE(speed, savings->end());
+  EXPECT_NEAR(speed->saved, 0, 1e-12) << "the path may go 100 mm/s already";
+  EXPECT_DOUBLE_EQ(speed->raised, 110);
+}
+
+TEST(ForMany, KeepsTheOrderAndReturnsTheFirstError) {
+  const auto squares =
+      for_many<std::size_t>(100, 2, {}, [](std::size_t i, const Monitor&) -> Result<std::size_t> { return i * i; });
+  ASSERT_TRUE(squares);
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ((*squares)[i], i * i);
+  const auto failed = for_many<std::size_t>(10, 2, {}, [](std::size_t i, const Monitor&) -> Result<std::size_t> {
+    if (i < 3) return i;
+    return tl::unexpected(Error{ErrorKind::input, std::to_string(i), "", "", {}, {}});
+  });
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().code, "3");
+}
+
+TEST(ForMany, CanBeCancelled) {
+  std::stop_source source;
+  source.request_stop();
+  const auto none =
+      for_many<int>(5, 2, {source.get_token(), {}}, [](std::size_t, const Monitor&) -> Result<int> { return 1; });
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().kind, ErrorKind::cancelled);
+}
+
+}  // namespace
+}  // namespace toolpace
