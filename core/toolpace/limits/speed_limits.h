@@ -39,6 +39,8 @@ struct SpeedLimits {
   std::vector<Cause> node_cause;
 
   std::vector<Dynamics> dynamics;  ///< the distinct ramp limits
+  /// What sets them, one entry each: acceleration (of the path) or axis_acceleration. Empty = acceleration everywhere.
+  std::vector<Cause> dynamics_cause;
 
   std::size_t size() const { return length.size(); }
   const Dynamics& dynamics_of(std::size_t block) const { return dynamics[ramp[block]]; }

@@ -1,0 +1,22 @@
+#pragma once
+/// A time that no plan can beat.
+
+#include "toolpace/law/law.h"
+#include "toolpace/limits/speed_limits.h"
+
+namespace toolpace {
+
+/// Proven lower bound of the cycle time on the same path under the same caps and ramp limits, from rest to rest [s].
+///
+/// Speed along the path is bounded from both sides by curves with the largest acceleration that can occur: a ≤ A, and,
+/// where the law keeps a jerk limit, a ≤ √(2Jv): whoever starts from rest with jerk ≤ J has gained a²/2J of speed when
+/// the acceleration has come to a. (With J different from block to block the largest one counts.) The time along the
+/// upper envelope of all motions is then a lower bound; without a jerk limit it is the exact optimum.
+///
+/// Holds for every look-ahead and both kinds of ramps. Dwells are not in it.
+/// @param law  trapezoids are not held to the jerk
+/// @return 0 for an empty chain. Accuracy 1e-12 relative, rounded towards shorter times
+/// @source Bobrow et al. 1985 for the envelope; the bound by jerk is derived above
+double lower_bound(const SpeedLimits& limits, LawKind law);
+
+}  // namespace toolpace
