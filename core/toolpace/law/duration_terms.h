@@ -23,14 +23,26 @@ struct DurationTerms {
   }
 };
 
+/// The largest acceleration and jerk of a ramp, magnitudes.
+struct RampPeaks {
+  double acceleration = 0.0;  ///< [mm/s²]
+  double jerk = 0.0;          ///< [mm/s³]
+};
+
 namespace detail {
+
+/// Peaks of a ramp whose shape has these steepest and sharpest points, σ′ and |σ″|, and lasts `time`.
+inline RampPeaks shape_peaks(double steepest, double sharpest, double dv, double time) {
+  if (!(dv > 0)) return {};
+  const double rate = 1 / time;
+  return {steepest * dv * rate, sharpest * dv * rate * rate};
+}
 
 /// Terms of a law with T = max(by_acceleration·Δ/A, by_jerk·√(Δ/J)); A or J or both may be infinite.
 inline DurationTerms larger_of(double by_acceleration, double acceleration, double by_jerk, double jerk) {
-  const double slope = by_acceleration / acceleration;
   const double root = by_jerk / std::sqrt(jerk);
-  const double balance = root / slope;  // no number where both are 0
-  return {slope, 0.0, root, root > 0 ? balance * balance : 0.0, 0.0};
+  const double balance = root * acceleration / by_acceleration;  // no number where A and J are both infinite
+  return {by_acceleration / acceleration, 0.0, root, root > 0 ? balance * balance : 0.0, 0.0};
 }
 
 }  // namespace detail

@@ -31,7 +31,7 @@ inline double parabola_reach(double v, double length, double acceleration) {
 /// Jerk +J for the first half of the ramp, −J for the second; no phase of constant acceleration. Where that would pass
 /// the acceleration limit the ramp is stretched: T = max(2·√(Δ/J), 2Δ/A). Either limit may be infinite.
 /// @source Zheng et al. 2014, eqs. (7)–(10); the acceleration limit is added, Zheng has none. Reach 1e-14 relative.
-struct FivePhaseJerk {
+struct FivePhaseJerk : LawBase<FivePhaseJerk> {
   static constexpr LawKind kKind = LawKind::five_phase_jerk;
 
   static double duration(double dv, const RampLimits& limits) {
@@ -50,18 +50,11 @@ struct FivePhaseJerk {
     return std::min(by_acceleration, detail::jerk_reach(v, length, limits.jerk));
   }
 
-  static double peak_acceleration(double dv, const RampLimits& limits) {
-    return dv > 0 ? std::min(limits.acceleration, std::sqrt(dv * limits.jerk)) : 0.0;
-  }
-
-  static double peak_jerk(double dv, const RampLimits& limits) {
-    if (!(dv > 0)) return 0.0;
-    return std::min(limits.jerk, limits.acceleration * (limits.acceleration / dv));
-  }
+  static RampPeaks peaks(double dv, double time, const RampLimits&) { return detail::shape_peaks(2.0, 4.0, dv, time); }
 
   template <class Phases>
-  static void append_ramp(double v0, double v1, const RampLimits& limits, Phases& phases) {
-    detail::append_parabolas(v0, v1, duration(std::abs(v1 - v0), limits), phases);
+  static void write_ramp(const SpeedChange& ramp, const RampLimits&, Phases& phases) {
+    detail::append_parabolas(ramp, phases);
   }
 };
 

@@ -17,7 +17,7 @@ namespace toolpace {
 /// The duration does not shrink with Δ, so a ramp of hardly any change still needs v·T of length: the speeds that a
 /// length L allows from v are {v} ∪ [0 … 2L/T − v], not an interval, and reach() returns v itself where L < v·T.
 /// @source Zheng et al. 2014, eqs. (12), (13). Reach 1e-14 relative.
-struct FivePhaseTime {
+struct FivePhaseTime : LawBase<FivePhaseTime> {
   static constexpr LawKind kKind = LawKind::five_phase_time;
 
   static double duration(double dv, const RampLimits& limits) {
@@ -44,19 +44,11 @@ struct FivePhaseTime {
     return best;
   }
 
-  static double peak_acceleration(double dv, const RampLimits& limits) {
-    return dv > 0 ? 2 * dv / duration(dv, limits) : 0.0;
-  }
-
-  static double peak_jerk(double dv, const RampLimits& limits) {
-    if (!(dv > 0)) return 0.0;
-    const double time = duration(dv, limits);
-    return 4 * dv / (time * time);
-  }
+  static RampPeaks peaks(double dv, double time, const RampLimits&) { return detail::shape_peaks(2.0, 4.0, dv, time); }
 
   template <class Phases>
-  static void append_ramp(double v0, double v1, const RampLimits& limits, Phases& phases) {
-    detail::append_parabolas(v0, v1, duration(std::abs(v1 - v0), limits), phases);
+  static void write_ramp(const SpeedChange& ramp, const RampLimits&, Phases& phases) {
+    detail::append_parabolas(ramp, phases);
   }
 };
 

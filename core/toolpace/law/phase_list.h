@@ -1,9 +1,10 @@
 #pragma once
 /// A short sequence of phases without heap.
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <span>
+#include <stdexcept>
 
 #include "toolpace/law/phase.h"
 
@@ -14,19 +15,33 @@ class PhaseList {
  public:
   static constexpr std::size_t kCapacity = 7;
 
-  void push_back(const Phase& phase) { phases_.at(count_++) = phase; }
+  PhaseList() noexcept {}  // leaves the places empty: a move fills three of seven on average
+  PhaseList(const PhaseList& other) noexcept : count_(other.count_) { std::copy_n(other.phases_, count_, phases_); }
+  PhaseList& operator=(const PhaseList& other) noexcept {
+    count_ = other.count_;
+    std::copy_n(other.phases_, count_, phases_);
+    return *this;
+  }
+
+  /// Throws std::length_error when full: no law has that many phases.
+  void push_back(const Phase& phase) {
+    if (count_ == kCapacity) throw std::length_error("a move has more phases than two ramps and a cruise");
+    phases_[count_++] = phase;
+  }
   bool empty() const { return count_ == 0; }
   std::size_t size() const { return count_; }
   const Phase& operator[](std::size_t i) const { return phases_[i]; }
   const Phase& front() const { return phases_[0]; }
   const Phase& back() const { return phases_[count_ - 1]; }
-  const Phase* begin() const { return phases_.data(); }
-  const Phase* end() const { return phases_.data() + count_; }
+  const Phase* begin() const { return phases_; }
+  const Phase* end() const { return phases_ + count_; }
   std::span<const Phase> span() const { return {begin(), count_}; }
 
  private:
-  std::array<Phase, kCapacity> phases_;
   std::size_t count_ = 0;
+  union {
+    Phase phases_[kCapacity];
+  };
 };
 
 }  // namespace toolpace

@@ -18,7 +18,7 @@ namespace toolpace {
 /// reach() solves (2v+Δ)/2·T(Δ) = L, a quadratic in Δ where acceleration decides, a cubic in √Δ where jerk does.
 /// ERRATUM 2: the deceleration case of eq. (7) has its sign turned; it is √(Vs² − 16/15·A·L).
 /// @source Ning et al. 2014, eqs. (2)–(7). Reach 1e-14 relative.
-struct Quintic {
+struct Quintic : LawBase<Quintic> {
   static constexpr LawKind kKind = LawKind::quintic;
   static constexpr double kSteepest = 15.0 / 8;                        ///< largest σ′
   static constexpr double kSharpest = 10.0 * std::numbers::inv_sqrt3;  ///< largest |σ″|
@@ -43,22 +43,16 @@ struct Quintic {
     return v + root * root;
   }
 
-  static double peak_acceleration(double dv, const RampLimits& limits) {
-    return dv > 0 ? kSteepest * dv / duration(dv, limits) : 0.0;
-  }
-
-  static double peak_jerk(double dv, const RampLimits& limits) {
-    if (!(dv > 0)) return 0.0;
-    const double time = duration(dv, limits);
-    return kSharpest * dv / (time * time);
+  static RampPeaks peaks(double dv, double time, const RampLimits&) {
+    return detail::shape_peaks(kSteepest, kSharpest, dv, time);
   }
 
   template <class Phases>
-  static void append_ramp(double v0, double v1, const RampLimits& limits, Phases& phases) {
-    const double time = duration(std::abs(v1 - v0), limits);
-    if (!(time > 0)) return;
+  static void write_ramp(const SpeedChange& ramp, const RampLimits&, Phases& phases) {
+    if (!(ramp.time > 0)) return;
     const detail::RampCursor cursor = detail::end_of(phases);
-    phases.push_back({cursor.begin, time, cursor.distance, v0, 0.0, v1 - v0, PhaseShape::quintic});
+    phases.push_back(
+        {cursor.begin, ramp.time, cursor.distance, ramp.from, 0.0, ramp.to - ramp.from, PhaseShape::quintic});
   }
 };
 

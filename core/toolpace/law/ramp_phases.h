@@ -1,6 +1,7 @@
 #pragma once
 /// How laws write their phases.
 
+#include "toolpace/law/law.h"
 #include "toolpace/law/phase.h"
 
 namespace toolpace::detail {
@@ -35,14 +36,14 @@ void append_piece(const JerkPiece& piece, RampCursor& cursor, Phases& phases) {
 /// The ramp of two parabolas: jerk 4Δ/T² for the first half, −4Δ/T² for the second.
 /// @source Zheng et al. 2014, eqs. (7)–(10), (12), (13)
 template <class Phases>
-void append_parabolas(double v0, double v1, double duration, Phases& phases) {
-  if (!(duration > 0)) return;
+void append_parabolas(const SpeedChange& ramp, Phases& phases) {
+  if (!(ramp.time > 0)) return;
   RampCursor cursor = end_of(phases);
-  const double half = duration / 2;
-  const double peak = (v1 - v0) / half;  // signed: negative when slowing down
+  const double half = ramp.time / 2;
+  const double peak = (ramp.to - ramp.from) / half;  // signed: negative when slowing down
   const double jerk = peak / half;
-  append_piece({half, v0, 0.0, jerk}, cursor, phases);
-  append_piece({half, v0 / 2 + v1 / 2, peak, -jerk}, cursor, phases);
+  append_piece({half, ramp.from, 0.0, jerk}, cursor, phases);
+  append_piece({half, ramp.from / 2 + ramp.to / 2, peak, -jerk}, cursor, phases);
 }
 
 }  // namespace toolpace::detail

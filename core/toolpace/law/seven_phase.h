@@ -16,7 +16,7 @@ namespace toolpace {
 /// The text's t1 = a/J, t2 = v/a − a/J hold only where every phase exists and both ends stand still; this is the
 /// general case.
 /// @source the seven-phase text of METHODS.md §5. Reach 1e-14 relative.
-struct SevenPhase {
+struct SevenPhase : LawBase<SevenPhase> {
   static constexpr LawKind kKind = LawKind::seven_phase;
 
   static double duration(double dv, const RampLimits& limits) {
@@ -44,27 +44,24 @@ struct SevenPhase {
     return detail::jerk_reach(v, length, limits.jerk);
   }
 
-  static double peak_acceleration(double dv, const RampLimits& limits) {
-    return dv > 0 ? std::fmin(limits.acceleration, std::sqrt(dv * limits.jerk)) : 0.0;
+  static RampPeaks peaks(double dv, double time, const RampLimits& limits) {
+    if (!(dv > 0)) return {};
+    return {std::fmin(limits.acceleration, 2 * dv / time), limits.jerk};
   }
 
-  static double peak_jerk(double dv, const RampLimits& limits) { return dv > 0 ? limits.jerk : 0.0; }
-
   template <class Phases>
-  static void append_ramp(double v0, double v1, const RampLimits& limits, Phases& phases) {
-    const double dv = std::abs(v1 - v0);
-    const double sign = v1 > v0 ? 1.0 : -1.0;
+  static void write_ramp(const SpeedChange& ramp, const RampLimits& limits, Phases& phases) {
+    const double dv = std::abs(ramp.to - ramp.from);
     const double build_up = limits.acceleration / limits.jerk;
-    if (!(dv >= limits.acceleration * build_up)) {
-      return detail::append_parabolas(v0, v1, duration(dv, limits), phases);
-    }
-    detail::RampCursor cursor = detail::end_of(phases);
+    if (!(dv >= limits.acceleration * build_up)) return detail::append_parabolas(ramp, phases);
+    const double sign = ramp.to > ramp.from ? 1.0 : -1.0;
     const double jerk = build_up > 0 ? sign * limits.jerk : 0.0;
     const double acceleration = sign * limits.acceleration;
-    const double rounding = sign * limits.acceleration * build_up / 2;  // speed gained while the acceleration builds up
-    detail::append_piece({build_up, v0, 0.0, jerk}, cursor, phases);
-    detail::append_piece({dv / limits.acceleration - build_up, v0 + rounding, acceleration, 0.0}, cursor, phases);
-    detail::append_piece({build_up, v1 - rounding, acceleration, -jerk}, cursor, phases);
+    const double rounding = acceleration * build_up / 2;  // speed gained while the acceleration builds up
+    detail::RampCursor cursor = detail::end_of(phases);
+    detail::append_piece({build_up, ramp.from, 0.0, jerk}, cursor, phases);
+    detail::append_piece({ramp.time - 2 * build_up, ramp.from + rounding, acceleration, 0.0}, cursor, phases);
+    detail::append_piece({build_up, ramp.to - rounding, acceleration, -jerk}, cursor, phases);
   }
 };
 

@@ -14,6 +14,7 @@
 /// ERRATUM of the seven-phase text: t1 = a/J, t2 = v/a − a/J, t4 = (s − s_acc − s_dec)/v hold only where every phase
 /// exists and both ends stand still; here every phase may vanish and the end speeds are free.
 
+#include <cmath>
 #include <utility>
 
 #include "toolpace/base/result.h"
@@ -51,10 +52,29 @@ std::optional<Error> check_move(LawKind law, const MoveRequest& move, const Dyna
 namespace detail {
 
 template <class Law>
-MoveRamp describe_ramp(double from, double to, const DurationTerms& terms, const RampLimits& limits) {
-  const double dv = from < to ? to - from : from - to;
-  const double time = terms.duration(dv);
-  return {(from + to) / 2 * time, time, Law::peak_acceleration(dv, limits), Law::peak_jerk(dv, limits)};
+MoveRamp write_move_ramp(const SpeedChange& ramp, const RampLimits& limits, PhaseList& phases) {
+  const RampPeaks peaks = Law::peaks(std::abs(ramp.to - ramp.from), ramp.time, limits);
+  Law::write_ramp(ramp, limits, phases);
+  return {(ramp.from + ramp.to) / 2 * ramp.time, ramp.time, peaks.acceleration, peaks.jerk};
+}
+
+template <class Law>
+void fill_move(const MoveRequest& move, const Dynamics& dynamics, SingleMove& result) {
+  const MoveTerms terms = move_terms<Law>(dynamics);
+  const double peak = peak_speed(move, terms);
+  const double down_time = terms.down.duration(peak - move.end);
+  result.peak = peak;
+  result.reaches_feed = peak >= move.feed;
+  result.up =
+      write_move_ramp<Law>({move.start, peak, terms.up.duration(peak - move.start)}, dynamics.up, result.phases);
+  const double cruise = move.length - result.up.length - (peak + move.end) / 2 * down_time;
+  // Rounding may leave a cruise of either sign where none is meant.
+  if (cruise > 1e-14 * move.length && peak > 0) {
+    result.cruise_time = cruise / peak;
+    RampCursor cursor = end_of(result.phases);
+    append_piece({result.cruise_time, peak, 0.0, 0.0}, cursor, result.phases);
+  }
+  result.down = write_move_ramp<Law>({peak, move.end, down_time}, dynamics.down, result.phases);
 }
 
 }  // namespace detail
@@ -63,20 +83,8 @@ MoveRamp describe_ramp(double from, double to, const DurationTerms& terms, const
 /// Closed form or bounded iteration (see peak_speed()), no heap. Distances and speeds are exact to 1e-12 relative.
 template <VelocityLaw Law>
 SingleMove make_move(const MoveRequest& move, const Dynamics& dynamics) {
-  const MoveTerms terms = move_terms<Law>(dynamics);
   SingleMove result;
-  result.peak = peak_speed(move, terms);
-  result.reaches_feed = result.peak >= move.feed;
-  result.up = detail::describe_ramp<Law>(move.start, result.peak, terms.up, dynamics.up);
-  result.down = detail::describe_ramp<Law>(result.peak, move.end, terms.down, dynamics.down);
-  const double cruise = move.length - result.up.length - result.down.length;
-  // Rounding may leave a cruise of either sign where none is meant.
-  if (cruise > 1e-14 * move.length && result.peak > 0) result.cruise_time = cruise / result.peak;
-
-  Law::append_ramp(move.start, result.peak, dynamics.up, result.phases);
-  detail::RampCursor cursor = detail::end_of(result.phases);
-  detail::append_piece({result.cruise_time, result.peak, 0.0, 0.0}, cursor, result.phases);
-  Law::append_ramp(result.peak, move.end, dynamics.down, result.phases);
+  detail::fill_move<Law>(move, dynamics, result);
   return result;
 }
 
@@ -85,7 +93,9 @@ SingleMove make_move(const MoveRequest& move, const Dynamics& dynamics) {
 template <VelocityLaw Law>
 Result<SingleMove> single_move(const MoveRequest& move, const Dynamics& dynamics) {
   if (auto error = check_move(Law::kKind, move, dynamics)) return tl::make_unexpected(std::move(*error));
-  return make_move<Law>(move, dynamics);
+  Result<SingleMove> result{tl::in_place};
+  detail::fill_move<Law>(move, dynamics, *result);
+  return result;
 }
 
 /// The same for a law that is known at run time.

@@ -12,7 +12,7 @@ namespace toolpace {
 /// v rises with a constant acceleration A. Its jerk is UNBOUNDED: the acceleration steps at both ends of the ramp.
 /// T = Δ/A; v1² = v0² + 2·A·L. Uses limits.acceleration alone; infinite = a step of the speed that takes no time.
 /// @source the stepper text of METHODS.md §6; accuracy of reach 1e-15 relative
-struct Trapezoid {
+struct Trapezoid : LawBase<Trapezoid> {
   static constexpr LawKind kKind = LawKind::trapezoid;
 
   static double duration(double dv, const RampLimits& limits) { return dv / limits.acceleration; }
@@ -24,18 +24,17 @@ struct Trapezoid {
     return std::sqrt(v * v + 2 * limits.acceleration * length);
   }
 
-  static double peak_acceleration(double dv, const RampLimits& limits) { return dv > 0 ? limits.acceleration : 0.0; }
-
-  /// Infinite for every ramp that changes the speed.
-  static double peak_jerk(double dv, const RampLimits&) {
-    return dv > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+  /// The jerk is infinite for every ramp that changes the speed.
+  static RampPeaks peaks(double dv, double, const RampLimits& limits) {
+    if (!(dv > 0)) return {};
+    return {limits.acceleration, std::numeric_limits<double>::infinity()};
   }
 
   template <class Phases>
-  static void append_ramp(double v0, double v1, const RampLimits& limits, Phases& phases) {
+  static void write_ramp(const SpeedChange& ramp, const RampLimits& limits, Phases& phases) {
     detail::RampCursor cursor = detail::end_of(phases);
-    const double time = duration(std::abs(v1 - v0), limits);
-    detail::append_piece({time, v0, v1 > v0 ? limits.acceleration : -limits.acceleration, 0.0}, cursor, phases);
+    const double acceleration = ramp.to > ramp.from ? limits.acceleration : -limits.acceleration;
+    detail::append_piece({ramp.time, ramp.from, acceleration, 0.0}, cursor, phases);
   }
 };
 
