@@ -11,8 +11,6 @@
 
 namespace toolpace {
 
-inline constexpr std::size_t kCauseCount = 11;
-
 /// Restraints over the whole plan, consecutive and without gaps; neighbours differ in their cause.
 ///
 /// - Cruising at a block's top speed: what set that speed (feed, rapid, axis speed, curvature, …).
