@@ -8,7 +8,9 @@
 #include "toolpace/pipeline/pauses.h"
 #include "toolpace/pipeline/setup.h"
 #include "toolpace/pipeline/travel.h"
+#include "toolpace/plan/bound.h"
 #include "toolpace/plan/plan.h"
+#include "toolpace/plan/restraint.h"
 
 namespace toolpace {
 namespace {
@@ -60,6 +62,8 @@ Summary summarise(const Outcome& o, const Moves& moves) {
   }
   if (!law_row(o.job->options.law).bounds_jerk) s.max_jerk = kUnlimited;
   measure_times(o, moves, s);
+  s.time_by_cause = time_by_cause(o.restraints);
+  if (o.job->bound) s.bound = lower_bound(o.limits, o.job->options.law) + s.dwell_time;
   return s;
 }
 
@@ -93,6 +97,7 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   outcome.limits = std::move(*limits);
   outcome.node_time = delayed_times(node_times(outcome.limits, *plan), outcome.path->pauses);
   outcome.plan = insert_pauses(*plan, outcome.path->pauses, node_positions(outcome.limits));
+  outcome.restraints = explain(outcome.limits, outcome.plan, outcome.node_time, outcome.job->options);
   outcome.warnings = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.summary = summarise(outcome, moves);
   monitor.report(1.0);

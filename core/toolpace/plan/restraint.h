@@ -2,7 +2,6 @@
 /// Why is it slow here: which limit holds the speed down, at every instant of a plan.
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 #include "toolpace/limits/speed_limits.h"

@@ -72,6 +72,21 @@ TEST(Run, TimesOfFeedRapidAndDwellAddUpToTheCycleTime) {
   EXPECT_NEAR(o.node_time[1], 0.3 + s.rapid_time, 1e-9);
 }
 
+TEST(Run, TimesByCauseAddUpToTheCycleTimeAndTheBoundIsBelowIt) {
+  ProgramBuilder program;
+  program.add(MoveKind::rapid, at(50, 0)).dwell(0.5).add(MoveKind::feed, at(80, 0), 40).add(MoveKind::feed, at(80, 20), 40);
+  Job job = program.job();
+  job.bound = true;
+  const Summary s = planned(job).summary;
+  double sum = 0;
+  for (const double time : s.time_by_cause) sum += time;
+  EXPECT_NEAR(sum, s.cycle_time, 1e-9);
+  EXPECT_NEAR(s.time_by_cause[static_cast<std::size_t>(Cause::dwell)], 0.5, 1e-9);
+  ASSERT_TRUE(s.bound);
+  EXPECT_LE(*s.bound, s.cycle_time);
+  EXPECT_GT(*s.bound, 0.8 * s.cycle_time);
+}
+
 TEST(Run, AProgramWithoutMotionLastsAsLongAsItsDwells) {
   ProgramBuilder program;
   program.dwell(2.0);
