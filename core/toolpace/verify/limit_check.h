@@ -1,0 +1,60 @@
+#pragma once
+/// Speed, acceleration, jerk and travel of each axis, from the positions alone.
+
+#include <array>
+#include <cstdint>
+
+#include "toolpace/limits/machine.h"
+#include "toolpace/verify/corner_log.h"
+#include "toolpace/verify/report.h"
+#include "toolpace/verify/row_stream.h"
+#include "toolpace/verify/worst.h"
+
+namespace toolpace {
+
+/// Differences of a motion whose derivative keeps a limit keep it too: they are its weighted means. So a difference
+/// beyond limit + bound proves a broken limit, where
+///   bound = 2ⁿ·u/Tsⁿ for the n-th difference, u = 4·2⁻⁵²·(largest |position| + way so far),
+/// u covers the rounding of a position and of the path length it was computed from.
+class LimitCheck {
+ public:
+  /// @param period  [s]
+  /// @param corners_known  whether the log tells the corners; else they are looked for in the positions
+  LimitCheck(const Machine& machine, double period, bool corners_known);
+
+  /// Judges the rows of the window. @param log  corners of these rows
+  void take(const RowStream& stream, const CornerLog& log);
+
+  void report(VerifyReport& report) const;
+
+ private:
+  struct AxisState {
+    Worst speed, acceleration, jerk, low, high;
+    double largest = 0.0;            ///< |position|
+    double largest_allowance = 0.0;  ///< of the jerk that corners explain
+    bool used = false;
+  };
+  /// Sum of the steps over a few intervals.
+  struct Allowance {
+    double speed_step = 0.0;
+    double acceleration_step = 0.0;
+  };
+  void take_axis(const RowStream& stream, const CornerLog& log, std::size_t axis);
+  void take_path_speed(const RowStream& stream);
+  Allowance allowance(const RowStream& stream, const CornerLog& log, std::size_t axis, std::size_t local,
+                      std::size_t intervals);
+  void count_corner(const CornerEvent& event);
+  double noise(const AxisState& state) const;
+
+  Machine machine_;
+  double period_;
+  bool corners_known_;
+  double way_ = 0.0;  ///< [mm] so far
+  std::array<AxisState, kAxisCount> axes_;
+  Worst path_speed_;
+  std::int64_t corners_ = 0;
+  std::int64_t last_corner_ = -1;
+  double largest_step_ = 0.0;
+};
+
+}  // namespace toolpace

@@ -1,0 +1,33 @@
+#pragma once
+/// The bytes of a file, mapped where possible.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "toolpace/base/result.h"
+
+namespace toolpace {
+
+class MappedFile {
+ public:
+  /// "-" = standard input. Errors: io.
+  static Result<MappedFile> open(const std::filesystem::path& file);
+
+  MappedFile(MappedFile&& other) noexcept;
+  MappedFile& operator=(MappedFile&&) = delete;
+  ~MappedFile();
+
+  std::string_view bytes() const {
+    return mapping_ != nullptr ? std::string_view(mapping_, size_) : std::string_view(copy_);
+  }
+
+ private:
+  MappedFile() = default;
+  char* mapping_ = nullptr;
+  std::size_t size_ = 0;
+  std::string copy_;  ///< of what cannot be mapped
+};
+
+}  // namespace toolpace

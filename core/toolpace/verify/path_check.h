@@ -1,0 +1,68 @@
+#pragma once
+/// Setpoints against the programmed path: distance, order, corners, lines, end.
+
+#include <cstdint>
+#include <optional>
+
+#include "toolpace/nc/moves.h"
+#include "toolpace/path/path.h"
+#include "toolpace/verify/corner_log.h"
+#include "toolpace/verify/path_follower.h"
+#include "toolpace/verify/path_vertices.h"
+#include "toolpace/verify/report.h"
+#include "toolpace/verify/row_stream.h"
+#include "toolpace/verify/worst.h"
+
+namespace toolpace {
+
+/// A setpoint this close to the path is on it: what exact geometry and rounding leave [mm].
+inline constexpr double kOnPath = 1e-6;
+
+/// Follows the path with the setpoints within `reach` of it and, while it does:
+/// - measures the distance of each setpoint to the exact curve that it is matched to;
+/// - measures how far the path is from the straight lines between setpoints (chord error);
+/// - logs each node that is passed on the path with a step of direction or curvature: V·|Δu| and V²·|Δκ| of each axis;
+/// - compares the line column with the lines of the path under the setpoint.
+/// Setpoints that cut a corner, as smoothing does, are off the path there and get no such exemption.
+class PathCheck {
+ public:
+  /// @param tolerance  [mm] judged; none = reported
+  /// @param reach      [mm] how far setpoints are looked for beside the path
+  PathCheck(const Path& path, const Moves& moves, std::optional<double> tolerance, double reach, double period);
+
+  /// Goes through the rows up to two beyond the window's end. @return false once the setpoints have left the path
+  bool take(const RowStream& stream);
+  const CornerLog& corners() const { return corners_; }
+
+  /// After the last row. Also false if the path has not been followed to its end.
+  bool has_followed();
+  void report(VerifyReport& report, bool followed) const;
+
+ private:
+  bool take_row(const RowStream& stream, std::size_t local);
+  void take_crossings(const RowStream& stream, std::size_t local, const PathMatch& before, bool on_path);
+  void log_corner(const RowStream& stream, std::size_t local, const PathVertex& node);
+  void take_line(const RowStream& stream, std::size_t local);
+  double exact_distance(const AxisVector& point);
+  double slack(const RowStream& stream, std::size_t local) const;
+
+  const Path& path_;
+  const Moves& moves_;
+  double period_;
+  double reach_;
+  double sagitta_;
+  bool rotary_;
+  std::optional<double> tolerance_;
+  PathVertices vertices_;
+  PathFollower follower_;
+  CornerLog corners_;
+  std::int64_t next_row_ = 0;
+  bool was_on_path_ = false;
+  Worst deviation_, chord_;
+  Check end_;
+  Check left_;
+  std::int64_t line_mismatches_ = 0;
+  Check line_;
+};
+
+}  // namespace toolpace

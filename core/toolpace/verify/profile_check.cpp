@@ -1,0 +1,145 @@
+#include "toolpace/verify/profile_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace toolpace {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kTimeUlps = 4;     // t = k·Ts, from a period and a product that are rounded once each
+constexpr double kKernel = 0.0321;  // ∫|½u(u−1) + 1/12| du over [0, 1]
+
+struct Chord {
+  double x = 0, y = 0, z = 0;
+  bool only_rotary = false;
+  double length() const { return std::sqrt(x * x + y * y + z * z); }
+};
+
+Chord chord(const RowStream& stream, std::size_t i) {
+  const auto& p = stream.rows().position;
+  const auto step = [&](std::size_t axis) { return p[axis].empty() ? 0.0 : p[axis][i] - p[axis][i - 1]; };
+  Chord c{step(0), step(1), step(2)};
+  if (c.x != 0 || c.y != 0 || c.z != 0) return c;
+  // Where only rotary axes move the path is measured in degrees.
+  c = {step(3) / kRadiansPerDegree, step(4) / kRadiansPerDegree, step(5) / kRadiansPerDegree, true};
+  return c;
+}
+
+/// Angle between two chords [rad]; π where one of them has no length.
+double turn(const Chord& a, const Chord& b) {
+  const double cx = a.y * b.z - a.z * b.y, cy = a.z * b.x - a.x * b.z, cz = a.x * b.y - a.y * b.x;
+  const double dot = a.x * b.x + a.y * b.y + a.z * b.z;
+  if (a.only_rotary != b.only_rotary || a.length() == 0 || b.length() == 0) return std::numbers::pi;
+  return std::atan2(std::sqrt(cx * cx + cy * cy + cz * cz), dot);
+}
+
+}  // namespace
+
+ProfileCheck::ProfileCheck(const Machine& machine, double period)
+    : limits_(machine.path),
+      period_(period),
+      time_(0.0),
+      path_acceleration_(limits_.acceleration),
+      path_deceleration_(limits_.deceleration),
+      path_jerk_(std::max(limits_.jerk, limits_.jerk_deceleration)) {}
+
+void ProfileCheck::take(const RowStream& stream) {
+  has_time_ = !stream.rows().time.empty();
+  has_profile_ = !stream.rows().speed.empty();
+  for (std::size_t i = stream.begin(); i < stream.end(); ++i) {
+    if (!stream.is_real(i)) continue;
+    if (has_time_) {
+      const double t = stream.rows().time[i];
+      if (stream.row(i) == 0) first_time_ = t;
+      last_time_ = t;
+      const double due = first_time_ + static_cast<double>(stream.row(i)) * period_;
+      const double error = std::abs(t - due);
+      if (time_.would_take(error, 0.0))
+        time_.take(error, kTimeUlps * kEpsilon * std::max(std::abs(due), period_), stream, i);
+    }
+    if (!has_profile_) continue;
+    take_limits(stream, i);
+    if (stream.row(i) > 0) take_interval(stream, i);
+  }
+}
+
+void ProfileCheck::take_limits(const RowStream& stream, std::size_t i) {
+  const double a = stream.rows().acceleration[i], j = stream.rows().jerk[i];
+  largest_ = std::max(largest_, std::abs(a));
+  largest_jerk_ = std::max(largest_jerk_, std::abs(j));
+  if (path_acceleration_.would_take(a, 0.0)) path_acceleration_.take(a, 0.0, stream, i);
+  if (path_deceleration_.would_take(-a, 0.0)) path_deceleration_.take(-a, 0.0, stream, i);
+  // With two limits the smaller one holds for certain where the speed rises or falls clearly.
+  const double clear = 1e-6 * largest_;
+  const double limit = a > clear ? limits_.jerk : a < -clear ? limits_.jerk_deceleration : path_jerk_.check().limit;
+  double jerk = std::abs(j);
+  if (limit < path_jerk_.check().limit) jerk *= path_jerk_.check().limit / limit;
+  if (std::isfinite(jerk) && path_jerk_.would_take(jerk, 0.0)) path_jerk_.take(jerk, 0.0, stream, i);
+}
+
+void ProfileCheck::take_interval(const RowStream& stream, std::size_t i) {
+  const auto& rows = stream.rows();
+  const double v0 = rows.speed[i - 1], v1 = rows.speed[i];
+  const double a0 = rows.acceleration[i - 1], a1 = rows.acceleration[i];
+  const double j0 = rows.jerk[i - 1], j1 = rows.jerk[i];
+  largest_speed_ = std::max({largest_speed_, std::abs(v0), std::abs(v1)});
+  const double way = period_ / 2 * (v0 + v1) + period_ * period_ / 12 * (a0 - a1);
+  way_ += std::abs(way);
+  const Chord here = chord(stream, i);
+  const double length = here.length();
+  double off = length - way;
+  if (off < 0) {
+    // The angle is needed only where the chord is too short.
+    const double angle =
+        std::min(std::numbers::pi, turn(chord(stream, i - 1), here) + turn(here, chord(stream, i + 1)));
+    off = std::min(0.0, off + way * angle * angle / 8);
+  }
+  const double disagreement = std::abs(off);
+  if (chord_.would_take(disagreement, 0.0)) chord_.take(disagreement, 0.0, stream, i);
+  const double speed_off = std::abs(v1 - v0 - period_ / 2 * (a0 + a1));
+  if (speed_.would_take(speed_off, 0.0)) speed_.take(speed_off, 0.0, stream, i);
+  const double acceleration_off = std::abs(a1 - a0 - period_ / 2 * (j0 + j1));
+  if (acceleration_.would_take(acceleration_off, 0.0)) acceleration_.take(acceleration_off, 0.0, stream, i);
+}
+
+void ProfileCheck::report(VerifyReport& report) const {
+  if (has_time_) {
+    report.checks.push_back(time_.named(CheckKind::time_step));
+    report.duration = last_time_ - first_time_;
+  } else {
+    report.duration = static_cast<double>(report.rows - 1) * period_;
+  }
+  if (!has_profile_) return;
+  report.checks.push_back(path_acceleration_.named(CheckKind::path_acceleration));
+  report.checks.push_back(path_deceleration_.named(CheckKind::path_deceleration));
+  report.checks.push_back(path_jerk_.named(CheckKind::path_jerk));
+  // The bounds come from the machine, not from the columns: an altered number must not widen its own bound.
+  const double limit = std::max(limits_.jerk, limits_.jerk_deceleration);
+  const double jerk = std::isfinite(limit) ? limit : largest_jerk_;
+  const double jump = std::isfinite(limits_.acceleration + limits_.deceleration)
+                          ? limits_.acceleration + limits_.deceleration
+                          : 2 * largest_;
+  const bool smooth = std::isfinite(limit);
+  const double step = smooth ? std::min(jump, limit * period_) : jump;  // of acceleration in a period
+  const double noise = 16 * kEpsilon * (way_ + largest_speed_ * period_);
+  const double bounds[3] = {
+      period_ * period_ / (smooth ? 12 : 4) * step + kKernel * jerk * period_ * period_ * period_ + noise,
+      period_ * step / (smooth ? 2 : 1) + noise / period_,
+      period_ * jerk + step + noise / (period_ * period_),
+  };
+  const Worst* const worst[3] = {&chord_, &speed_, &acceleration_};
+  const CheckKind kinds[3] = {CheckKind::speed_column, CheckKind::acceleration_column, CheckKind::jerk_column};
+  const double scale[3] = {1 / period_, 1 / period_, 1 / period_};
+  for (std::size_t k = 0; k < 3; ++k) {
+    Check check = worst[k]->named(kinds[k]);
+    check.value *= scale[k];
+    check.bound = bounds[k] * scale[k];
+    check.limit = 0.0;
+    check.broken = check.value > check.bound;
+    report.checks.push_back(check);
+  }
+}
+
+}  // namespace toolpace

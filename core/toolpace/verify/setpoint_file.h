@@ -1,0 +1,61 @@
+#pragma once
+/// Reading setpoint files back, of every format that is written, in bounded memory.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "toolpace/base/axes.h"
+#include "toolpace/base/result.h"
+
+namespace toolpace {
+
+/// What a file holds.
+struct SetpointColumns {
+  std::array<bool, kAxisCount> axis = {};
+  bool time = false;
+  bool profile = false;  ///< speed, acceleration, jerk along the path
+  bool line = false;
+};
+
+/// Some consecutive rows, column by column; columns that the file lacks are empty.
+struct SetpointRows {
+  std::size_t first = 0;
+  std::vector<double> time;                              ///< [s]
+  std::array<std::vector<double>, kAxisCount> position;  ///< [mm, rad]
+  std::vector<double> speed, acceleration, jerk;         ///< [mm/s, mm/s², mm/s³]
+  std::vector<std::uint32_t> line;
+  std::size_t count = 0;
+
+  void clear();
+};
+
+/// An open setpoint file. Every fault of its text or structure is an error of kind input with file, line and column.
+class SetpointFile {
+ public:
+  virtual ~SetpointFile() = default;
+  SetpointFile(const SetpointFile&) = delete;
+  SetpointFile& operator=(const SetpointFile&) = delete;
+
+  const SetpointColumns& columns() const { return columns_; }
+
+  /// Appends up to `limit` rows. @return how many; 0 = no more
+  virtual Result<std::size_t> read(SetpointRows& rows, std::size_t limit) = 0;
+  /// Begins again at the first row.
+  virtual void rewind() = 0;
+  /// How much has been read, 0 … 1.
+  virtual double progress() const = 0;
+
+ protected:
+  SetpointFile() = default;
+  SetpointColumns columns_;
+};
+
+/// Opens .csv (comma or semicolon, decimal point or comma), .npy, .npz or .halstream; what it is shows in its first
+/// bytes, only .halstream by the name. "-" = standard input. Errors: io; input: setpoints-empty, setpoints-header,
+/// setpoints-shape, setpoints-compressed, setpoints-broken.
+Result<std::unique_ptr<SetpointFile>> open_setpoint_file(const std::filesystem::path& file);
+
+}  // namespace toolpace

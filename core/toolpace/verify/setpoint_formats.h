@@ -1,0 +1,18 @@
+#pragma once
+/// The readers behind open_setpoint_file(). For use inside verify/ alone.
+
+#include <memory>
+#include <string>
+
+#include "toolpace/verify/mapped_file.h"
+#include "toolpace/verify/setpoint_file.h"
+
+namespace toolpace::verify_detail {
+
+Result<std::unique_ptr<SetpointFile>> open_text(MappedFile file, const std::string& name, bool halstream);
+Result<std::unique_ptr<SetpointFile>> open_npy(MappedFile file, const std::string& name);
+Result<std::unique_ptr<SetpointFile>> open_npz(MappedFile file, const std::string& name);
+
+Error setpoints_error(const char* code, std::string message, Location where, std::string remedy = "");
+
+}  // namespace toolpace::verify_detail

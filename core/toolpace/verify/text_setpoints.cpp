@@ -1,0 +1,202 @@
+/// .csv, semicolon and .halstream.
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "toolpace/verify/setpoint_formats.h"
+
+namespace toolpace::verify_detail {
+namespace {
+
+enum class Meaning : std::uint8_t { ignored, time, position, speed, acceleration, jerk, line };
+
+struct Column {
+  Meaning meaning = Meaning::ignored;
+  std::size_t axis = 0;
+};
+
+constexpr std::size_t kLongestNumber = 64;  // no double that reads back needs more
+
+Column meaning_of(std::string_view name) {
+  constexpr std::array<std::string_view, kAxisCount> kAxes = {"x_mm", "y_mm", "z_mm", "a_deg", "b_deg", "c_deg"};
+  const auto axis = std::find(kAxes.begin(), kAxes.end(), name);
+  if (axis != kAxes.end()) return {Meaning::position, static_cast<std::size_t>(axis - kAxes.begin())};
+  if (name == "t_s") return {Meaning::time, 0};
+  if (name == "v_mm_s") return {Meaning::speed, 0};
+  if (name == "a_mm_s2") return {Meaning::acceleration, 0};
+  if (name == "j_mm_s3") return {Meaning::jerk, 0};
+  if (name == "line") return {Meaning::line, 0};
+  return {};
+}
+
+class TextSetpoints final : public SetpointFile {
+ public:
+  TextSetpoints(MappedFile file, std::string name, char separator)
+      : file_(std::move(file)), name_(std::move(name)), separator_(separator), text_(file_.bytes()) {}
+
+  Result<void> read_header() {
+    const std::string_view header = take_line();
+    for (std::size_t at = 0; at <= header.size();) {
+      const std::size_t end = std::min(header.find(separator_, at), header.size());
+      add(meaning_of(header.substr(at, end - at)));
+      at = end + 1;
+    }
+    return finish_header();
+  }
+
+  /// No header: as many positions as the first line has numbers.
+  Result<void> assume_positions() {
+    const std::string_view line = text_.substr(0, text_.find('\n'));
+    const auto count = static_cast<std::size_t>(std::count(line.begin(), line.end(), ' ')) + 1;
+    for (std::size_t axis = 0; axis < std::min(count, kAxisCount); ++axis) add({Meaning::position, axis});
+    return finish_header();
+  }
+
+  Result<std::size_t> read(SetpointRows& rows, std::size_t limit) override {
+    std::size_t taken = 0;
+    for (; taken < limit && at_ < text_.size(); ++taken) {
+      if (auto row = read_row(rows); !row) return tl::unexpected(row.error());
+    }
+    rows.count += taken;
+    return taken;
+  }
+
+  void rewind() override {
+    at_ = body_;
+    line_ = body_line_;
+  }
+
+  double progress() const override { return static_cast<double>(at_) / static_cast<double>(text_.size()); }
+
+ private:
+  void add(Column column) {
+    order_.push_back(column);
+    switch (column.meaning) {
+      case Meaning::time: columns_.time = true; break;
+      case Meaning::position: columns_.axis[column.axis] = true; break;
+      case Meaning::jerk: columns_.profile = true; break;
+      case Meaning::line: columns_.line = true; break;
+      default: break;
+    }
+  }
+
+  Result<void> finish_header() {
+    const auto has = [this](Meaning m) {
+      return std::any_of(order_.begin(), order_.end(), [m](const Column& c) { return c.meaning == m; });
+    };
+    columns_.profile = has(Meaning::speed) && has(Meaning::acceleration) && has(Meaning::jerk);
+    for (auto& column : order_) {
+      const bool profile = column.meaning >= Meaning::speed && column.meaning <= Meaning::jerk;
+      if (profile && !columns_.profile) column.meaning = Meaning::ignored;
+    }
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const bool twice = order_[i].meaning != Meaning::ignored && order_[i].meaning == order_[k].meaning;
+        if (twice && order_[i].axis == order_[k].axis)
+          return tl::unexpected(header_error("a column stands there twice"));
+      }
+    }
+    if (!has(Meaning::position))
+      return tl::unexpected(header_error("there is no column x_mm, y_mm, z_mm, a_deg, b_deg or c_deg"));
+    body_ = at_;
+    body_line_ = line_;
+    return {};
+  }
+
+  Error header_error(std::string what) const {
+    return setpoints_error("setpoints-header", std::move(what), {name_, 1, 1},
+                           "the header is t_s,x_mm,y_mm,z_mm[,a_deg,b_deg,c_deg],v_mm_s,a_mm_s2,j_mm_s3,line");
+  }
+
+  std::string_view take_line() {
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    std::string_view line = text_.substr(at_, end - at_);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    at_ = std::min(end + 1, text_.size());
+    ++line_;
+    return line;
+  }
+
+  Result<void> read_row(SetpointRows& rows) {
+    const std::string_view line = take_line();
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    for (std::size_t c = 0; c < order_.size(); ++c) {
+      if (c > 0) {
+        if (at == end || *at != separator_) return tl::unexpected(number_error(line, at));
+        ++at;
+      }
+      const auto value = take_number(at, end);
+      if (!value) return tl::unexpected(number_error(line, at));
+      put(rows, order_[c], *value);
+    }
+    if (at != end) return tl::unexpected(number_error(line, at));
+    return {};
+  }
+
+  std::optional<double> take_number(const char*& at, const char* end) const {
+    double value = 0.0;
+    if (separator_ != ';') {
+      const auto [stop, error] = std::from_chars(at, end, value);
+      if (error != std::errc{} || !std::isfinite(value)) return {};
+      at = stop;
+      return value;
+    }
+    std::array<char, kLongestNumber> copy;
+    const auto length =
+        std::min<std::size_t>(static_cast<std::size_t>(std::find(at, end, separator_) - at), copy.size());
+    std::replace_copy(at, at + length, copy.begin(), ',', '.');
+    const auto [stop, error] = std::from_chars(copy.data(), copy.data() + length, value);
+    if (error != std::errc{} || !std::isfinite(value)) return {};
+    at += stop - copy.data();
+    return value;
+  }
+
+  static void put(SetpointRows& rows, const Column& column, double value) {
+    switch (column.meaning) {
+      case Meaning::time: rows.time.push_back(value); break;
+      case Meaning::position:
+        rows.position[column.axis].push_back(is_rotary(column.axis) ? value * kRadiansPerDegree : value);
+        break;
+      case Meaning::speed: rows.speed.push_back(value); break;
+      case Meaning::acceleration: rows.acceleration.push_back(value); break;
+      case Meaning::jerk: rows.jerk.push_back(value); break;
+      case Meaning::line:
+        rows.line.push_back(value >= 0 && value < 4294967296.0 ? static_cast<std::uint32_t>(value) : 0);
+        break;
+      case Meaning::ignored: break;
+    }
+  }
+
+  Error number_error(std::string_view line, const char* at) const {
+    const auto column = static_cast<std::size_t>(at - line.data()) + 1;
+    return setpoints_error("setpoints-broken", "there is no finite number where one is due", {name_, line_, column},
+                           std::to_string(order_.size()) + " numbers are due in each line");
+  }
+
+  MappedFile file_;
+  std::string name_;
+  char separator_;
+  std::string_view text_;
+  std::vector<Column> order_;
+  std::size_t at_ = 0, body_ = 0;
+  std::size_t line_ = 0, body_line_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<SetpointFile>> open_text(MappedFile file, const std::string& name, bool halstream) {
+  const std::string_view bytes = file.bytes();
+  const std::string_view head = bytes.substr(0, bytes.find('\n'));
+  const char separator = halstream ? ' ' : head.find(';') != std::string_view::npos ? ';' : ',';
+  auto text = std::make_unique<TextSetpoints>(std::move(file), name, separator);
+  if (auto fine = halstream ? text->assume_positions() : text->read_header(); !fine)
+    return tl::unexpected(fine.error());
+  return text;
+}
+
+}  // namespace toolpace::verify_detail

@@ -1,0 +1,160 @@
+#include "toolpace/verify/verify.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "toolpace/verify/limit_check.h"
+#include "toolpace/verify/path_check.h"
+#include "toolpace/verify/profile_check.h"
+
+namespace toolpace {
+namespace {
+
+constexpr double kFirstReach = kOnPath;  // [mm]
+constexpr double kReachFactor = 8;
+constexpr double kLastReach = 20;  // [mm] farther off, the file is of another program
+
+struct Pass {
+  VerifyReport report;
+  bool followed = true;
+};
+
+/// Period of the file: the first step of its time column; whole nanoseconds where it is that but for rounding.
+Result<double> period_of(SetpointFile& file, const Machine& machine) {
+  SetpointRows rows;
+  const auto count = file.read(rows, 2);
+  if (!count) return tl::unexpected(count.error());
+  file.rewind();
+  if (*count == 0)
+    return tl::unexpected(Error{ErrorKind::input, "setpoints-empty", "there are no setpoints in the file", "", {}, {}});
+  if (rows.time.size() < 2) return machine.period;
+  const double step = rows.time[1] - rows.time[0];
+  if (!(step > 0)) {
+    return tl::unexpected(Error{ErrorKind::input, "setpoints-time", "the time does not go forward", "", {}, {}});
+  }
+  const double nanoseconds = std::round(step * 1e9);
+  return nanoseconds >= 1 && std::abs(step * 1e9 - nanoseconds) < 1e-6 * nanoseconds ? nanoseconds / 1e9 : step;
+}
+
+Result<void> check_axes(const SetpointFile& file, const ProgrammedPath& program) {
+  constexpr std::array<const char*, kAxisCount> kNames = {"x_mm", "y_mm", "z_mm", "a_deg", "b_deg", "c_deg"};
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    const bool moves = std::any_of(program.path.node.begin(), program.path.node.end(),
+                                   [&](const AxisVector& n) { return n[i] != program.path.node.front()[i]; });
+    if (moves && !file.columns().axis[axis]) {
+      return tl::unexpected(
+          Error{ErrorKind::input,
+                "setpoints-axes",
+                std::string("the program moves an axis that the file has no column ") + kNames[axis] + " of",
+                "is it the file of this program?",
+                {},
+                {}});
+    }
+  }
+  return {};
+}
+
+Result<Pass> run_pass(SetpointFile& file, const Machine& machine, double period, PathCheck* path,
+                      const Monitor& monitor) {
+  file.rewind();
+  RowStream stream(file);
+  LimitCheck limits(machine, period, path != nullptr);
+  ProfileCheck profile(machine, period);
+  const CornerLog none;
+  Pass pass;
+  for (;;) {
+    const auto more = stream.next();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) break;
+    if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+    monitor.report(file.progress());
+    if (path != nullptr && pass.followed) pass.followed = path->take(stream);
+    if (path != nullptr && !pass.followed) return pass;
+    limits.take(stream, path != nullptr ? path->corners() : none);
+    profile.take(stream);
+  }
+  if (path != nullptr) pass.followed = path->has_followed();
+  pass.report.rows = stream.rows_read();
+  pass.report.period = period;
+  limits.report(pass.report);
+  profile.report(pass.report);
+  return pass;
+}
+
+std::vector<double> reaches(const std::optional<double>& tolerance) {
+  std::vector<double> all;
+  for (double reach = kFirstReach; reach < kLastReach; reach *= kReachFactor) all.push_back(reach);
+  if (tolerance && *tolerance > 0) all.push_back(*tolerance);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Looks for the setpoints ever farther from the path until they follow it.
+Result<VerifyReport> verify_on_path(SetpointFile& file, const Machine& machine, double period,
+                                    const ProgrammedPath& program, const Monitor& monitor) {
+  const auto all = reaches(program.tolerance);
+  for (const double reach : all) {
+    PathCheck path(program.path, program.moves, program.tolerance, reach, period);
+    auto pass = run_pass(file, machine, period, &path, monitor);
+    if (!pass) return tl::unexpected(pass.error());
+    if (!pass->followed && reach < all.back()) continue;
+    if (!pass->followed) {  // the limits are judged all the same
+      auto limits = run_pass(file, machine, period, nullptr, monitor);
+      if (!limits) return tl::unexpected(limits.error());
+      pass = std::move(limits);
+      pass->followed = false;
+    }
+    path.report(pass->report, pass->followed);
+    return std::move(pass->report);
+  }
+  return VerifyReport{};
+}
+
+}  // namespace
+
+Result<VerifyReport> verify(SetpointFile& file, const Machine& machine, const ProgrammedPath* program,
+                            const Monitor& monitor) {
+  const auto period = period_of(file, machine);
+  if (!period) return tl::unexpected(period.error());
+  Result<VerifyReport> report = VerifyReport{};
+  if (program != nullptr) {
+    if (auto fine = check_axes(file, *program); !fine) return tl::unexpected(fine.error());
+    report = verify_on_path(file, machine, *period, *program, monitor);
+  } else {
+    auto pass = run_pass(file, machine, *period, nullptr, monitor);
+    if (!pass) return tl::unexpected(pass.error());
+    report = std::move(pass->report);
+  }
+  if (report && std::abs(*period - machine.period) > 1e-9 * machine.period) {
+    report->notes.push_back("the file's period is " + std::to_string(*period * 1e3) + " ms, the machine's " +
+                            std::to_string(machine.period * 1e3) + " ms");
+  }
+  return report;
+}
+
+const char* key_of(CheckKind kind) {
+  switch (kind) {
+    case CheckKind::axis_speed: return "axis-speed";
+    case CheckKind::axis_acceleration: return "axis-acceleration";
+    case CheckKind::axis_jerk: return "axis-jerk";
+    case CheckKind::travel_min: return "travel-min";
+    case CheckKind::travel_max: return "travel-max";
+    case CheckKind::path_speed: return "path-speed";
+    case CheckKind::path_acceleration: return "path-acceleration";
+    case CheckKind::path_deceleration: return "path-deceleration";
+    case CheckKind::path_jerk: return "path-jerk";
+    case CheckKind::time_step: return "time-step";
+    case CheckKind::speed_column: return "speed-column";
+    case CheckKind::acceleration_column: return "acceleration-column";
+    case CheckKind::jerk_column: return "jerk-column";
+    case CheckKind::line_column: return "line-column";
+    case CheckKind::follows_path: return "follows-path";
+    case CheckKind::deviation: return "deviation";
+    case CheckKind::end_point: return "end-point";
+  }
+  return "";
+}
+
+}  // namespace toolpace

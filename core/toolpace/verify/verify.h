@@ -1,0 +1,32 @@
+#pragma once
+/// An independent proof of a setpoint file: nothing of it comes from planning.
+
+#include <filesystem>
+#include <optional>
+
+#include "toolpace/base/monitor.h"
+#include "toolpace/limits/machine.h"
+#include "toolpace/nc/moves.h"
+#include "toolpace/path/path.h"
+#include "toolpace/verify/report.h"
+#include "toolpace/verify/setpoint_file.h"
+
+namespace toolpace {
+
+/// The program that the setpoints are said to run.
+struct ProgrammedPath {
+  const Path& path;  ///< as programmed, corners not smoothed
+  const Moves& moves;
+  std::optional<double> tolerance = {};  ///< [mm] judged; none = the deviation is measured only
+};
+
+/// Checks the file against the machine and, if given, the program. Reads the file once, or several times where it is
+/// not on the path to 1e-6 mm. Bounded memory, whatever the file's length.
+///
+/// @param machine  its period serves files without a time column; a difference to it is a note
+/// @return Errors: of reading; input (setpoints-empty, setpoints-axes: the program moves axes that the file lacks);
+///         cancelled
+Result<VerifyReport> verify(SetpointFile& file, const Machine& machine, const ProgrammedPath* program = nullptr,
+                            const Monitor& monitor = {});
+
+}  // namespace toolpace

@@ -1,0 +1,180 @@
+/// Setpoints against the programmed path.
+
+#include <fstream>
+
+#include "planned_program.h"
+#include "toolpace/verify/path_follower.h"
+
+namespace toolpace {
+namespace {
+
+using namespace testing;
+
+void write_points(const std::filesystem::path& file, const std::vector<Eigen::Vector2d>& points) {
+  std::ofstream out(file);
+  out.precision(17);
+  out << "t_s,x_mm,y_mm,z_mm\n";
+  for (std::size_t k = 0; k < points.size(); ++k)
+    out << static_cast<double>(k) / 1000 << ',' << points[k].x() << ',' << points[k].y() << ",0\n";
+}
+
+/// Points every `step` along a polyline, its vertices included.
+std::vector<Eigen::Vector2d> walk(const std::vector<Eigen::Vector2d>& corners, double step) {
+  std::vector<Eigen::Vector2d> points = {corners.front()};
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const Eigen::Vector2d d = corners[i] - corners[i - 1];
+    const int n = static_cast<int>(std::ceil(d.norm() / step));
+    for (int k = 1; k <= n; ++k) points.push_back(corners[i - 1] + d * k / n);
+  }
+  return points;
+}
+
+Program polyline(const std::vector<Eigen::Vector2d>& corners) {
+  Program program;
+  program.start(corners[0].x(), corners[0].y());
+  for (std::size_t i = 1; i < corners.size(); ++i) program.line(corners[i].x(), corners[i].y());
+  return program;
+}
+
+TEST(PathCheck, MeasuresTheDistanceFromExactArcs) {
+  const TemporaryDirectory dir;
+  Program program;
+  program.start(25, 0).arc(0, 0, 4.0).arc(0, 0, 7.0, 11.0).line(0, 0, 11);
+  const toolpace::Setup setup = axis_limited_setup();
+  write_setpoints(planned(program, setup), dir / "a.csv");
+  const VerifyReport report = verified(dir / "a.csv", setup.machine, &program.moves(), 1e-6);
+  EXPECT_TRUE(report.passes()) << broken(report);
+  EXPECT_LT(check_of(report, CheckKind::deviation).value, 1e-10);
+  // Sagitta of 0.1 mm on a radius of 25: 0.1²/200 = 5e-5 mm. The corner from the helix to the line may be passed with a
+  // step of 2000 mm/s² · 1 ms = 2 mm/s, and is cut by at most 2 mm/s · 1 ms / 4 = 5e-4 mm then.
+  EXPECT_LT(*report.chord_error, 5.01e-4);
+  EXPECT_GT(*report.chord_error, 4e-5);
+}
+
+TEST(PathCheck, FindsARowOffTheArc) {
+  const TemporaryDirectory dir;
+  Program program;
+  program.start(25, 0).arc(0, 0, 6.0);
+  const toolpace::Setup setup = axis_limited_setup();
+  write_setpoints(planned(program, setup), dir / "a.csv");
+  std::ofstream out(dir / "b.csv");
+  std::istringstream in(contents(dir / "a.csv"));
+  std::size_t row = 0;
+  for (std::string line; std::getline(in, line); ++row) {
+    // Row 500 (line 501 of the file) moves 2e-5 mm outwards along x.
+    if (row == 501) {
+      std::vector<std::string> f;
+      std::istringstream fields(line);
+      for (std::string field; std::getline(fields, field, ',');) f.push_back(field);
+      const double x = std::stod(f[1]), y = std::stod(f[2]);
+      f[1] = std::to_string(x * (1 + 2e-5 / 25) * 1e0);
+      std::ostringstream exact;
+      exact.precision(17);
+      exact << f[0] << ',' << x * (1 + 2e-5 / 25) << ',' << y * (1 + 2e-5 / 25);
+      for (std::size_t i = 3; i < f.size(); ++i) exact << ',' << f[i];
+      line = exact.str();
+    }
+    out << line << '\n';
+  }
+  out.close();
+  const VerifyReport report = verified(dir / "b.csv", setup.machine, &program.moves(), 1e-5);
+  EXPECT_NEAR(check_of(report, CheckKind::deviation).value, 2e-5, 1e-9);
+  EXPECT_EQ(check_of(report, CheckKind::deviation).row, 500);
+  EXPECT_TRUE(check_of(report, CheckKind::deviation).broken);
+}
+
+TEST(PathCheck, IsNotFooledByASelfCrossing) {
+  const TemporaryDirectory dir;
+  // A bow-tie. The motion leaves out the loop: it turns at the crossing (5, 5) onto the last leg.
+  const std::vector<Eigen::Vector2d> corners = {{0, 0}, {10, 10}, {10, 0}, {0, 10}};
+  const Program program = polyline(corners);
+  write_points(dir / "whole.csv", walk(corners, 0.05));
+  write_points(dir / "short.csv", walk({{0, 0}, {5, 5}, {0, 10}}, 0.05));
+  const Machine machine;
+  EXPECT_TRUE(verified(dir / "whole.csv", machine, &program.moves(), 0.01).passes());
+  const VerifyReport report = verified(dir / "short.csv", machine, &program.moves(), 0.01);
+  EXPECT_TRUE(check_of(report, CheckKind::follows_path).broken);
+}
+
+TEST(PathCheck, NoticesAStrokeThatWasLeftOut) {
+  const TemporaryDirectory dir;
+  // Drilling: down and up again in place. Every setpoint of the skipping motion is on the path.
+  const Program program = polyline({{0, 0}, {5, 0}, {5, -3}, {5, 0}, {10, 0}});
+  write_points(dir / "whole.csv", walk({{0, 0}, {5, 0}, {5, -3}, {5, 0}, {10, 0}}, 0.05));
+  write_points(dir / "short.csv", walk({{0, 0}, {10, 0}}, 0.05));
+  const Machine machine;
+  EXPECT_TRUE(verified(dir / "whole.csv", machine, &program.moves(), 0.01).passes());
+  EXPECT_TRUE(check_of(verified(dir / "short.csv", machine, &program.moves(), 0.01), CheckKind::follows_path).broken);
+}
+
+TEST(PathCheck, MeasuresACutCornerAndGivesItNoExemption) {
+  const TemporaryDirectory dir;
+  const Program program = polyline({{0, 0}, {10, 0}, {10, 10}});
+  // The corner is cut from (9.99, 0) to (10, 0.01): 0.01/√2 mm from the vertex.
+  write_points(dir / "a.csv", walk({{0, 0}, {9.99, 0}, {10, 0.01}, {10, 10}}, 0.004));
+  const VerifyReport tight = verified(dir / "a.csv", Machine{}, &program.moves(), 0.002);
+  EXPECT_TRUE(check_of(tight, CheckKind::follows_path).broken);
+  const VerifyReport wide = verified(dir / "a.csv", Machine{}, &program.moves(), 0.0075);
+  EXPECT_TRUE(wide.passes()) << broken(wide);
+  EXPECT_EQ(wide.exempt_corners, 0);
+  EXPECT_NEAR(*wide.chord_error, 0.01 / std::sqrt(2.0), 1e-5);
+}
+
+TEST(PathCheck, NoticesAMissingEndAndAWrongLine) {
+  const TemporaryDirectory dir;
+  Program program;
+  program.line(10, 0).line(20, 5);
+  toolpace::Setup setup = axis_limited_setup();
+  setup.options.corner.rule = CornerRule::stop;
+  write_setpoints(planned(program, setup), dir / "a.csv");
+  std::string text = contents(dir / "a.csv");
+  std::string shorter = text.substr(0, text.rfind('\n', text.size() - 2) + 1);
+  std::ofstream(dir / "short.csv")
+      << shorter.substr(0, shorter.size() / 2).substr(0, shorter.rfind('\n', shorter.size() / 2) + 1);
+  EXPECT_FALSE(verified(dir / "short.csv", setup.machine, &program.moves(), 1e-5).passes());
+  const std::size_t row = text.find("\n0.05,");
+  const std::size_t end = text.find('\n', row + 1);
+  text.replace(end - 1, 1, "2");  // line 1 -> 2
+  std::ofstream(dir / "line.csv") << text;
+  const VerifyReport report = verified(dir / "line.csv", setup.machine, &program.moves());
+  EXPECT_TRUE(check_of(report, CheckKind::line_column).broken);
+  EXPECT_EQ(check_of(report, CheckKind::line_column).row, 50);
+}
+
+TEST(PathCheck, FollowsRotaryAxes) {
+  const TemporaryDirectory dir;
+  Program program;
+  program.line(10, 0).rotate(2.0, 1.0).line(0, 0).rotate(0.5, 1.0);
+  toolpace::Setup setup = default_setup();
+  write_setpoints(planned(program, setup), dir / "a.csv");
+  const VerifyReport report = verified(dir / "a.csv", setup.machine, &program.moves(), 1e-6);
+  EXPECT_TRUE(report.passes()) << broken(report);
+  std::ofstream(dir / "linear.csv") << "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.001,0,0,0\n";
+  auto file = open_setpoint_file(dir / "linear.csv");
+  const Path path = build_path(program.moves(), 0).value();
+  const ProgrammedPath programmed{path, program.moves(), {}};
+  EXPECT_EQ(verify(**file, setup.machine, &programmed).error().code, "setpoints-axes");
+}
+
+TEST(PathCheck, TellsOfAnotherProgram) {
+  const TemporaryDirectory dir;
+  const Program program = polyline({{0, 0}, {100, 0}});
+  write_points(dir / "a.csv", walk({{0, 0}, {0, 100}}, 0.5));
+  const VerifyReport report = verified(dir / "a.csv", Machine{}, &program.moves());
+  EXPECT_TRUE(report.passes());  // without a tolerance the deviation is reported, not judged
+  ASSERT_EQ(report.notes.size(), 1U);
+  EXPECT_NE(report.notes[0].find("do not follow"), std::string::npos);
+  EXPECT_FALSE(verified(dir / "a.csv", Machine{}, &program.moves(), 0.1).passes());
+}
+
+TEST(PathCheck, AProgramWithoutMotionHasOneRow) {
+  const TemporaryDirectory dir;
+  Program program;
+  program.dwell(0.01);
+  const toolpace::Setup setup = default_setup();
+  write_setpoints(planned(program, setup), dir / "a.csv");
+  EXPECT_TRUE(verified(dir / "a.csv", setup.machine, &program.moves(), 1e-6).passes());
+}
+
+}  // namespace
+}  // namespace toolpace

@@ -1,0 +1,108 @@
+#include "toolpace/verify/setpoint_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "sample_setpoints.h"
+#include "temporary_directory.h"
+#include "toolpace/io/setpoint_writer.h"
+
+namespace toolpace {
+namespace {
+
+using testing::sample_setpoints;
+using testing::TemporaryDirectory;
+
+SetpointRows read_back(const std::filesystem::path& file) {
+  auto opened = open_setpoint_file(file);
+  EXPECT_TRUE(opened) << opened.error().message;
+  SetpointRows rows;
+  while ((*opened)->read(rows, 700).value() > 0) {
+  }
+  return rows;
+}
+
+std::string code_of(const TemporaryDirectory& dir, const std::string& name, const std::string& text) {
+  std::ofstream(dir / name, std::ios::binary) << text;
+  auto opened = open_setpoint_file(dir / name);
+  if (!opened) return opened.error().code;
+  SetpointRows rows;
+  const auto read = (*opened)->read(rows, 1000);
+  return read ? "fine" : read.error().code;
+}
+
+class Formats : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Formats, ReadBackToTheSameNumbers) {
+  const TemporaryDirectory dir;
+  const Setpoints s = sample_setpoints(0, 3000, true);
+  auto writer = open_setpoint_writer(dir / GetParam(), {.decimal_comma = true});
+  ASSERT_TRUE((*writer)->write(s));
+  ASSERT_TRUE((*writer)->finish());
+  const SetpointRows rows = read_back(dir / GetParam());
+  const bool positions_only = rows.time.empty();
+  EXPECT_EQ(positions_only, std::string(GetParam()) == "a.halstream");
+  ASSERT_EQ(rows.count, s.size());
+  EXPECT_EQ(rows.position[0], s.position[0]);
+  EXPECT_EQ(rows.position[2], s.position[2]);
+  for (std::size_t k = 0; k < s.size(); ++k) ASSERT_NEAR(rows.position[4][k], s.position[4][k], 1e-15);
+  if (positions_only) return;
+  EXPECT_EQ(rows.speed, s.speed);
+  EXPECT_EQ(rows.jerk, s.jerk);
+  if (std::string(GetParam()) == "a.npy") return;
+  EXPECT_EQ(rows.line, s.line);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Formats, ::testing::Values("a.csv", "a.npy", "a.npz", "a.halstream", "a.semicolon.csv"));
+
+TEST(SetpointFile, TakesColumnsInAnyOrderAndIgnoresOthers) {
+  const TemporaryDirectory dir;
+  std::ofstream(dir / "a.csv") << "y_mm,colour,x_mm\r\n1,7,2\r\n3,7,4\r\n";
+  const SetpointRows rows = read_back(dir / "a.csv");
+  EXPECT_EQ(rows.position[0], (std::vector<double>{2, 4}));
+  EXPECT_EQ(rows.position[1], (std::vector<double>{1, 3}));
+  EXPECT_TRUE(rows.position[2].empty());
+}
+
+TEST(SetpointFile, NamesThePlaceOfABrokenNumber) {
+  const TemporaryDirectory dir;
+  std::ofstream(dir / "a.csv") << "t_s,x_mm\n0,1\n0.001,1e400\n";
+  auto opened = open_setpoint_file(dir / "a.csv");
+  SetpointRows rows;
+  const auto read = (*opened)->read(rows, 10);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().code, "setpoints-broken");
+  EXPECT_EQ(read.error().where.line, 3U);
+  EXPECT_EQ(read.error().where.column, 7U);
+}
+
+TEST(SetpointFile, RefusesWhatIsNoSetpointFile) {
+  const TemporaryDirectory dir;
+  EXPECT_EQ(open_setpoint_file(dir / "none.csv").error().code, "file-not-found");
+  EXPECT_EQ(open_setpoint_file(dir.path()).error().code, "is-directory");
+  EXPECT_EQ(code_of(dir, "a.csv", ""), "setpoints-empty");
+  EXPECT_EQ(code_of(dir, "a.csv", "hello\n"), "setpoints-header");
+  EXPECT_EQ(code_of(dir, "a.csv", "x_mm,x_mm\n1,2\n"), "setpoints-header");
+  EXPECT_EQ(code_of(dir, "a.csv", "x_mm\nnan\n"), "setpoints-broken");
+  EXPECT_EQ(code_of(dir, "a.csv", "x_mm,y_mm\n1\n"), "setpoints-broken");
+  EXPECT_EQ(code_of(dir, "a.csv", "x_mm\n1,2\n"), "setpoints-broken");
+  EXPECT_EQ(code_of(dir, "a.npy", "\x93NUMPY"), "setpoints-shape");
+  EXPECT_EQ(code_of(dir, "a.npz", "PK\x03\x04 and no more"), "setpoints-shape");
+}
+
+TEST(SetpointFile, RefusesArraysThatAreCutShort) {
+  const TemporaryDirectory dir;
+  for (const char* name : {"a.npy", "a.npz"}) {
+    auto writer = open_setpoint_writer(dir / name);
+    ASSERT_TRUE((*writer)->write(sample_setpoints(0, 100)));
+    ASSERT_TRUE((*writer)->finish());
+    const std::string whole = testing::contents(dir / name);
+    for (std::size_t keep = 0; keep + 1 < whole.size(); keep += 61) {
+      ASSERT_NE(code_of(dir, "cut", whole.substr(0, keep)), "fine") << name << " cut at " << keep;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace toolpace
