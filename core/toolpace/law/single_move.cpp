@@ -141,6 +141,19 @@ std::optional<Error> check_move(LawKind law, const MoveRequest& move, const Dyna
   return unreachable(ramp);
 }
 
+double detail::fitting_peak(const MoveRequest& move, const MoveTerms& terms) {
+  const auto length = [&](double v) {
+    return (move.start + v) / 2 * terms.up.duration(v - move.start) +
+           (v + move.end) / 2 * terms.down.duration(v - move.end);
+  };
+  const double least = std::max(move.start, move.end);
+  double peak = peak_speed(move, terms);
+  for (double ulps = 1.2e-16; peak > least && length(peak) > move.length * (1 + 1e-14); ulps *= 2) {
+    peak = std::max(peak - ulps * peak, least);
+  }
+  return peak;
+}
+
 Result<SingleMove> single_move(LawKind law, const MoveRequest& move, const Dynamics& dynamics) {
   return visit_law(law, [&](auto kind) { return single_move<decltype(kind)>(move, dynamics); });
 }

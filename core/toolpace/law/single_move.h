@@ -51,6 +51,9 @@ std::optional<Error> check_move(LawKind law, const MoveRequest& move, const Dyna
 
 namespace detail {
 
+/// peak_speed(), less the last ulp where a ramp that changes the speed by hardly more would be too long with them.
+double fitting_peak(const MoveRequest& move, const MoveTerms& terms);
+
 template <class Law>
 MoveRamp write_move_ramp(const SpeedChange& ramp, const RampLimits& limits, PhaseList& phases) {
   const RampPeaks peaks = Law::peaks(std::abs(ramp.to - ramp.from), ramp.time, limits);
@@ -61,7 +64,7 @@ MoveRamp write_move_ramp(const SpeedChange& ramp, const RampLimits& limits, Phas
 template <class Law>
 void fill_move(const MoveRequest& move, const Dynamics& dynamics, SingleMove& result) {
   const MoveTerms terms = move_terms<Law>(dynamics);
-  const double peak = peak_speed(move, terms);
+  const double peak = fitting_peak(move, terms);
   const double down_time = terms.down.duration(peak - move.end);
   result.peak = peak;
   result.reaches_feed = peak >= move.feed;
