@@ -89,7 +89,7 @@ Result<MotionPlan> plan_motion(const SpeedLimits& limits, const PlanOptions& opt
     plan = detail::plan_block_ramps(limits, options.law, blocks, monitor);
   }
   if (options.ramps == Ramps::span && jerk_limited && blocks == limits.size()) {
-    plan = detail::plan_span_ramps(limits, monitor);
+    plan = detail::plan_span_ramps(limits, options.law == LawKind::time_optimal ? 8 : 1, monitor);
     // Limits that change from block to block may favour ramps that each keep to their own block's.
     if (limits.dynamics.size() > 1) {
       MotionPlan other = detail::plan_block_ramps(limits, options.law, blocks, monitor);

@@ -1,5 +1,7 @@
 #include "toolpace/plan/span_hull.h"
 
+#include "toolpace/plan/span_ramp.h"
+
 namespace toolpace::detail {
 namespace {
 
@@ -21,6 +23,30 @@ class HullBuilder {
     hull_.push_back({0, {}});
     if (uniform_ == nullptr) links_.push_back({});
     for (std::uint32_t k = 1; k < kernels_.size(); ++k) add(k);
+  }
+
+  /// Only without links, that is with limits that hold everywhere.
+  void run_again(const std::vector<std::uint32_t>& changed, const std::vector<HullEntry>& old) {
+    hull_.clear();
+    std::size_t next = 0;
+    for (std::size_t c = 0; c < changed.size();) {
+      // Up to here nothing is different.
+      while (next < old.size() && old[next].kernel < changed[c]) hull_.push_back(old[next++]);
+      std::uint32_t k = hull_.back().kernel + 1;
+      for (; k < kernels_.size(); ++k) {
+        add(k);
+        while (c < changed.size() && changed[c] <= k) ++c;
+        while (next < old.size() && old[next].kernel < k) ++next;
+        // A kernel that is reached from a kernel as before is what the old hull went on from too.
+        const bool joined = next < old.size() && old[next].kernel == k && hull_.back().kernel == k && next > 0 &&
+                            hull_[hull_.size() - 2].kernel == old[next - 1].kernel &&
+                            hull_.back().bridge.meet == old[next].bridge.meet &&
+                            hull_.back().bridge.meet_at == old[next].bridge.meet_at;
+        if (joined && (c == changed.size() || changed[c] > k)) break;
+      }
+      ++next;
+    }
+    while (next < old.size()) hull_.push_back(old[next++]);
   }
 
  private:
@@ -78,6 +104,32 @@ class HullBuilder {
 
 void build_hull(const std::vector<Kernel>& kernels, const SpanLimits* uniform, std::vector<HullEntry>& hull) {
   HullBuilder(kernels, uniform, hull).run();
+}
+
+void rebuild_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits,
+                  const std::vector<std::uint32_t>& changed, std::vector<HullEntry>& hull) {
+  std::vector<HullEntry> fresh;
+  fresh.reserve(hull.size() + 16);
+  HullBuilder(kernels, &limits, fresh).run_again(changed, hull);
+  hull.swap(fresh);
+}
+
+double hull_time(const std::vector<Kernel>& kernels, const std::vector<HullEntry>& hull) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e + 1 < hull.size(); ++e) {
+    const Kernel& near = kernels[hull[e].kernel];
+    const Kernel& far = kernels[hull[e + 1].kernel];
+    const Bridge& b = hull[e + 1].bridge;
+    const double x = b.leave, y = b.meet;
+    if (near.is_plateau()) sum += (b.leave_at - hull[e].bridge.meet_at) / near.bottom;
+    sum += (x > 0 ? x / near.up_jerk + x / b.limits.up_jerk : x / near.down_jerk + x / b.limits.down_jerk);
+    sum -= (y > 0 ? y / far.up_jerk + y / b.limits.up_jerk : y / far.down_jerk + y / b.limits.down_jerk);
+    if (x >= b.limits.up)
+      sum += SpanRamp(near.up_jerk, b.limits.up_jerk, x).extent(near.bottom, b.peak - near.bottom).hold;
+    if (-y >= b.limits.down)
+      sum += SpanRamp(far.down_jerk, b.limits.down_jerk, -y).extent(far.bottom, b.peak - far.bottom).hold;
+  }
+  return sum;
 }
 
 }  // namespace toolpace::detail

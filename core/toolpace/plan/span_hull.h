@@ -22,4 +22,13 @@ struct HullEntry {
 /// @param uniform  limits that hold everywhere; nothing = each bridge takes the smallest limits of the blocks under it
 void build_hull(const std::vector<Kernel>& kernels, const SpanLimits* uniform, std::vector<HullEntry>& hull);
 
+/// Brings a hull up to date after some kernels were changed: goes anew only from each changed kernel on until the new hull
+/// has joined the old one again.
+/// @param changed  ascending
+void rebuild_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits,
+                  const std::vector<std::uint32_t>& changed, std::vector<HullEntry>& hull);
+
+/// Time along the hull [s].
+double hull_time(const std::vector<Kernel>& kernels, const std::vector<HullEntry>& hull);
+
 }  // namespace toolpace::detail

@@ -11,7 +11,8 @@ namespace toolpace::detail {
 
 /// The motion under the lower hull of the valleys that the caps throw, joined by the fastest bridges; the accelerations
 /// at the touched nodes are then shifted to what both their bridges would like.
+/// @param passes  rounds of shifting, each kept only if it saves time
 /// @return no phases when cancelled
-MotionPlan plan_span_ramps(const SpeedLimits& limits, const Monitor& monitor);
+MotionPlan plan_span_ramps(const SpeedLimits& limits, int passes, const Monitor& monitor);
 
 }  // namespace toolpace::detail

@@ -1,0 +1,163 @@
+#include "toolpace/plan/span_tilt.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toolpace::detail {
+namespace {
+
+/// Share of a cap by which a curve may pass it, and share by which positions are rounded.
+constexpr double kRounding = 1e-10;
+constexpr double kPlaceRounding = 1e-15;
+
+/// What a curve must pass to be broken: at low speeds a rounding of the place is more than one of the speed.
+double tolerated(const Kernel& k, const SpanLimits& limits) {
+  const double place = kPlaceRounding * std::abs(k.position);
+  return k.cap * (1 + kRounding) + std::max(limits.up, limits.down) * place / k.cap;
+}
+
+double wanted_tilt(const Kernel& k, double meet, double leave, const SpanLimits& limits) {
+  const double steepest = std::max(meet * meet, leave * leave);
+  if (!(steepest > 0)) return k.tilt;
+  const double jerk = std::min(k.up_jerk, k.down_jerk);
+  const double weight = std::min(1.0, 2 * jerk * k.cap / steepest);
+  const double tilt = k.tilt + weight * ((leave + meet) / 2 - k.tilt);
+  const double most = std::sqrt(jerk * k.cap / 2);
+  return std::clamp(tilt, -std::min(most, limits.down), std::min(most, limits.up));
+}
+
+/// Takes tilts back until the bottoms stand in order: first by halves, in the end altogether.
+class Orderer {
+ public:
+  explicit Orderer(std::vector<Kernel>& kernels) : kernels_(kernels) {}
+
+  void run() {
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      bool in_order = true;
+      for (std::size_t i = 1; i < kernels_.size(); ++i) {
+        if (is_in_order(i)) continue;
+        in_order = false;
+        shrink(i - 1, 0.5);
+        shrink(i, 0.5);
+      }
+      if (in_order) return;
+    }
+    for (std::size_t i = 1; i < kernels_.size(); ++i) {
+      // A bottom that goes back to its node may meet the one before it.
+      for (std::size_t k = i; k > 0 && !is_in_order(k); --k) {
+        shrink(k - 1, 0.0);
+        shrink(k, 0.0);
+      }
+    }
+  }
+
+ private:
+  static constexpr int kSweeps = 3;
+
+  bool is_in_order(std::size_t i) const {
+    const Kernel& before = kernels_[i - 1];
+    const Kernel& k = kernels_[i];
+    return before.right < k.left || (before.tilt == 0 && k.tilt == 0);
+  }
+
+  void shrink(std::size_t i, double share) {
+    if (kernels_[i].tilt != 0) set_tilt(kernels_[i], share * kernels_[i].tilt);
+  }
+
+  std::vector<Kernel>& kernels_;
+};
+
+/// Largest speed of a phase of constant jerk between two times.
+double highest(const Phase& p, double t0, double t1) {
+  double most = std::max(evaluate(p, t0).speed, evaluate(p, t1).speed);
+  if (p.rate < 0) {
+    const double top = -p.acceleration / p.rate;
+    if (top > t0 && top < t1) most = std::max(most, evaluate(p, top).speed);
+  }
+  return most;
+}
+
+/// Walks along phases; places must not fall.
+class Walker {
+ public:
+  Walker(const Phase* begin, const Phase* end) : phase_(begin), end_(end) {}
+
+  /// Largest speed at one place or in a stretch; stops early once it cannot pass `cap`.
+  double highest_in(double from, double to, double cap) {
+    while (phase_ + 1 != end_ && phase_[1].distance <= from) ++phase_;
+    double most = 0;
+    for (const Phase* p = phase_;; ++p) {
+      const bool is_last = p + 1 == end_ || p[1].distance >= to;
+      // Most phases stay below the cap as a whole.
+      if (highest(*p, 0, p->duration) > cap) {
+        const double t0 = from <= p->distance ? 0.0 : time_at(*p, from);
+        const double t1 = is_last ? time_at(*p, to) : p->duration;
+        most = std::max(most, highest(*p, t0, t1));
+      }
+      if (is_last) return most;
+    }
+  }
+
+ private:
+  static double time_at(const Phase& p, double distance) {
+    const double way = distance - p.distance;
+    double low = 0, high = p.duration;
+    double t = p.speed > 0 ? std::min(way / p.speed, high) : high / 2;
+    for (int i = 0; i < 60; ++i) {
+      const double miss = t * (p.speed + t * (p.acceleration / 2 + t * p.rate / 6)) - way;
+      const double speed = p.speed + t * (p.acceleration + t * p.rate / 2);
+      (miss < 0 ? low : high) = t;
+      double next = t - miss / speed;
+      if (!(next >= low && next <= high)) next = (low + high) / 2;
+      if (std::abs(next - t) <= 1e-13 * p.duration) return next;
+      t = next;
+    }
+    return t;
+  }
+
+  const Phase* phase_;
+  const Phase* end_;
+};
+
+}  // namespace
+
+void tilt_kernels(const std::vector<HullEntry>& hull, const SpanLimits& limits, std::vector<Kernel>& kernels) {
+  for (std::size_t e = 1; e + 1 < hull.size(); ++e) {
+    const std::uint32_t index = hull[e].kernel;
+    Kernel& k = kernels[index];
+    if (k.is_plateau()) continue;
+    set_tilt(k, wanted_tilt(k, hull[e].bridge.meet, hull[e + 1].bridge.leave, limits));
+  }
+  Orderer(kernels).run();
+}
+
+void drop_tilts(const std::vector<HullEntry>& hull, const std::vector<std::uint32_t>& broken, std::size_t radius,
+                std::vector<Kernel>& kernels, std::vector<std::uint32_t>& changed) {
+  changed.clear();
+  std::size_t e = 0, done = 0;
+  for (const std::uint32_t k : broken) {
+    while (e + 1 < hull.size() && hull[e].kernel < k) ++e;
+    const std::size_t first = std::max(done, e > radius ? e - radius : 0);
+    for (done = first; done < std::min(hull.size(), e + radius + 1); ++done) {
+      Kernel& near = kernels[hull[done].kernel];
+      if (near.tilt == 0) continue;
+      set_tilt(near, 0.0);
+      changed.push_back(hull[done].kernel);
+    }
+  }
+}
+
+std::vector<std::uint32_t> find_broken(const std::vector<Kernel>& kernels, const SpanLimits& limits, const Phase* begin,
+                                       const Phase* end) {
+  std::vector<std::uint32_t> broken;
+  Walker walker(begin, end);
+  for (std::uint32_t i = 1; i + 1 < kernels.size(); ++i) {
+    const Kernel& k = kernels[i];
+    const double cap = tolerated(k, limits);
+    const double to = k.is_plateau() ? k.right : k.position;
+    if (walker.highest_in(k.position, to, cap) > cap) broken.push_back(i);
+  }
+  return broken;
+}
+
+}  // namespace toolpace::detail

@@ -1,0 +1,32 @@
+#pragma once
+/// The second pass: accelerations at the touched nodes that suit the bridges on both sides.
+
+#include <cstdint>
+#include <vector>
+
+#include "toolpace/plan/motion_plan.h"
+#include "toolpace/plan/span_hull.h"
+#include "toolpace/plan/span_kernel.h"
+
+namespace toolpace::detail {
+
+/// Tilts each touched node towards the middle of the accelerations with which it is met and left: a kernel that is met
+/// with little deceleration and left with much acceleration is crossed while speeding up.
+///
+/// A tilt is at most √(J·cap/2), so that the bottom keeps three quarters of the cap, and within the accelerations; a tilt
+/// that would put the bottom past a neighbour's is halved, then dropped.
+void tilt_kernels(const std::vector<HullEntry>& hull, const SpanLimits& limits, std::vector<Kernel>& kernels);
+
+/// Takes the tilts away from the kernels of hull entries around each of the broken ones.
+/// @param broken,changed  indices of kernels, ascending
+/// @param radius  entries on either side
+void drop_tilts(const std::vector<HullEntry>& hull, const std::vector<std::uint32_t>& broken, std::size_t radius,
+                std::vector<Kernel>& kernels, std::vector<std::uint32_t>& changed);
+
+/// Kernels whose cap the phases pass, ascending. With tilts the order of bottoms is not quite that of the caps, so a
+/// hull may pass a cap that it does not touch.
+/// @param phases  from the first kernel to the last one, exact polynomials
+std::vector<std::uint32_t> find_broken(const std::vector<Kernel>& kernels, const SpanLimits& limits, const Phase* begin,
+                                       const Phase* end);
+
+}  // namespace toolpace::detail
