@@ -9,6 +9,7 @@
 #include "toolpace/pipeline/setup.h"
 #include "toolpace/pipeline/travel.h"
 #include "toolpace/plan/bound.h"
+#include "toolpace/plan/hold.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/restraint.h"
 
@@ -33,17 +34,21 @@ LimitOptions limit_options(const PlanOptions& options) {
   return limits;
 }
 
+bool stands_still(const Phase& phase) { return phase.speed == 0 && phase.acceleration == 0 && phase.rate == 0; }
+
 void measure_times(const Outcome& o, const Moves& moves, Summary& summary) {
-  for (std::size_t i = 0; i < o.path->size(); ++i) {
-    const double time = o.node_time[i + 1] - o.node_time[i];
-    (moves.kind[o.path->move[i]] == MoveKind::rapid ? summary.rapid_time : summary.feed_time) += time;
-  }
-  for (const Path::Pause& pause : o.path->pauses) summary.dwell_time += pause.duration;
-  // node_time is the arrival: a pause counts to the block that follows it, or stands at the very end.
-  for (const Path::Pause& pause : o.path->pauses) {
-    if (pause.node >= o.path->size()) continue;
-    const bool rapid = moves.kind[o.path->move[pause.node]] == MoveKind::rapid;
-    (rapid ? summary.rapid_time : summary.feed_time) -= pause.duration;
+  const auto time_of = [&](std::size_t block) -> double& {
+    return moves.kind[o.path->move[block]] == MoveKind::rapid ? summary.rapid_time : summary.feed_time;
+  };
+  for (std::size_t i = 0; i < o.path->size(); ++i) time_of(i) += o.node_time[i + 1] - o.node_time[i];
+  // node_time is the arrival: a rest counts to the block that follows it, unless it stands at the very end.
+  for (const Phase& phase : o.plan.phases) {
+    if (!stands_still(phase)) continue;
+    summary.dwell_time += phase.duration;
+    const auto after = std::upper_bound(o.node_time.begin(), o.node_time.end(), phase.begin);
+    if (after != o.node_time.end() && after != o.node_time.begin()) {
+      time_of(static_cast<std::size_t>(after - o.node_time.begin()) - 1) -= phase.duration;
+    }
   }
 }
 
@@ -67,17 +72,6 @@ Summary summarise(const Outcome& o, const Moves& moves) {
   return s;
 }
 
-/// Arrival at each node in a plan with pauses: the planner's times, later by the pauses before the node.
-std::vector<double> delayed_times(std::vector<double> times, const std::vector<Path::Pause>& pauses) {
-  double delay = 0.0;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    times[i] += delay;
-    for (; next < pauses.size() && pauses[next].node == i; ++next) delay += pauses[next].duration;
-  }
-  return times;
-}
-
 }  // namespace
 
 Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
@@ -95,8 +89,13 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   outcome.job = std::move(job);
   outcome.path = std::make_shared<const Path>(std::move(*path));
   outcome.limits = std::move(*limits);
-  outcome.node_time = delayed_times(node_times(outcome.limits, *plan), outcome.path->pauses);
   outcome.plan = insert_pauses(*plan, outcome.path->pauses, node_positions(outcome.limits));
+  if (const auto hold = outcome.job->options.hold_at) {
+    auto held = insert_hold(outcome.limits, outcome.plan, outcome.job->options, {*hold}, stage(monitor, 0.9, 0.95));
+    if (!held) return tl::unexpected(held.error());
+    outcome.plan = std::move(*held);
+  }
+  outcome.node_time = node_times(outcome.limits, outcome.plan);
   outcome.restraints = explain(outcome.limits, outcome.plan, outcome.node_time, outcome.job->options);
   outcome.warnings = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.summary = summarise(outcome, moves);

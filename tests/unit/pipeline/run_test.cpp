@@ -74,7 +74,10 @@ TEST(Run, TimesOfFeedRapidAndDwellAddUpToTheCycleTime) {
 
 TEST(Run, TimesByCauseAddUpToTheCycleTimeAndTheBoundIsBelowIt) {
   ProgramBuilder program;
-  program.add(MoveKind::rapid, at(50, 0)).dwell(0.5).add(MoveKind::feed, at(80, 0), 40).add(MoveKind::feed, at(80, 20), 40);
+  program.add(MoveKind::rapid, at(50, 0))
+      .dwell(0.5)
+      .add(MoveKind::feed, at(80, 0), 40)
+      .add(MoveKind::feed, at(80, 20), 40);
   Job job = program.job();
   job.bound = true;
   const Summary s = planned(job).summary;
@@ -85,6 +88,20 @@ TEST(Run, TimesByCauseAddUpToTheCycleTimeAndTheBoundIsBelowIt) {
   ASSERT_TRUE(s.bound);
   EXPECT_LE(*s.bound, s.cycle_time);
   EXPECT_GT(*s.bound, 0.8 * s.cycle_time);
+}
+
+TEST(Run, AFeedHoldAddsItsRestAndTheTimeOfStoppingAndStarting) {
+  ProgramBuilder program;
+  program.dwell(0.1).add(MoveKind::feed, at(80, 0), 40);
+  Job job = program.job();
+  const double without = planned(job).summary.cycle_time;
+  job.options.hold_at = 1.0;
+  const Outcome held = planned(job);
+  EXPECT_GT(held.summary.cycle_time, without + 1.0);
+  EXPECT_LT(held.summary.cycle_time, without + 1.2);
+  EXPECT_NEAR(held.summary.dwell_time, 1.1, 1e-12);
+  EXPECT_NEAR(held.summary.feed_time + held.summary.dwell_time, held.summary.cycle_time, 1e-9);
+  EXPECT_EQ(held.node_time.back(), held.summary.cycle_time);
 }
 
 TEST(Run, AProgramWithoutMotionLastsAsLongAsItsDwells) {
