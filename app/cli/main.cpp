@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "toolpace " TOOLPACE_VERSION);
   app.require_subcommand(1);
   Action action;
+  add_blocks_command(app, action);
   add_move_command(app, action);
   add_steps_command(app, action);
 

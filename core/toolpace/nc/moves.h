@@ -35,17 +35,23 @@ struct SplineDetail {
 
 enum class PathControl : std::uint8_t { job_default, exact_path, exact_stop, blend };  ///< none/G64, G61, G61.1, G64 P
 
+/// MoveMode::feed_mode of moves whose speed hangs on the spindle's turns: threads, rigid taps.
+inline constexpr std::uint8_t kSynchronisedFeed = 33;
+
 /// Modal state that planning needs, shared by many rows.
 struct MoveMode {
   PathControl control = PathControl::job_default;
   double tolerance = 0.0;        ///< [mm] of G64 P
   double naive_tolerance = 0.0;  ///< [mm] of G64 Q
   std::uint8_t plane = 17;       ///< 17, 18, 19
-  std::uint8_t feed_mode = 94;   ///< 93, 94, 95; feeds are converted already
+  std::uint8_t feed_mode = 94;   ///< 93, 94, 95 or kSynchronisedFeed; feeds are converted already
   bool operator==(const MoveMode&) const = default;
 };
 
 inline constexpr std::uint32_t kNoDetail = 0xFFFFFFFFu;
+
+/// Detail of the second row of a rigid tap, which goes back to where the first began.
+inline constexpr std::uint32_t kTapReturn = 0xFFFFFFFEu;
 
 /// Row i: kind[i] moves from end[i-1] (or start) to end[i] at feed[i].
 struct Moves {
@@ -55,7 +61,7 @@ struct Moves {
   std::vector<std::uint32_t> line;    ///< NC line, counted from 1, in files[file[i]]
   std::vector<std::uint16_t> file;    ///< index into files; 0 is the program itself
   std::vector<std::uint16_t> mode;    ///< index into modes
-  std::vector<std::uint32_t> detail;  ///< index into arcs, splines, dwells or notes by kind; else kNoDetail
+  std::vector<std::uint32_t> detail;  ///< index into arcs, splines, dwells or notes by kind; kTapReturn; else kNoDetail
   std::vector<AxisVector> end;        ///< [mm, rad]
   /// Programmed feedrate: mm/s along XYZ; rad/s where only A, B, C move. 0 for rapids and rows without motion;
   /// infinite = as fast as the machine allows (polylines without a feed column).
@@ -63,10 +69,10 @@ struct Moves {
 
   std::vector<ArcDetail> arcs;
   std::vector<SplineDetail> splines;
-  std::vector<double> dwells;       ///< [s]
-  std::vector<std::string> notes;   ///< tool number, …
+  std::vector<double> dwells;      ///< [s]
+  std::vector<std::string> notes;  ///< tool number, …
   std::vector<MoveMode> modes = std::vector<MoveMode>(1);
-  std::vector<std::string> files;   ///< names, [0] is the program
+  std::vector<std::string> files;  ///< names, [0] is the program
 
   std::size_t size() const { return kind.size(); }
   bool empty() const { return kind.empty(); }

@@ -8,25 +8,37 @@
 
 #include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
+#include "toolpace/nc/modal_log.h"
 #include "toolpace/nc/moves.h"
 
 namespace toolpace {
 
 enum class Dialect : std::uint8_t { automatic, linuxcnc, fanuc, grbl };
 
+/// Bounds that keep any program, however odd, from running without end. Reaching one is an error that names it.
+struct ReadLimits {
+  std::size_t call_depth = 50;          ///< calls within each other
+  std::size_t loop_turns = 10'000'000;  ///< of all loops of a program together
+  std::size_t blocks = 20'000'000;      ///< motion blocks
+  std::size_t lines = 100'000'000;      ///< lines run, loops counted each time
+};
+
 struct ReadOptions {
   Dialect dialect = Dialect::automatic;
-  bool strict = false;        ///< every warning is an error
-  bool block_delete = false;  ///< skip lines that start with '/'
-  std::filesystem::path tools;       ///< LinuxCNC tool table; empty = none
-  std::filesystem::path parameters;  ///< numbered parameters; empty = none
+  bool strict = false;                           ///< every warning is an error
+  bool block_delete = false;                     ///< skip lines that start with '/'
+  std::filesystem::path tools;                   ///< LinuxCNC tool table; empty = none
+  std::filesystem::path parameters;              ///< numbered parameters; empty = none
   std::vector<std::filesystem::path> sub_paths;  ///< folders searched for sub-programs, besides the program's own
+  ReadLimits limits;
 };
 
 /// What was understood. `refused` = at least one error: `moves` then holds the motion up to the first one.
 struct Reading {
   Moves moves;
   Diagnostics diagnostics;
+  ModalLog modal;                       ///< what was modal at which line; empty for polylines
+  Dialect dialect = Dialect::linuxcnc;  ///< the dialect it was read in
   bool refused = false;
 };
 
@@ -38,6 +50,7 @@ Result<Reading> read_text(std::string_view text, const std::string& name, const 
                           const Monitor& monitor = {});
 
 /// The same from a file ("-" = standard input), memory-mapped where possible. Errors: io for what cannot be opened.
-Result<Reading> read_file(const std::filesystem::path& file, const ReadOptions& options = {}, const Monitor& monitor = {});
+Result<Reading> read_file(const std::filesystem::path& file, const ReadOptions& options = {},
+                          const Monitor& monitor = {});
 
 }  // namespace toolpace

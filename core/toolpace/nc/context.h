@@ -1,0 +1,24 @@
+#pragma once
+/// What every part of the interpreter works on, passed down by reference.
+
+#include "toolpace/nc/fault.h"
+#include "toolpace/nc/move_writer.h"
+#include "toolpace/nc/parameters.h"
+#include "toolpace/nc/reader.h"
+#include "toolpace/nc/state.h"
+
+namespace toolpace::nc {
+
+struct Context {
+  State& state;
+  Parameters& parameters;
+  MoveWriter& out;
+  FaultSink& faults;
+  Dialect dialect = Dialect::linuxcnc;
+};
+
+/// Stores lengths of `position` (mm) in parameters first … first+5 (machine units, which are mm and degrees).
+void store_position(Parameters& parameters, int first, const Position& position);
+Position load_position(const Parameters& parameters, int first);
+
+}  // namespace toolpace::nc

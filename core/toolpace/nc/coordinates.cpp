@@ -1,0 +1,223 @@
+#include "toolpace/nc/coordinates.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "toolpace/nc/motion.h"
+#include "toolpace/nc/tool_table.h"
+
+namespace toolpace::nc {
+namespace {
+
+int first_parameter(int system) { return kFirstSystem + (system - 1) * kSystemStride; }
+
+// Changes the offsets and keeps the machine where it is.
+void change_offsets(State& state, const Offsets& offsets) {
+  const Position machine = to_machine(state.offsets, state.position);
+  state.offsets = offsets;
+  state.position = to_work(offsets, machine);
+}
+
+double word_value(const State& state, const Block& block, std::size_t axis) {
+  const char letter = kAxisLetters[axis];
+  if (is_rotary(axis)) return block.of(letter);
+  const double value = length_of(state, block, letter);
+  return axis == 0 && state.modal.lathe_diameter == 70 ? value / 2.0 : value;
+}
+
+bool refuse_with_compensation(Context& context, const Block& block, const char* what) {
+  if (context.state.compensation.radius <= 0.0) return true;
+  return context.faults.fail("offset-with-compensation", fmt::format("{} while cutter radius compensation is on", what),
+                             "end it with G40 first", block.column_of(GGroup::once));
+}
+
+bool take_system_number(Context& context, const Block& block, int& system) {
+  const double p = block.of('p', -1.0);
+  if (!block.has('p')) {
+    return context.faults.fail("g10-without-p", "G10 without P", "name the coordinate system with P",
+                               block.column_of(GGroup::once));
+  }
+  if (!(p >= 0.0 && p <= kSystemCount) || std::fabs(p - std::round(p)) > 1e-3) {
+    return context.faults.fail("g10-system", fmt::format("there is no coordinate system P{:g}", p),
+                               "P0 is the active system, P1 to P9 are G54 to G59.3", block.column_of('p'));
+  }
+  system = static_cast<int>(std::round(p));
+  if (system == 0) system = context.state.modal.system;
+  return true;
+}
+
+bool set_system_origin(Context& context, const Block& block, bool from_position) {
+  State& state = context.state;
+  int system = 0;
+  if (!take_system_number(context, block, system)) return false;
+  const int first = first_parameter(system);
+  Parameters& parameters = context.parameters;
+  if (block.has('r') && !from_position) parameters.set_numbered(first + kRotationWithinSystem, block.of('r'));
+  const Offsets old = system_offsets(context, system);
+  Position origin = old.origin;
+  if (from_position) {
+    // The origin that makes the current point read the given values.
+    const Position machine = to_machine(state.offsets, state.position);
+    Position wanted = to_work(old, machine);
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+      if (block.has(kAxisLetters[i])) wanted[i] = word_value(state, block, i);
+    }
+    const Position there = to_machine(old, wanted);
+    for (std::size_t i = 0; i < kAxisCount; ++i) origin[i] += machine[i] - there[i];
+  } else {
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+      if (!block.has(kAxisLetters[i])) continue;
+      const double value = word_value(state, block, i);
+      origin[i] = context.dialect == Dialect::fanuc && state.modal.incremental() ? origin[i] + value : value;
+    }
+  }
+  store_position(parameters, first, origin);
+  if (system == state.modal.system) change_offsets(state, system_offsets(context, system));
+  return true;
+}
+
+bool run_g10(Context& context, const Block& block) {
+  const double l = block.of('l', context.dialect == Dialect::linuxcnc ? -1.0 : 2.0);
+  const int form = static_cast<int>(std::round(l));
+  if (form == 2 || form == 20) {
+    return refuse_with_compensation(context, block, "G10") && set_system_origin(context, block, form == 20);
+  }
+  if (form == 1 || form == 10 || form == 11) return write_tool_entry(context, block, form);
+  if (context.dialect == Dialect::fanuc) {
+    context.faults.warn("g10-ignored", fmt::format("G10 L{} is not followed", form), "", block.column_of(GGroup::once));
+    return true;
+  }
+  return context.faults.fail("g10-form", "G10 needs L1, L2, L10, L11 or L20", "check the L word",
+                             block.column_of(GGroup::once));
+}
+
+void store_shift(Context& context, const Position& shift, bool applies) {
+  store_position(context.parameters, kG92Offset, shift);
+  context.parameters.set_numbered(kG92Applied, applies ? 1.0 : 0.0);
+  Offsets offsets = context.state.offsets;
+  offsets.shift = applies ? shift : Position{};
+  change_offsets(context.state, offsets);
+}
+
+bool run_g92(Context& context, const Block& block, Code code) {
+  State& state = context.state;
+  if (!refuse_with_compensation(context, block, "a change of coordinates")) return false;
+  if (code == 921) {
+    store_shift(context, Position{}, false);
+  } else if (code == 922) {
+    Offsets offsets = state.offsets;
+    offsets.shift = Position{};
+    context.parameters.set_numbered(kG92Applied, 0.0);
+    change_offsets(state, offsets);
+  } else if (code == 923) {
+    store_shift(context, load_position(context.parameters, kG92Offset), true);
+  } else {
+    Position shift = state.offsets.shift;
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+      if (!block.has(kAxisLetters[i])) continue;
+      const double value = word_value(state, block, i);
+      shift[i] = code == 520 ? value : shift[i] + state.position[i] - value;
+    }
+    store_shift(context, shift, true);
+  }
+  return true;
+}
+
+// Through the given point, then the named axes (all, if none is named) to the stored one.
+bool go_home(Context& context, const Block& block, int stored) {
+  State& state = context.state;
+  if (!refuse_with_compensation(context, block, "going home")) return false;
+  Position way;
+  if (!find_end(context, block, way)) return false;
+  const Position home = load_position(context.parameters, stored);
+  Position machine = to_machine(state.offsets, way);
+  const bool names_axes = block.has_any(kLinearBits | kRotaryBits);
+  if (names_axes) context.out.line(MoveKind::rapid, state.offsets, way);
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    if (!names_axes || block.has(kAxisLetters[i])) machine[i] = home[i];
+  }
+  state.position = to_work(state.offsets, machine);
+  context.out.line(MoveKind::rapid, state.offsets, state.position);
+  return true;
+}
+
+}  // namespace
+
+Offsets system_offsets(const Context& context, int system) {
+  Offsets offsets = context.state.offsets;
+  const int first = first_parameter(system);
+  offsets.origin = load_position(context.parameters, first);
+  offsets.rotation = context.parameters.numbered(first + kRotationWithinSystem);
+  return offsets;
+}
+
+void activate_system(Context& context, int system) {
+  context.parameters.set_numbered(kActiveSystem, system);
+  context.state.modal.system = system;
+  change_offsets(context.state, system_offsets(context, system));
+}
+
+bool set_system(Context& context, const Block& block) {
+  const Code code = block.code(GGroup::system);
+  if (!refuse_with_compensation(context, block, "a change of the coordinate system")) return false;
+  activate_system(context, code <= 590 ? (code - 530) / 10 : 6 + (code - 590));
+  return true;
+}
+
+bool run_once_code(Context& context, const Block& block) {
+  const Code code = block.code(GGroup::once);
+  switch (code) {
+    case 100: return run_g10(context, block);
+    case 280: return go_home(context, block, kHomeG28);
+    case 300: return go_home(context, block, kHomeG30);
+    case 281:
+    case 301:
+      store_position(context.parameters, code == 281 ? kHomeG28 : kHomeG30,
+                     to_machine(context.state.offsets, context.state.position));
+      return true;
+    case 520:
+    case 920:
+    case 921:
+    case 922:
+    case 923: return run_g92(context, block, code);
+    default: return true;  // G4 comes earlier in the block, G53 belongs to the motion
+  }
+}
+
+bool set_turned_plane(Context& context, const Block& block) {
+  State& state = context.state;
+  Offsets offsets = state.offsets;
+  const Offsets plain = system_offsets(context, state.modal.system);
+  offsets.rotation = plain.rotation;
+  offsets.origin = plain.origin;
+  if (block.code(GGroup::turn_plane) == 680) {
+    if (state.modal.plane != 170) {
+      return context.faults.fail("rotation-plane", "G68 outside the XY plane", "use G17",
+                                 block.column_of(GGroup::turn_plane));
+    }
+    // About (X, Y): origin + R₀·(p + shift) turned about the centre's machine place.
+    Position centre = state.position;
+    if (block.has('x')) centre[0] = word_value(state, block, 0);
+    if (block.has('y')) centre[1] = word_value(state, block, 1);
+    const Position fixed = to_machine(plain, centre);
+    offsets.rotation += block.of('r', 0.0);
+    const Position moved = to_machine(offsets, centre);
+    offsets.origin[0] += fixed[0] - moved[0];
+    offsets.origin[1] += fixed[1] - moved[1];
+  }
+  change_offsets(state, offsets);
+  return true;
+}
+
+void adopt_parameters(Context& context) {
+  const double active = context.parameters.numbered(kActiveSystem);
+  const int system = active >= 1.0 && active <= kSystemCount ? static_cast<int>(active) : 1;
+  if (context.parameters.numbered(kG92Applied) != 0.0) {
+    context.state.offsets.shift = load_position(context.parameters, kG92Offset);
+  }
+  activate_system(context, system);
+  context.state.position = to_work(context.state.offsets, Position{});  // the machine stands at its zero
+}
+
+}  // namespace toolpace::nc

@@ -1,0 +1,188 @@
+#include "toolpace/nc/interpreter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "toolpace/nc/coordinates.h"
+
+namespace toolpace::nc {
+namespace {
+
+constexpr std::size_t kLongestLine = 65536;
+constexpr std::size_t kMonitorEvery = 16384;  // lines
+
+}  // namespace
+
+Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, Dialect dialect, Reading& reading)
+    : out_(reading.moves, options.limits.blocks),
+      context_{state_, parameters_, out_, faults_, dialect},
+      reader_(parameters_, faults_, dialect),
+      flow_(files, parameters_, faults_, reader_, options.limits),
+      log_(reading.diagnostics, options.strict),
+      files_(files),
+      options_(options),
+      dialect_(dialect),
+      reading_(reading) {
+  parameters_.numbered_state = [this](int index) { return numbered_value(index); };
+  parameters_.named_state = [this](std::string_view name) { return named_value(name); };
+  if (dialect == Dialect::fanuc) parameters_.set_dialect(kFanucLocals, true);
+  if (dialect != Dialect::linuxcnc) state_.modal.motion = 0;
+}
+
+bool Interpreter::run(const Monitor& monitor) {
+  const double size = static_cast<double>(std::max<std::size_t>(files_.at(0).text.size(), 1));
+  log_modal();
+  std::string_view line;
+  while (end_ == End::running && !flow_.is_lost()) {
+    if (!flow_.next_line(line)) {
+      end_of_text();
+      continue;
+    }
+    if (++lines_run_ % kMonitorEvery == 0) {
+      if (monitor.is_cancelled()) return false;
+      if (flow_.depth() == 0 && flow_.turns() == 0) {
+        monitor.report(std::min(1.0, static_cast<double>(line.data() - files_.at(0).text.data()) / size));
+      }
+    }
+    if (!run_line(line) || !faults_.empty()) report_faults(line);
+    if (!check_bounds()) report_faults(line);
+  }
+  for (std::size_t i = reading_.moves.files.size(); i < files_.size(); ++i)
+    reading_.moves.files.push_back(files_.at(i).name);
+  log_.finish(files_.at(0).name);
+  reading_.refused = log_.has_errors();
+  return true;
+}
+
+bool Interpreter::check_bounds() {
+  if (out_.is_full()) {
+    end_ = End::ended;
+    return faults_.fail("too-many-blocks",
+                        fmt::format("the program makes more than {} motion blocks", options_.limits.blocks),
+                        "check that its loops end; the bound can be raised");
+  }
+  if (lines_run_ > options_.limits.lines) {
+    end_ = End::ended;
+    return faults_.fail("too-many-lines", fmt::format("the program runs more than {} lines", options_.limits.lines),
+                        "check that its loops end; the bound can be raised");
+  }
+  if (log_.is_full()) end_ = End::ended;
+  return true;
+}
+
+void Interpreter::report_faults(std::string_view line) {
+  bool error = false;
+  for (auto& fault : faults_.list()) {
+    error = log_.add(std::move(fault), files_.at(flow_.file()).name, flow_.line_number(), line) || error;
+  }
+  faults_.clear();
+  if (!error || !out_.is_enabled()) return;
+  // A compensated row is settled only when the next one is known.
+  if (state_.compensation.open_row) out_.truncate(*state_.compensation.open_row);
+  state_.compensation.open_row.reset();
+  out_.stop();
+}
+
+void Interpreter::end_of_text() {
+  if (flow_.return_from_call()) return;  // a sub-program file without an end of its own
+  end_ = End::ended;
+  // Senders and printers stream their programs: those end where the text ends.
+  if (dialect_ == Dialect::grbl) {
+    out_.note(MoveKind::end, "");
+    return;
+  }
+  faults_.fail("program-without-end", "the program ends without M2, M30 or a second %", "end it with M2 or M30");
+  report_faults({});
+}
+
+bool Interpreter::run_percent() {
+  if (flow_.depth() > 0) {
+    at_percent_end_ = true;
+    return true;
+  }
+  if (percent_seen_ || anything_read_) {
+    end_ = End::ended;
+    out_.set_place(flow_.line_number(), flow_.file());
+    out_.note(MoveKind::end, "");
+  }
+  percent_seen_ = true;
+  return true;
+}
+
+bool Interpreter::run_line(std::string_view line) {
+  if (line.size() > kLongestLine) {
+    return faults_.fail("line-too-long", fmt::format("a line of {} bytes", line.size()),
+                        fmt::format("lines may have {} bytes; is this an NC program?", kLongestLine));
+  }
+  Scanner text(line);
+  char c = text.peek();
+  if (c == '\0') return true;
+  if (c == '%') return run_percent();
+  if (c == '$' && dialect_ == Dialect::grbl) return true;  // settings of the sender's controller
+  if (c == '/') {
+    if (options_.block_delete) return true;
+    text.take();
+    if (dialect_ == Dialect::fanuc && is_digit(text.peek())) text.take();
+    c = text.peek();
+  }
+  while (c == 'n') {
+    const std::size_t column = text.column();
+    text.take();
+    double number = 0.0;
+    if (text.take_number(number) != NumberStatus::ok || number < 0.0) {
+      return faults_.fail("bad-line-number", "N without a line number", "write N and a number from 0", column);
+    }
+    c = text.peek();
+  }
+  anything_read_ = anything_read_ || (c != '(' && c != ';' && c != '\0');
+  if (c == 'o' || (c == ':' && dialect_ == Dialect::fanuc)) {
+    text.take();
+    return flow_.run_o_word(text);
+  }
+  if (dialect_ == Dialect::fanuc && (c == 'i' || c == 'w' || c == 'd' || c == 'e' || c == 'g')) {
+    bool good = true;
+    if (flow_.run_fanuc_statement(text, good)) return good;
+  }
+  return run_block(text);
+}
+
+bool Interpreter::run_block(Scanner& text) {
+  out_.set_place(flow_.line_number(), flow_.file());
+  const bool read = reader_.read(text, block_);
+  if (!read || !execute(block_)) return false;
+  constexpr std::uint32_t kModalWords = word_bit('f') | word_bit('s') | word_bit('t');
+  if ((block_.g_groups | block_.m_groups | (block_.words & kModalWords)) != 0 || flow_.take_jumped()) log_modal();
+  return true;
+}
+
+void Interpreter::log_modal() {
+  const Modal& m = state_.modal;
+  ModalSnapshot s;
+  s.motion = m.motion;
+  s.plane = m.plane;
+  s.units = m.units;
+  s.distance = m.distance;
+  s.arc_distance = m.arc_distance;
+  s.feed_mode = m.feed_mode;
+  s.compensation = m.compensation;
+  s.tool_length = m.tool_length;
+  s.retract = m.retract;
+  s.path_control = m.path_control;
+  s.spindle_mode = m.spindle_mode;
+  s.lathe_diameter = m.lathe_diameter;
+  s.system = static_cast<std::int16_t>(m.system);
+  s.tool = state_.loaded.number;
+  s.spindle_direction = static_cast<std::int8_t>(m.spindle_direction);
+  s.mist = m.mist;
+  s.flood = m.flood;
+  s.spindle_speed = m.spindle_speed;
+  s.feed = m.feed;
+  // Loops and calls come by often: each line is listed once.
+  if (flow_.turns() > 0 || flow_.depth() > 0) {
+    if (!logged_.insert((static_cast<std::uint64_t>(flow_.file()) << 32) | flow_.line_number()).second) return;
+  }
+  reading_.modal.record(flow_.file(), flow_.line_number(), s);
+}
+
+}  // namespace toolpace::nc

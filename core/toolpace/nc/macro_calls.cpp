@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "toolpace/nc/interpreter.h"
+
+namespace toolpace::nc {
+namespace {
+
+// Which local variable each argument letter of G65 sets (argument specification I).
+int local_of(char letter) {
+  constexpr int kLocals[26] = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
+                               0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+  return kLocals[letter - 'a'];
+}
+
+bool is_centre(char letter) { return letter == 'i' || letter == 'j' || letter == 'k'; }
+
+// I J K that come again count on: the second I is #7, the third #10 … (argument specification II).
+std::vector<double> locals_of(const std::vector<MacroArgument>& arguments) {
+  std::vector<double> locals(kFanucLocals, vacant());
+  int set = 0;
+  char last = '\0';
+  for (const auto& argument : arguments) {
+    int local = local_of(argument.letter);
+    if (is_centre(argument.letter)) {
+      if (is_centre(last) && argument.letter <= last) ++set;
+      local += 3 * set;
+      last = argument.letter;
+    }
+    if (local > 0 && local <= kFanucLocals) locals[static_cast<std::size_t>(local - 1)] = argument.value;
+  }
+  return locals;
+}
+
+}  // namespace
+
+bool Interpreter::run_macro_code(const Block& block) {
+  if (!block.has(GGroup::macro)) {
+    // A modal macro runs after every block that moves.
+    if (!modal_call_.active || !block.has_any(kAxisBits)) return true;
+    return flow_.call_number(modal_call_.program, 1, 0, modal_call_.arguments);
+  }
+  const Code code = block.code(GGroup::macro);
+  const std::size_t column = block.column_of(GGroup::macro);
+  if (code == 670) {
+    modal_call_.active = false;
+    return true;
+  }
+  if (!block.has('p'))
+    return faults_.fail("macro-without-p", fmt::format("{} without P", code_text('G', code)), "name the macro with P",
+                        column);
+  const std::vector<double> locals = locals_of(block.arguments);
+  if (code == 660) {
+    modal_call_ = {true, block.of('p'), locals};
+    return true;
+  }
+  const double repeats = block.of('l', 1.0);
+  if (!(repeats >= 0.0 && repeats < 1e9))
+    return faults_.fail("call-repeats", fmt::format("{:g} repeats of a macro", repeats), "L is a whole number from 0",
+                        column);
+  return flow_.call_number(block.of('p'), static_cast<int>(std::round(repeats)), column, locals);
+}
+
+// #3000 = n (TEXT) stops the machine with an alarm, #3006 with a message.
+bool Interpreter::run_alarm(const Block& block) {
+  if (dialect_ != Dialect::fanuc) return true;
+  const double alarm = parameters_.numbered(3000);
+  const double stop = parameters_.numbered(3006);
+  parameters_.set_numbered(3000, 0.0);
+  parameters_.set_numbered(3006, 0.0);
+  if (alarm != 0.0 && !is_vacant(alarm)) {
+    return faults_.fail("program-alarm", fmt::format("the program raises alarm {:g}: {}", alarm, block.message),
+                        "see to what the program complains of");
+  }
+  if (stop != 0.0 && !is_vacant(stop)) out_.note(MoveKind::stop, block.message);
+  return true;
+}
+
+}  // namespace toolpace::nc

@@ -1,0 +1,60 @@
+#include "toolpace/nc/modal_log.h"
+
+#include <algorithm>
+
+#include "toolpace/nc/words.h"
+
+namespace toolpace {
+namespace {
+
+constexpr std::size_t kMostStates = 0xFFFF;
+constexpr std::size_t kLookBack = 64;  // distinct states compared with, newest first
+
+}  // namespace
+
+std::string ModalSnapshot::work_offset() const {
+  return nc::code_text('G', static_cast<std::int16_t>(system <= 6 ? 530 + 10 * system : 590 + (system - 6)));
+}
+
+std::string ModalSnapshot::codes() const {
+  std::string text;
+  for (const std::int16_t code : {motion, plane, units, distance, arc_distance, feed_mode})
+    text += nc::code_text('G', code) + ' ';
+  text += work_offset();
+  for (const std::int16_t code : {compensation, tool_length, path_control, spindle_mode, retract})
+    text += ' ' + nc::code_text('G', code);
+  if (lathe_diameter == 70) text += " G7";
+  return text;
+}
+
+void ModalLog::record(std::size_t file, std::size_t line, const ModalSnapshot& snapshot) {
+  ModalSnapshot state = snapshot;
+  state.feed = 0.0;
+  std::size_t index = states_.size();
+  const std::size_t oldest = states_.size() > kLookBack ? states_.size() - kLookBack : 0;
+  for (std::size_t i = states_.size(); i-- > oldest;) {
+    if (states_[i] == state) {
+      index = i;
+      break;
+    }
+  }
+  if (index == states_.size()) {
+    if (states_.size() >= kMostStates) return;
+    states_.push_back(state);
+  }
+  changes_.push_back({static_cast<std::uint32_t>(line), static_cast<std::uint16_t>(file),
+                      static_cast<std::uint16_t>(index), snapshot.feed});
+}
+
+std::optional<ModalSnapshot> ModalLog::at(std::size_t line, std::size_t file) const {
+  const Change* best = nullptr;
+  for (const auto& change : changes_) {
+    if (change.file == file && change.line <= line && (best == nullptr || change.line >= best->line)) best = &change;
+  }
+  if (best == nullptr) return std::nullopt;
+  ModalSnapshot snapshot = states_[best->state];
+  snapshot.feed = best->feed;
+  return snapshot;
+}
+
+}  // namespace toolpace

@@ -1,0 +1,31 @@
+#pragma once
+/// Straight motion: end points of blocks, feedrates, G0, G1, G33, G33.1 and probing.
+
+#include <optional>
+
+#include "toolpace/nc/context.h"
+
+namespace toolpace::nc {
+
+/// Where a block's axis words lead, in work coordinates: G90/G91, units, diameter mode, polar words and G53.
+/// Starts from the programmed contour while cutter compensation is active.
+bool find_end(Context& context, const Block& block, Position& end);
+
+/// Where the program thinks the tool is: the contour while compensation is active, else the tool.
+const Position& programmed_position(const State& state);
+
+/// A length word in mm.
+double length_of(const State& state, const Block& block, char letter);
+
+/// The feedrate of a block in the active feed mode.
+/// @param linear_length   [mm] along X Y Z   @param angular_length  [deg], used where the former is 0
+bool find_feedrate(Context& context, const Block& block, double linear_length, double angular_length, Feedrate& feed);
+
+/// The same for a straight move between two points.
+bool find_straight_feedrate(Context& context, const Block& block, const Position& from, const Position& to,
+                            Feedrate& feed);
+
+/// Runs the block's motion in the active motion mode `code`.
+bool run_motion(Context& context, const Block& block, Code code);
+
+}  // namespace toolpace::nc

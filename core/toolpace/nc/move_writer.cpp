@@ -1,0 +1,125 @@
+#include "toolpace/nc/move_writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toolpace::nc {
+namespace {
+
+constexpr double kPerMinute = 1.0 / 60.0;
+constexpr double kNoMove = 1e-9;  // [mm, deg]: below it an axis stands still, for the choice between mm/min and deg/min
+
+MoveMode make_mode(const Modal& modal, bool exact_path, bool synchronised) {
+  MoveMode mode;
+  mode.plane = static_cast<std::uint8_t>(modal.plane / 10);
+  mode.feed_mode = synchronised ? kSynchronisedFeed : static_cast<std::uint8_t>(modal.feed_mode / 10);
+  if (exact_path || modal.path_control == 610) {
+    mode.control = PathControl::exact_path;
+  } else if (modal.path_control == 611) {
+    mode.control = PathControl::exact_stop;
+  } else if (modal.tolerance_given) {
+    mode.control = PathControl::blend;
+    mode.tolerance = modal.path_tolerance;
+    mode.naive_tolerance = modal.naive_tolerance;
+  }
+  return mode;
+}
+
+}  // namespace
+
+AxisVector machine_vector(const Offsets& offsets, const Position& work) {
+  const Position machine = to_machine(offsets, work);
+  AxisVector v;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    v[static_cast<Eigen::Index>(i)] = is_rotary(i) ? machine[i] * kRadiansPerDegree : machine[i];
+  }
+  return v;
+}
+
+void MoveWriter::set_mode(const Modal& modal, bool exact_path, bool synchronised) {
+  const MoveMode mode = make_mode(modal, exact_path, synchronised);
+  auto& modes = moves_.modes;
+  if (modes[mode_] == mode) return;
+  // Most programs know a handful of modes; the newest are looked at first.
+  for (std::size_t i = modes.size(); i-- > 0;) {
+    if (modes[i] == mode) {
+      mode_ = static_cast<std::uint16_t>(i);
+      return;
+    }
+  }
+  if (modes.size() > 0xFFFF) {
+    full_ = true;
+    return;
+  }
+  modes.push_back(mode);
+  mode_ = static_cast<std::uint16_t>(modes.size() - 1);
+}
+
+bool MoveWriter::begin_row() {
+  if (!enabled_) return false;
+  if (moves_.size() >= most_rows_) full_ = true;
+  return !full_;
+}
+
+void MoveWriter::append(MoveKind kind, const AxisVector& end, double feed, std::uint32_t detail) {
+  moves_.kind.push_back(kind);
+  moves_.line.push_back(line_);
+  moves_.file.push_back(file_);
+  moves_.mode.push_back(mode_);
+  moves_.detail.push_back(detail);
+  moves_.end.push_back(end);
+  moves_.feed.push_back(feed);
+}
+
+void MoveWriter::line(MoveKind kind, const Offsets& offsets, const Position& end, const Feedrate& feed,
+                      std::uint32_t detail) {
+  if (!begin_row()) return;
+  const AxisVector target = machine_vector(offsets, end);
+  double rate = 0.0;
+  if (kind != MoveKind::rapid) {
+    const AxisVector step = (target - last_end()).cwiseAbs();
+    const bool linear = step.head<3>().maxCoeff() > kNoMove;
+    const bool angular = step.tail<3>().maxCoeff() > kNoMove * kRadiansPerDegree;
+    rate = angular && !linear ? feed.angular * kRadiansPerDegree * kPerMinute : feed.linear * kPerMinute;
+  }
+  append(kind, target, rate, detail);
+}
+
+void MoveWriter::arc(const Offsets& offsets, const Position& end, const ArcDetail& arc, double feed_mm_min) {
+  if (!begin_row()) return;
+  moves_.arcs.push_back(arc);
+  append(MoveKind::arc, machine_vector(offsets, end), feed_mm_min * kPerMinute,
+         static_cast<std::uint32_t>(moves_.arcs.size() - 1));
+}
+
+void MoveWriter::spline(const Offsets& offsets, const Position& end, SplineDetail spline, double feed_mm_min) {
+  if (!begin_row()) return;
+  moves_.splines.push_back(std::move(spline));
+  append(MoveKind::spline, machine_vector(offsets, end), feed_mm_min * kPerMinute,
+         static_cast<std::uint32_t>(moves_.splines.size() - 1));
+}
+
+void MoveWriter::dwell(double seconds) {
+  if (!begin_row()) return;
+  moves_.dwells.push_back(seconds);
+  append(MoveKind::dwell, last_end(), 0.0, static_cast<std::uint32_t>(moves_.dwells.size() - 1));
+}
+
+void MoveWriter::note(MoveKind kind, std::string text) {
+  if (!begin_row()) return;
+  moves_.notes.push_back(std::move(text));
+  append(kind, last_end(), 0.0, static_cast<std::uint32_t>(moves_.notes.size() - 1));
+}
+
+void MoveWriter::truncate(std::size_t first) {
+  if (first >= moves_.size()) return;
+  moves_.kind.resize(first);
+  moves_.line.resize(first);
+  moves_.file.resize(first);
+  moves_.mode.resize(first);
+  moves_.detail.resize(first);
+  moves_.end.resize(first);
+  moves_.feed.resize(first);
+}
+
+}  // namespace toolpace::nc

@@ -1,0 +1,63 @@
+#pragma once
+/// Appends rows to Moves: from work coordinates in mm and degrees to machine coordinates in mm and rad.
+
+#include <cstdint>
+#include <string>
+
+#include "toolpace/nc/moves.h"
+#include "toolpace/nc/state.h"
+
+namespace toolpace::nc {
+
+/// How fast a row goes: lengths in mm/min, or deg/min where only A, B, C move.
+struct Feedrate {
+  double linear = 0.0;
+  double angular = 0.0;
+};
+
+class MoveWriter {
+ public:
+  MoveWriter(Moves& moves, std::size_t most_rows) : moves_(moves), most_rows_(most_rows) {}
+
+  /// After the first error of a program nothing more is written.
+  void stop() { enabled_ = false; }
+  bool is_enabled() const { return enabled_; }
+  bool is_full() const { return full_; }
+
+  void set_place(std::size_t line, std::size_t file) {
+    line_ = static_cast<std::uint32_t>(line);
+    file_ = static_cast<std::uint16_t>(file);
+  }
+  void set_mode(const Modal& modal, bool exact_path = false, bool synchronised = false);
+
+  /// Straight rows and rows without motion. `feed` is ignored for rapids.
+  void line(MoveKind kind, const Offsets& offsets, const Position& end, const Feedrate& feed = {},
+            std::uint32_t detail = kNoDetail);
+  void arc(const Offsets& offsets, const Position& end, const ArcDetail& arc, double feed_mm_min);
+  void spline(const Offsets& offsets, const Position& end, SplineDetail spline, double feed_mm_min);
+  void dwell(double seconds);
+  void note(MoveKind kind, std::string text);
+
+  Moves& moves() { return moves_; }
+  std::size_t size() const { return moves_.size(); }
+  /// Drops rows from `first` on.
+  void truncate(std::size_t first);
+
+ private:
+  bool begin_row();
+  void append(MoveKind kind, const AxisVector& end, double feed, std::uint32_t detail);
+  AxisVector last_end() const { return moves_.empty() ? moves_.start : moves_.end.back(); }
+
+  Moves& moves_;
+  std::size_t most_rows_;
+  bool enabled_ = true;
+  bool full_ = false;
+  std::uint32_t line_ = 0;
+  std::uint16_t file_ = 0;
+  std::uint16_t mode_ = 0;
+};
+
+/// Machine coordinates in mm and rad.
+AxisVector machine_vector(const Offsets& offsets, const Position& work);
+
+}  // namespace toolpace::nc

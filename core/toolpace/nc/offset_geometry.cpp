@@ -1,0 +1,84 @@
+#include "toolpace/nc/offset_geometry.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace toolpace::nc {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kTouching = 1e-7;  // of the radius: nearer than this, elements touch
+
+using Candidates = std::array<std::optional<Point>, 2>;
+
+Candidates line_with_line(const OffsetElement& a, const OffsetElement& b) {
+  const Point u = a.end - a.start, v = b.end - b.start;
+  const double denominator = cross(u, v);
+  if (std::fabs(denominator) < 1e-12 * norm(u) * norm(v)) return {};
+  return {a.start + u * (cross(b.start - a.start, v) / denominator), std::nullopt};
+}
+
+Candidates line_with_circle(const OffsetElement& line, const OffsetElement& arc) {
+  const double radius = norm(arc.end - arc.centre);
+  const Point along = (line.end - line.start) * (1.0 / norm(line.end - line.start));
+  const Point foot = line.start + along * dot(arc.centre - line.start, along);
+  const double off = norm(foot - arc.centre);
+  if (off > radius * (1.0 + kTouching)) return {};
+  const double half = std::sqrt(std::max(0.0, radius * radius - off * off));
+  return {foot + along * half, foot - along * half};
+}
+
+Candidates circle_with_circle(const OffsetElement& a, const OffsetElement& b) {
+  const double ra = norm(a.end - a.centre), rb = norm(b.end - b.centre);
+  const Point between = b.centre - a.centre;
+  const double distance = norm(between);
+  if (distance == 0.0 || distance > (ra + rb) * (1.0 + kTouching)) return {};
+  const double along = (ra * ra - rb * rb + distance * distance) / (2.0 * distance);
+  if (std::fabs(along) > ra * (1.0 + kTouching)) return {};
+  const double beside = std::sqrt(std::max(0.0, ra * ra - along * along));
+  const Point unit = between * (1.0 / distance);
+  const Point foot = a.centre + unit * along;
+  return {foot + turned(unit, 1.0) * beside, foot + turned(unit, -1.0) * beside};
+}
+
+// Angle from `from` to `to` about the centre, in the arc's sense, 0 … 2π.
+double swept(const OffsetElement& arc, Point from, Point to) {
+  const double angle = angle_between(from - arc.centre, to - arc.centre) * (arc.turn > 0 ? 1.0 : -1.0);
+  return angle < 0.0 ? angle + kTwoPi : angle;
+}
+
+}  // namespace
+
+double norm(Point a) { return std::hypot(a.x, a.y); }
+
+double angle_between(Point a, Point b) { return std::atan2(cross(a, b), dot(a, b)); }
+
+Point direction_at_start(const OffsetElement& element) {
+  if (element.turn == 0) return element.end - element.start;
+  return turned(element.start - element.centre, element.turn > 0 ? 1.0 : -1.0);
+}
+
+std::optional<Point> intersect(const OffsetElement& a, const OffsetElement& b, Point near) {
+  Candidates found;
+  if (a.turn == 0 && b.turn == 0) {
+    found = line_with_line(a, b);
+  } else if (a.turn == 0) {
+    found = line_with_circle(a, b);
+  } else if (b.turn == 0) {
+    found = line_with_circle(b, a);
+  } else {
+    found = circle_with_circle(a, b);
+  }
+  if (!found[0] || !found[1]) return found[0];
+  return norm(*found[0] - near) <= norm(*found[1] - near) ? found[0] : found[1];
+}
+
+bool keeps_sense(const OffsetElement& arc, Point corner) {
+  double whole = swept(arc, arc.start, arc.end);
+  if (whole < 1e-9) whole = kTwoPi;
+  return swept(arc, arc.start, corner) <= whole + 1e-9;
+}
+
+}  // namespace toolpace::nc

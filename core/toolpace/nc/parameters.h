@@ -1,0 +1,80 @@
+#pragma once
+/// Parameters of NC programs: numbered, named local, named global, and those that the controller keeps.
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace toolpace::nc {
+
+inline constexpr int kParameterCount = 5602;       ///< #1 … #5601
+inline constexpr int kLinuxcncLocals = 30;         ///< #1 … #30 belong to the call
+inline constexpr int kFanucLocals = 33;            ///< #1 … #33 belong to the macro call
+inline constexpr std::size_t kMostNames = 100000;  ///< named parameters of one program, all calls together
+
+// Numbers that the controller itself uses (LinuxCNC's numbering).
+inline constexpr int kProbedPosition = 5061;
+inline constexpr int kHomeG28 = 5161;
+inline constexpr int kHomeG30 = 5181;
+inline constexpr int kG92Applied = 5210;
+inline constexpr int kG92Offset = 5211;
+inline constexpr int kActiveSystem = 5220;
+inline constexpr int kFirstSystem = 5221;  ///< 20 numbers a system, X … W, then R
+inline constexpr int kSystemStride = 20;
+inline constexpr int kSystemCount = 9;
+inline constexpr int kRotationWithinSystem = 9;
+
+/// A vacant variable (Fanuc #0) is a NaN that no calculation makes.
+double vacant();
+bool is_vacant(double value);
+
+class Parameters {
+ public:
+  /// Answers for parameters that mirror the state of the machine; none = not such a parameter.
+  std::function<std::optional<double>(int)> numbered_state;
+  std::function<std::optional<double>(std::string_view)> named_state;
+
+  Parameters();
+
+  /// @param local_count  how many of #1… belong to a call: kLinuxcncLocals or kFanucLocals
+  void set_dialect(int local_count, bool vacant_locals);
+
+  double numbered(int index) const;
+  void set_numbered(int index, double value) { numbered_[static_cast<std::size_t>(index)] = value; }
+  bool has_number(int index) const { return index >= (vacant_locals_ ? 0 : 1) && index < kParameterCount; }
+  bool is_read_only(int index) const;
+  bool has_vacants() const { return vacant_locals_; }
+
+  /// `name` is folded: lower case without blanks. Names that begin with '_' are global.
+  std::optional<double> named(std::string_view name) const;
+  /// @return false if there are too many names
+  bool set_named(const std::string& name, double value);
+  bool is_state_name(std::string_view name) const { return named_state && named_state(name).has_value(); }
+
+  /// Begins a call: fresh local names; #1… take `arguments`, the rest 0 (vacant in Fanuc macros).
+  void enter_call(const std::vector<double>& arguments);
+  /// Begins a call that shares #1… with its caller (M98 in Fanuc programs).
+  void enter_shared_call();
+  void leave_call();
+
+ private:
+  struct Frame {
+    std::array<double, kFanucLocals> saved{};
+    bool owns_numbers = true;
+    std::unordered_map<std::string, double> names;
+  };
+
+  std::vector<double> numbered_;
+  std::vector<Frame> frames_;
+  std::unordered_map<std::string, double> globals_;
+  std::size_t name_count_ = 0;
+  int local_count_ = kLinuxcncLocals;
+  bool vacant_locals_ = false;
+};
+
+}  // namespace toolpace::nc

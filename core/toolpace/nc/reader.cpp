@@ -1,0 +1,121 @@
+#include "toolpace/nc/reader.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "toolpace/nc/coordinates.h"
+#include "toolpace/nc/dialects.h"
+#include "toolpace/nc/interpreter.h"
+#include "toolpace/nc/mapped_file.h"
+#include "toolpace/nc/parameter_file.h"
+#include "toolpace/nc/polyline.h"
+#include "toolpace/nc/tool_table.h"
+
+namespace toolpace {
+namespace {
+
+constexpr std::size_t kBinaryCheck = std::size_t{64} * 1024;
+constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+
+Error input_error(const std::string& name, const char* code, std::string what, std::string remedy) {
+  return {ErrorKind::input, code, std::move(what), std::move(remedy), {name, 0, 0}, {}};
+}
+
+bool is_polyline(const std::string& name) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  return ending == ".csv";
+}
+
+std::size_t count_lines(std::string_view text) {
+  std::size_t count = 1;
+  for (const char* p = text.data();
+       (p = static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(text.data() + text.size() - p)))) !=
+       nullptr;
+       ++p) {
+    ++count;
+  }
+  return count;
+}
+
+void reserve(Moves& moves, std::size_t rows) {
+  moves.kind.reserve(rows);
+  moves.line.reserve(rows);
+  moves.file.reserve(rows);
+  moves.mode.reserve(rows);
+  moves.detail.reserve(rows);
+  moves.end.reserve(rows);
+  moves.feed.reserve(rows);
+}
+
+// Reads a file that goes with the program (tools, parameters); its faults join the program's.
+template <class ReadContent>
+Result<void> read_beside(const std::filesystem::path& path, nc::Interpreter& interpreter, ReadContent read_content) {
+  if (path.empty()) return {};
+  const auto file = nc::MappedFile::open(path);
+  if (!file) return tl::unexpected(file.error());
+  read_content(file->text(), [&](std::size_t line, nc::Fault fault) {
+    interpreter.log().add(std::move(fault), path.string(), line, {});
+  });
+  return {};
+}
+
+std::vector<std::filesystem::path> program_folders(const std::string& name, const ReadOptions& options) {
+  std::vector<std::filesystem::path> folders;
+  if (!name.empty() && name != "-") {
+    const auto parent = std::filesystem::path(name).parent_path();
+    folders.push_back(parent.empty() ? std::filesystem::path(".") : parent);
+  }
+  folders.insert(folders.end(), options.sub_paths.begin(), options.sub_paths.end());
+  return folders;
+}
+
+Result<Reading> read_program(std::string_view text, const std::string& name, const ReadOptions& options,
+                             const Monitor& monitor) {
+  Reading reading;
+  reading.dialect = options.dialect == Dialect::automatic ? nc::detect_dialect(text) : options.dialect;
+  reading.moves.files = {name};
+  reserve(reading.moves, std::min(count_lines(text), options.limits.blocks));
+  nc::ProgramFiles files(text, name, program_folders(name, options));
+  nc::Interpreter interpreter(files, options, reading.dialect, reading);
+  const auto tools = read_beside(options.tools, interpreter, [&](std::string_view content, const auto& on_fault) {
+    nc::read_tool_table(content, interpreter.state(), on_fault);
+  });
+  if (!tools) return tl::unexpected(tools.error());
+  const auto parameters =
+      read_beside(options.parameters, interpreter, [&](std::string_view content, const auto& on_fault) {
+        nc::read_parameter_file(content, interpreter.parameters(), on_fault);
+        nc::adopt_parameters(interpreter.context());
+      });
+  if (!parameters) return tl::unexpected(parameters.error());
+  if (!interpreter.run(monitor)) return tl::unexpected(cancelled_error());
+  return reading;
+}
+
+}  // namespace
+
+Result<Reading> read_text(std::string_view text, const std::string& name, const ReadOptions& options,
+                          const Monitor& monitor) {
+  if (text.substr(0, kUtf8Mark.size()) == kUtf8Mark) text.remove_prefix(kUtf8Mark.size());
+  if (std::memchr(text.data(), '\0', std::min(text.size(), kBinaryCheck)) != nullptr) {
+    return tl::unexpected(input_error(name, "not-text", "this is no text file",
+                                      "give an NC program or a CSV polyline, as UTF-8 or an 8-bit text"));
+  }
+  if (text.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos) {
+    return tl::unexpected(input_error(name, "empty-program", "the program is empty", "give a file with motion in it"));
+  }
+  if (!is_polyline(name)) return read_program(text, name, options, monitor);
+  Reading reading;
+  reading.moves.files = {name};
+  reserve(reading.moves, std::min(count_lines(text), options.limits.blocks));
+  if (!nc::read_polyline(text, name, options, monitor, reading)) return tl::unexpected(cancelled_error());
+  return reading;
+}
+
+Result<Reading> read_file(const std::filesystem::path& file, const ReadOptions& options, const Monitor& monitor) {
+  const auto mapped = nc::MappedFile::open(file);
+  if (!mapped) return tl::unexpected(mapped.error());
+  return read_text(mapped->text(), file.string(), options, monitor);
+}
+
+}  // namespace toolpace

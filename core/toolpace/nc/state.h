@@ -1,0 +1,131 @@
+#pragma once
+/// All that a controller remembers between blocks while it interprets a program. Lengths in mm, angles in degrees.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "toolpace/base/axes.h"
+#include "toolpace/nc/offset_geometry.h"
+#include "toolpace/nc/words.h"
+
+namespace toolpace::nc {
+
+inline constexpr double kMmPerInch = 25.4;
+
+/// One value an axis: X Y Z in mm, A B C in degrees.
+using Position = std::array<double, kAxisCount>;
+
+/// Plane of arcs: indices of its first and second axis and of the axis normal to it (right-handed).
+struct PlaneAxes {
+  std::size_t first, second, normal;
+};
+constexpr PlaneAxes plane_axes(Code plane) {
+  if (plane == 180) return {2, 0, 1};
+  if (plane == 190) return {1, 2, 0};
+  return {0, 1, 2};
+}
+
+/// Modal state: what M70 saves and the workbench shows.
+struct Modal {
+  Code motion = 800;  ///< G80: none
+  Code plane = 170;
+  Code units = 210;
+  Code distance = 900;
+  Code arc_distance = 911;
+  Code feed_mode = 940;
+  Code compensation = 400;
+  Code tool_length = 490;
+  Code retract = 990;
+  Code path_control = 640;
+  Code spindle_mode = 970;
+  Code lathe_diameter = 80;
+  int system = 1;                ///< 1 … 9: G54 … G59.3
+  double path_tolerance = 0.0;   ///< [mm] of G64 P
+  double naive_tolerance = 0.0;  ///< [mm] of G64 Q
+  bool tolerance_given = false;  ///< G64 came with P
+  double feed = 0.0;             ///< as programmed: units a minute, a turn or 1/min; 0 = none
+  double feed_linear = 0.0;      ///< the same with lengths in mm, fixed when F was read
+  double spindle_speed = 0.0;    ///< [rev/min]
+  int spindle_direction = 0;     ///< −1, 0, +1 (clockwise)
+  bool mist = false, flood = false;
+  bool operator==(const Modal&) const = default;
+
+  double unit() const { return units == 200 ? kMmPerInch : 1.0; }
+  bool incremental() const { return distance == 910; }
+};
+
+/// Where work coordinates lie in the machine: machine = R(rotation)·(work + shift) + origin + tool_length.
+struct Offsets {
+  Position origin{};      ///< of the active system
+  double rotation = 0.0;  ///< [deg] of the active system, about Z
+  Position shift{};       ///< G92 and G52, while they apply
+  Position tool_length{};
+};
+
+struct Tool {
+  int number = 0;
+  int pocket = 0;
+  Position offset{};
+  double diameter = 0.0;
+  double front_angle = 0.0, back_angle = 0.0;
+  int orientation = 0;
+};
+
+/// Sticky words of canned cycles.
+struct CycleMemory {
+  double r = 0.0, bottom = 0.0, dwell = 0.0, peck = 0.0;
+  bool has_r = false, has_bottom = false;
+  std::optional<double> initial_level;  ///< level before the first cycle of a series, in the plane's normal axis
+};
+
+/// Cutter radius compensation in progress.
+struct Compensation {
+  double radius = 0.0;  ///< [mm] > 0 while active
+  int orientation = 0;
+  bool first_move_pending = false;
+  bool arc_forbidden = false;  ///< the move after G40 must be straight
+  Position programmed{};       ///< end of the contour as programmed (work coordinates); position holds the tool's
+  // The last compensated row, which a following inside corner still may shorten.
+  bool has_open = false;
+  std::optional<std::size_t> open_row;  ///< none while nothing is written
+  OffsetElement open;
+};
+
+/// Spline in progress.
+struct SplineMemory {
+  std::array<double, 2> last_handle{};  ///< end minus second control point of the last G5, mirrored by the next
+  bool after_cubic = false;
+  // G5.2 … G5.3
+  bool collecting = false;
+  int order = 3;
+  std::vector<std::array<double, 3>> points;  ///< x, y, weight
+};
+
+struct SavedModal {
+  Modal modal;
+  bool automatic = false;  ///< M73: restored at the end of the call
+};
+
+struct State {
+  Modal modal;
+  Offsets offsets;
+  Position position{};  ///< of the tool, in work coordinates
+  int selected_tool = 0;
+  Tool loaded;
+  std::map<int, Tool> tools;
+  bool has_tool_table = false;
+  CycleMemory cycle;
+  Compensation compensation;
+  SplineMemory spline;
+  double polar_radius = 0.0, polar_angle = 0.0;
+  bool has_polar = false;
+  double block_sequence = 0.0;
+};
+
+Position to_machine(const Offsets& offsets, const Position& work);
+Position to_work(const Offsets& offsets, const Position& machine);
+
+}  // namespace toolpace::nc

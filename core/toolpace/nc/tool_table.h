@@ -1,0 +1,27 @@
+#pragma once
+/// The tool table (LinuxCNC's format) and the tool words of a program.
+
+#include <functional>
+#include <string_view>
+
+#include "toolpace/nc/context.h"
+
+namespace toolpace::nc {
+
+/// Reads lines like "T1 P1 D6 Z50 X0 I10 J20 Q2 ;remark" (mm, deg). Faults carry the line in `on_fault`.
+void read_tool_table(std::string_view text, State& state, const std::function<void(std::size_t line, Fault)>& on_fault);
+
+/// @return false (with a fault) if the table does not know the tool. Without a table every tool has no size.
+bool find_tool(Context& context, int number, std::size_t column, Tool& tool);
+
+/// T: selects. M6: loads the selected tool and appends a tool row. M61 Q: declares the loaded tool.
+bool select_tool(Context& context, const Block& block);
+bool change_tool(Context& context, const Block& block);
+
+/// G43 G43.1 G43.2 G49
+bool set_tool_length(Context& context, const Block& block);
+
+/// G10 L1 L10 L11: writes the tool table.
+bool write_tool_entry(Context& context, const Block& block, int form);
+
+}  // namespace toolpace::nc
