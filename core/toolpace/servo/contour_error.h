@@ -1,0 +1,53 @@
+#pragma once
+/// The distance of the actual path from the commanded one.
+
+#include <cstdint>
+#include <vector>
+
+#include "toolpace/base/axes.h"
+
+namespace toolpace {
+
+/// Contour error: from an actual point to the nearest point of the commanded path, here the straight lines between
+/// setpoints, which is what drives get. Not to be confused with the lag, from the actual point to the commanded one at the
+/// same time. The nearest point is looked for within four lags before and behind the command along the path (and no more
+/// than 64 setpoints ahead), so that another stroke that happens to pass by does not count.
+///
+/// Rotary axes count 1 deg as 1 mm.
+class ContourMeter {
+ public:
+  struct Row {
+    double lag;      ///< [mm]
+    double contour;  ///< [mm] ≤ lag
+  };
+
+  /// Takes a commanded and an actual point (XYZ in mm, ABC in deg).
+  void take(const AxisVector& commanded, const AxisVector& actual);
+  /// Measures rows that have enough command after them, or all at the end, and hands them out in order.
+  void measure(bool all, std::vector<Row>& rows);
+
+ private:
+  struct Point {
+    AxisVector commanded;
+    double way;  ///< along the commanded path [mm]
+  };
+  /// The nearest point found so far: its distance, and the chord that it is on.
+  struct Nearest {
+    double distance;
+    std::size_t chord;
+  };
+  Row measure_one(std::size_t index);
+  void look_at(const AxisVector& actual, std::size_t chord, Nearest& best) const;
+  void look_back(const AxisVector& actual, std::size_t index, double window, Nearest& best) const;
+  void look_ahead(const AxisVector& actual, std::size_t index, double window, Nearest& best) const;
+  void drop_old();
+
+  std::vector<Point> points_;       ///< window of the commanded path
+  std::vector<AxisVector> actual_;  ///< of the rows not yet measured
+  std::size_t next_actual_ = 0;
+  std::size_t measured_ = 0;  ///< index into points_ of the first row not yet measured
+  std::size_t nearest_ = 0;   ///< chord that the last row was nearest to: a good place to begin with
+  double longest_lag_ = 0.0;
+};
+
+}  // namespace toolpace
