@@ -39,6 +39,18 @@ class PhaseWriter {
     push({0, (to - from) / speed, from, speed, 0, 0, PhaseShape::constant_jerk});
   }
 
+  /// Appends a change of speed at constant acceleration, joined with the one before it where that had the same one.
+  void push_straight(double from, double v0, double v1, double acceleration) {
+    if (!phases_.empty() && phases_.back().acceleration == acceleration && phases_.back().rate == 0) {
+      Phase& last = phases_.back();
+      const double longer = (v1 - last.speed) / acceleration;
+      advance(longer - last.duration);
+      last.duration = longer;
+      return;
+    }
+    push({0, (v1 - v0) / acceleration, from, v0, acceleration, 0, PhaseShape::constant_jerk});
+  }
+
   /// Appends the phases of a ramp so that the first one starts at `position`.
   template <class Law>
   void push_ramp(double v0, double v1, const RampLimits& limits, double position) {

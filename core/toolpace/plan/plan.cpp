@@ -8,7 +8,7 @@
 
 #include "toolpace/law/law_table.h"
 #include "toolpace/plan/block_plan.h"
-#include "toolpace/plan/span_plan.h"
+#include "toolpace/plan/span_dispatch.h"
 
 namespace toolpace {
 namespace {
@@ -83,19 +83,9 @@ Result<MotionPlan> plan_motion(const SpeedLimits& limits, const PlanOptions& opt
   }
   if (limits.size() == 0) return MotionPlan{};
   const std::size_t blocks = std::min(limits.size(), options.lookahead.value_or(limits.size()));
-  const bool jerk_limited = options.law == LawKind::seven_phase || options.law == LawKind::time_optimal;
-  MotionPlan plan;
-  if (options.ramps == Ramps::block || !jerk_limited || blocks < limits.size()) {
-    plan = detail::plan_block_ramps(limits, options.law, blocks, monitor);
-  }
-  if (options.ramps == Ramps::span && jerk_limited && blocks == limits.size()) {
-    plan = detail::plan_span_ramps(limits, options.law == LawKind::time_optimal ? 8 : 1, monitor);
-    // Limits that change from block to block may favour ramps that each keep to their own block's.
-    if (limits.dynamics.size() > 1) {
-      MotionPlan other = detail::plan_block_ramps(limits, options.law, blocks, monitor);
-      if (other.cycle_time() < plan.cycle_time()) plan = std::move(other);
-    }
-  }
+  const bool spans = options.ramps == Ramps::span;
+  MotionPlan plan = spans ? detail::plan_across_blocks(limits, options.law, blocks, monitor)
+                          : detail::plan_block_ramps(limits, options.law, blocks, monitor);
   if (monitor.is_cancelled()) return tl::make_unexpected(cancelled_error());
   return plan;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "toolpace/plan/block_plan.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/span_emit.h"
 #include "toolpace/plan/span_filter.h"
@@ -96,8 +95,8 @@ class StretchPlanner {
 
 }  // namespace
 
-MotionPlan plan_span_ramps(const SpeedLimits& limits, int passes, const Monitor& monitor) {
-  const std::vector<double> cap = joined_caps(limits);
+MotionPlan plan_span_ramps(const SpeedLimits& limits, const std::vector<double>& cap, int passes,
+                           const Monitor& monitor) {
   const std::vector<double> square = fastest_squares(limits, cap);
   const std::vector<double> position = node_positions(limits);
   MotionPlan plan;

@@ -1,7 +1,7 @@
 #pragma once
 /// Plans whose ramps run across blocks, jerk-limited with whatever acceleration at the nodes.
 
-#include <cstddef>
+#include <vector>
 
 #include "toolpace/base/monitor.h"
 #include "toolpace/limits/speed_limits.h"
@@ -11,8 +11,10 @@ namespace toolpace::detail {
 
 /// The motion under the lower hull of the valleys that the caps throw, joined by the fastest bridges; the accelerations
 /// at the touched nodes are then shifted to what both their bridges would like.
+/// @param cap  of the nodes, no higher than either neighbour's feed [mm/s]
 /// @param passes  rounds of shifting, each kept only if it saves time
 /// @return no phases when cancelled
-MotionPlan plan_span_ramps(const SpeedLimits& limits, int passes, const Monitor& monitor);
+MotionPlan plan_span_ramps(const SpeedLimits& limits, const std::vector<double>& cap, int passes,
+                           const Monitor& monitor);
 
 }  // namespace toolpace::detail

@@ -1,0 +1,272 @@
+#include "toolpace/plan/anchored_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "toolpace/law/law_table.h"
+#include "toolpace/plan/block_profile.h"
+#include "toolpace/plan/node_speeds.h"
+#include "toolpace/plan/plan.h"
+#include "toolpace/plan/span_filter.h"
+
+namespace toolpace::detail {
+namespace {
+
+constexpr double kTouch = 1e-12;
+/// Share of a cap by which a ramp may pass it: rounding.
+constexpr double kRounding = 1e-9;
+/// Sweeps of removing anchors, each followed by a scan that lets the others rise.
+constexpr int kSweeps = 8;
+/// Repairs after a scan: caps that the risen ramps pass become anchors again.
+constexpr int kRepairs = 12;
+/// Removed anchors under one span, at most; each one costs a look at every other.
+constexpr std::size_t kMostUnderSpan = 512;
+
+/// A stretch that is planned as one block.
+struct Span {
+  double length = 0.0;
+  double touched_feed = std::numeric_limits<double>::infinity();  ///< lowest feed that the optimum touches [mm/s]
+  double highest_feed = 0.0;                                      ///< [mm/s]
+  Dynamics dynamics;
+
+  double cap() const { return std::isfinite(touched_feed) ? touched_feed : highest_feed; }
+
+  void include(const Span& o) {
+    length += o.length;
+    touched_feed = std::min(touched_feed, o.touched_feed);
+    highest_feed = std::max(highest_feed, o.highest_feed);
+    include(dynamics.up, o.dynamics.up);
+    include(dynamics.down, o.dynamics.down);
+  }
+
+ private:
+  static void include(RampLimits& a, const RampLimits& b) {
+    a.acceleration = std::min(a.acceleration, b.acceleration);
+    a.jerk = std::min(a.jerk, b.jerk);
+    a.time = std::max(a.time, b.time);
+  }
+};
+
+/// Every place that may be an anchor, and the spans between neighbours.
+struct Anchors {
+  std::vector<double> position, cap;  ///< one a place
+  std::vector<Span> span;             ///< from place i to i + 1
+};
+
+Span span_of_block(const SpeedLimits& limits, std::size_t i, bool touched) {
+  Span s;
+  s.length = limits.length[i];
+  s.highest_feed = limits.block_cap[i];
+  if (touched) s.touched_feed = limits.block_cap[i];
+  s.dynamics = limits.dynamics_of(i);
+  return s;
+}
+
+Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap) {
+  const std::vector<double> square = fastest_squares(limits, cap);
+  const std::vector<double> position = node_positions(limits);
+  Anchors a;
+  const auto add = [&](std::size_t node) {
+    a.position.push_back(position[node]);
+    a.cap.push_back(cap[node]);
+  };
+  add(0);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double c = cap[i], f = limits.block_cap[i];
+    const bool changes = i > 0 && (limits.block_cap[i - 1] != f || c < f);
+    if (changes && square[i] >= c * c * (1 - kTouch)) add(i);
+    const Dynamics& d = limits.dynamics_of(i);
+    const double up = d.up.acceleration, down = d.down.acceleration;
+    const double share = std::isinf(up) ? 1.0 : up / (up + down);
+    const double peak = square[i] + share * (square[i + 1] - square[i] + 2 * down * limits.length[i]);
+    const Span s = span_of_block(limits, i, !(peak < f * f * (1 - kTouch)));
+    if (a.span.size() < a.position.size()) {
+      a.span.push_back(s);
+    } else {
+      a.span.back().include(s);
+    }
+  }
+  add(limits.size());
+  return a;
+}
+
+/// Which places are anchors, and how fast they are crossed.
+struct Layout {
+  std::vector<std::size_t> place;  ///< ascending
+  std::vector<double> speed;       ///< [mm/s]
+  std::vector<Span> span;          ///< from anchor i to i + 1
+  double time = 0.0;               ///< [s]
+};
+
+template <class Law>
+class AnchorPlanner {
+ public:
+  AnchorPlanner(const Anchors& anchors, const Monitor& monitor) : anchors_(anchors), monitor_(monitor) {}
+
+  Layout run() {
+    Layout best;
+    for (std::size_t i = 0; i < anchors_.position.size(); ++i) best.place.push_back(i);
+    settle(best);
+    for (int sweep = 0; sweep < kSweeps && !monitor_.is_cancelled(); ++sweep) {
+      Layout next = remove_some(best);
+      if (next.place.size() == best.place.size()) break;
+      if (!settle_within_caps(next) || !(next.time < best.time * (1 + kTouch))) {
+        // What the sweep found holds with the speeds that it found it for.
+        next = remove_some(best);
+        sum_up(next);
+        if (!(next.time < best.time)) break;
+        best = std::move(next);
+        break;
+      }
+      best = std::move(next);
+    }
+    return best;
+  }
+
+ private:
+  static Stretch stretch(double begin, const Span& s, double v0, double v1) {
+    return {begin, s.length, std::max({s.cap(), v0, v1}), v0, v1};
+  }
+
+  void sum_up(Layout& l) const {
+    l.time = 0;
+    for (std::size_t i = 0; i < l.span.size(); ++i) {
+      l.time += stretch_time<Law>(stretch(0, l.span[i], l.speed[i], l.speed[i + 1]), l.span[i].dynamics);
+    }
+  }
+
+  /// Scans the anchors' speeds.
+  void settle(Layout& l) const {
+    l.span.clear();
+    std::vector<double> length, cap;
+    std::vector<std::uint32_t> ramp;
+    std::vector<Dynamics> dynamics;
+    for (std::size_t i = 0; i < l.place.size(); ++i) {
+      cap.push_back(anchors_.cap[l.place[i]]);
+      if (i + 1 == l.place.size()) break;
+      Span s = anchors_.span[l.place[i]];
+      for (std::size_t p = l.place[i] + 1; p < l.place[i + 1]; ++p) s.include(anchors_.span[p]);
+      cap[i] = std::min(cap[i], s.cap());
+      if (i > 0) cap[i] = std::min(cap[i], l.span.back().cap());
+      length.push_back(s.length);
+      if (dynamics.empty() || !(dynamics.back() == s.dynamics)) dynamics.push_back(s.dynamics);
+      ramp.push_back(static_cast<std::uint32_t>(dynamics.size() - 1));
+      l.span.push_back(s);
+    }
+    l.speed = speeds_of_whole_chain<Law>({length, ramp, dynamics, cap});
+    sum_up(l);
+  }
+
+  /// Whether the profile of a span stays below the caps of the places under it; the first one that it passes.
+  std::size_t first_broken(const Stretch& s, const Dynamics& dynamics, std::size_t from, std::size_t to) {
+    if (to <= from + 1) return to;
+    phases_.clear();
+    PhaseWriter writer(phases_);
+    append_stretch<Law>(s, dynamics, writer);
+    std::size_t k = 0;
+    for (std::size_t p = from + 1; p < to; ++p) {
+      const double at = anchors_.position[p];
+      while (k + 1 < phases_.size() && phases_[k + 1].distance <= at) ++k;
+      const double cap = anchors_.cap[p] * (1 + kRounding);
+      const double ends = evaluate(phases_[k], phases_[k].duration).speed;
+      // Speeds rise or fall all through a phase of a ramp.
+      if (std::max(phases_[k].speed, ends) <= cap) continue;
+      if (speed_at(phases_[k], at) > cap) return p;
+    }
+    return to;
+  }
+
+  static double speed_at(const Phase& p, double distance) {
+    const auto miss = [&](double t) { return evaluate(p, t).distance - distance; };
+    const double at_end = miss(p.duration);
+    if (at_end <= 0) return evaluate(p, p.duration).speed;
+    const double at_begin = miss(0);
+    if (at_begin >= 0) return p.speed;
+    return evaluate(p, increasing_root(0.0, p.duration, at_begin, at_end, miss)).speed;
+  }
+
+  /// One sweep from left to right; the speeds of what remains stay as they are.
+  Layout remove_some(const Layout& l) {
+    Layout r;
+    r.place.push_back(l.place[0]);
+    r.speed.push_back(l.speed[0]);
+    for (std::size_t i = 0; i < l.span.size(); ++i) {
+      Span last = l.span[i];
+      // Takes the anchor before this span away as long as that is no loss.
+      while (r.place.size() > 1 && can_merge(r, last, l.place[i + 1], l.speed[i + 1])) {
+        Span merged = r.span.back();
+        merged.include(last);
+        last = merged;
+        r.place.pop_back();
+        r.speed.pop_back();
+        r.span.pop_back();
+      }
+      r.span.push_back(last);
+      r.place.push_back(l.place[i + 1]);
+      r.speed.push_back(l.speed[i + 1]);
+    }
+    return r;
+  }
+
+  bool can_merge(const Layout& r, const Span& last, std::size_t to, double exit) {
+    const std::size_t n = r.place.size();
+    const std::size_t from = r.place[n - 2];
+    if (to - from > kMostUnderSpan || anchors_.cap[r.place[n - 1]] == 0) return false;
+    const double entry = r.speed[n - 2], middle = r.speed[n - 1];
+    Span merged = r.span.back();
+    const double before = stretch_time<Law>(stretch(0, merged, entry, middle), merged.dynamics) +
+                          stretch_time<Law>(stretch(0, last, middle, exit), last.dynamics);
+    merged.include(last);
+    if (merged.cap() < std::max(entry, exit) || !fits<Law>(entry, exit, merged.length, merged.dynamics)) return false;
+    const Stretch s = stretch(anchors_.position[from], merged, entry, exit);
+    if (!(stretch_time<Law>(s, merged.dynamics) <= before * (1 + kTouch))) return false;
+    return first_broken(s, merged.dynamics, from, to) == to;
+  }
+
+  /// Scans, and brings anchors back whose caps are passed then; false where that has no end.
+  bool settle_within_caps(Layout& l) {
+    for (int round = 0; round < kRepairs; ++round) {
+      settle(l);
+      std::vector<std::size_t> place;
+      for (std::size_t i = 0; i < l.span.size(); ++i) {
+        place.push_back(l.place[i]);
+        const Stretch s = stretch(anchors_.position[l.place[i]], l.span[i], l.speed[i], l.speed[i + 1]);
+        const std::size_t broken = first_broken(s, l.span[i].dynamics, l.place[i], l.place[i + 1]);
+        if (broken < l.place[i + 1]) place.push_back(broken);
+      }
+      place.push_back(l.place.back());
+      if (place.size() == l.place.size()) return true;
+      l.place = std::move(place);
+    }
+    return false;
+  }
+
+  const Anchors& anchors_;
+  const Monitor& monitor_;
+  std::vector<Phase> phases_;
+};
+
+template <class Law>
+MotionPlan plan_with(const Anchors& anchors, const Monitor& monitor) {
+  const Layout l = AnchorPlanner<Law>(anchors, monitor).run();
+  MotionPlan plan;
+  if (monitor.is_cancelled()) return plan;
+  PhaseWriter writer(plan.phases);
+  for (std::size_t i = 0; i < l.span.size(); ++i) {
+    const double cap = std::max({l.span[i].cap(), l.speed[i], l.speed[i + 1]});
+    append_stretch<Law>({anchors.position[l.place[i]], l.span[i].length, cap, l.speed[i], l.speed[i + 1]},
+                        l.span[i].dynamics, writer);
+  }
+  return plan;
+}
+
+}  // namespace
+
+MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, LawKind law,
+                               const Monitor& monitor) {
+  const Anchors anchors = find_anchors(limits, cap);
+  return visit_law(law, [&](auto chosen) { return plan_with<decltype(chosen)>(anchors, monitor); });
+}
+
+}  // namespace toolpace::detail

@@ -1,0 +1,22 @@
+#pragma once
+/// Plans of any law whose ramps run across blocks: block ramps between anchors.
+
+#include <vector>
+
+#include "toolpace/base/monitor.h"
+#include "toolpace/law/law.h"
+#include "toolpace/limits/speed_limits.h"
+#include "toolpace/plan/motion_plan.h"
+
+namespace toolpace::detail {
+
+/// Anchors are the nodes that the acceleration-limited optimum touches, and those where the feed changes there; the law
+/// keeps its accelerations, so it cannot pass a cap that the optimum does not touch. Between anchors a span is planned
+/// as one block, under the lowest feed that is touched in it and the smallest limits. Anchors are crossed with zero
+/// acceleration; then any of them whose removal saves time and keeps the caps is removed.
+/// @param cap  of the nodes, no higher than either neighbour's feed [mm/s]
+/// @return no phases when cancelled
+MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, LawKind law,
+                               const Monitor& monitor);
+
+}  // namespace toolpace::detail

@@ -1,0 +1,53 @@
+#include "toolpace/plan/trapezoid_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "toolpace/plan/phase_writer.h"
+#include "toolpace/plan/plan.h"
+#include "toolpace/plan/span_filter.h"
+
+namespace toolpace::detail {
+namespace {
+
+/// Changes of speed² below this share of it are rounding of the scan's sums.
+constexpr double kRounding = 1e-13;
+
+class TrapezoidWriter {
+ public:
+  explicit TrapezoidWriter(std::vector<Phase>& phases) : writer_(phases) {}
+
+  void add(double begin, double length, double cap, double square0, double square1, const Dynamics& d) {
+    const double up = d.up.acceleration, down = d.down.acceleration;
+    const double v0 = std::sqrt(square0), v1 = std::sqrt(square1);
+    const double top = std::max(square0, square1);
+    double peak_square = square0 + up / (up + down) * (square1 - square0 + 2 * down * length);
+    if (peak_square <= top * (1 + kRounding)) peak_square = top;
+    const bool cruises = peak_square > cap * cap * (1 - kRounding);
+    if (cruises) peak_square = std::max(cap * cap, top);
+    const double rise = std::max(0.0, peak_square - square0) / (2 * up);
+    const double fall = std::max(0.0, peak_square - square1) / (2 * down);
+    const double peak = cruises ? std::max({cap, v0, v1}) : std::sqrt(peak_square);
+    if (rise > 0) writer_.push_straight(begin, v0, peak, up);
+    if (length - rise - fall > kRounding * length) writer_.push_cruise(begin + rise, begin + (length - fall), peak);
+    if (fall > 0) writer_.push_straight(begin + (length - fall), peak, v1, -down);
+  }
+
+ private:
+  PhaseWriter writer_;
+};
+
+}  // namespace
+
+MotionPlan plan_trapezoids(const SpeedLimits& limits, const std::vector<double>& cap) {
+  const std::vector<double> square = fastest_squares(limits, cap);
+  const std::vector<double> position = node_positions(limits);
+  MotionPlan plan;
+  TrapezoidWriter writer(plan.phases);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    writer.add(position[i], limits.length[i], limits.block_cap[i], square[i], square[i + 1], limits.dynamics_of(i));
+  }
+  return plan;
+}
+
+}  // namespace toolpace::detail
