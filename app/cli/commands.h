@@ -9,6 +9,7 @@ namespace toolpace::cli {
 
 using Action = std::function<int()>;  ///< returns the exit code
 
+void add_plan_command(CLI::App& app, Action& action);
 void add_blocks_command(CLI::App& app, Action& action);
 void add_move_command(CLI::App& app, Action& action);
 void add_steps_command(CLI::App& app, Action& action);

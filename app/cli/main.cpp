@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "commands.h"
+#include "interrupt.h"
 #include "report.h"
 
 int main(int argc, char** argv) {
@@ -12,9 +13,11 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "toolpace " TOOLPACE_VERSION);
   app.require_subcommand(1);
   Action action;
+  add_plan_command(app, action);
   add_blocks_command(app, action);
   add_move_command(app, action);
   add_steps_command(app, action);
+  catch_interrupts();
 
   try {
     app.parse(argc, argv);

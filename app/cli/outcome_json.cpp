@@ -1,0 +1,82 @@
+#include "outcome_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "toolpace/law/law_table.h"
+#include "toolpace/pipeline/setup_keys.h"
+
+namespace toolpace::cli {
+namespace {
+
+template <class T>
+std::string name_of(const std::vector<Named<T>>& names, T value) {
+  for (const auto& n : names) {
+    if (n.value == value) return std::string(n.name);
+  }
+  return "";
+}
+
+nlohmann::json corner_json(const CornerOptions& corner) {
+  return corner.step ? nlohmann::json("step") : nlohmann::json(name_of(corner_names(), corner.rule));
+}
+
+}  // namespace
+
+nlohmann::json number(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr); }
+
+nlohmann::json diagnostics_json(const Diagnostics& diagnostics) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Diagnostic& d : diagnostics) {
+    list.push_back({{"line", d.where.line}, {"column", d.where.column}, {"code", d.code}, {"message", d.message}});
+  }
+  return list;
+}
+
+nlohmann::json outcome_json(const Outcome& outcome) {
+  const Summary& s = outcome.summary;
+  const PlanOptions& o = outcome.job->options;
+  nlohmann::json j;
+  j["program"] = outcome.job->program_name;
+  j["law"] = std::string(law_row(o.law).id);
+  j["lookahead_blocks"] = o.lookahead ? nlohmann::json(*o.lookahead) : nlohmann::json(nullptr);
+  j["ramps"] = name_of(ramps_names(), o.ramps);
+  j["corner"] = corner_json(o.corner);
+  j["blocks"] = s.blocks;
+  j["path_length_mm"] = s.path_length;
+  j["cycle_time_s"] = s.cycle_time;
+  j["feed_time_s"] = s.feed_time;
+  j["rapid_time_s"] = s.rapid_time;
+  j["dwell_time_s"] = s.dwell_time;
+  j["max_speed_mm_s"] = s.max_speed;
+  j["max_acceleration_mm_s2"] = s.max_acceleration;
+  j["max_jerk_mm_s3"] = number(s.max_jerk);
+  j["period_ms"] = outcome.job->machine.period * 1e3;
+  j["time_by_limit_s"] = nlohmann::json::object();
+  for (std::size_t i = 0; i < s.time_by_cause.size(); ++i) {
+    if (s.time_by_cause[i] > 0)
+      j["time_by_limit_s"][std::string(cause_name(static_cast<Cause>(i)))] = s.time_by_cause[i];
+  }
+  j["bound_s"] = s.bound ? nlohmann::json(*s.bound) : nlohmann::json(nullptr);
+  Diagnostics warnings = outcome.job->program->diagnostics;
+  warnings.insert(warnings.end(), outcome.warnings.begin(), outcome.warnings.end());
+  j["warnings"] = diagnostics_json(warnings);
+  return j;
+}
+
+nlohmann::json axes_json(const AxisPeakMeter& meter) {
+  nlohmann::json axes = nlohmann::json::object();
+  const auto peaks = meter.peaks();
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    if (!meter.has_moved(k)) continue;
+    const std::string u = is_rotary(k) ? "deg" : "mm";
+    const double unit = is_rotary(k) ? 1 / kRadiansPerDegree : 1.0;
+    axes[std::string(1, kAxisNames[k])] = {{"max_speed_" + u + "_s", peaks[k].speed * unit},
+                                           {"max_acceleration_" + u + "_s2", peaks[k].acceleration * unit},
+                                           {"max_jerk_" + u + "_s3", peaks[k].jerk * unit}};
+  }
+  return axes;
+}
+
+}  // namespace toolpace::cli
