@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "interrupt.h"
 #include "job_flags.h"
@@ -14,6 +16,7 @@
 #include "toolpace/io/setpoint_writer.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/sample/sampler.h"
+#include "toolpace/verify/verify.h"
 
 namespace toolpace::cli {
 namespace {
@@ -30,6 +33,7 @@ struct PlanFlags {
 struct SetpointPass {
   std::size_t rows = 0;
   AxisPeakMeter peaks;
+  double chord_error = 0.0;  ///< [mm]
 };
 
 /// Samples the plan once: measures, and writes the file where one is wanted.
@@ -47,6 +51,7 @@ Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, const PlanFlags
   SetpointPass pass;
   Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
   pass.rows = sampler.rows();
+  sampler.measure_chords();
   for (Setpoints chunk; sampler.next(chunk);) {
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
     pass.peaks.add(chunk);
@@ -55,10 +60,41 @@ Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, const PlanFlags
     }
     monitor.report(static_cast<double>(chunk.first_row + chunk.size()) / static_cast<double>(pass.rows));
   }
+  pass.chord_error = sampler.largest_chord_error();
   if (writer) {
     if (auto finished = writer->finish(); !finished) return tl::unexpected(finished.error());
   }
   return pass;
+}
+
+/// Reads the file back and judges it against machine and program.
+Result<VerifyReport> verify_file(const std::string& file, const Outcome& outcome, const Monitor& monitor) {
+  auto opened = open_setpoint_file(file);
+  if (!opened) return tl::unexpected(opened.error());
+  const ProgrammedPath program{*outcome.path, outcome.job->program->moves, {}};
+  return verify(**opened, outcome.job->machine, &program, monitor);
+}
+
+void add_verification(nlohmann::json& json, const std::optional<VerifyReport>& proof) {
+  json["violations"] = nullptr;
+  json["max_path_deviation_mm"] = nullptr;
+  if (!proof) return;
+  json["violations"] =
+      std::count_if(proof->checks.begin(), proof->checks.end(), [](const Check& c) { return c.broken; });
+  for (const Check& check : proof->checks) {
+    if (check.kind == CheckKind::deviation) json["max_path_deviation_mm"] = check.value;
+  }
+  if (proof->chord_error) json["max_chord_error_mm"] = *proof->chord_error;
+  json["exempt_corners"] = proof->exempt_corners;
+}
+
+void print_verification(const VerifyReport& proof) {
+  fmt::print("  verified     {}\n", proof.passes() ? "every limit holds" : "LIMITS ARE BROKEN");
+  for (const Check& c : proof.checks) {
+    if (!c.broken) continue;
+    fmt::print("    {}{} {:.6g} > {:.6g} at {:.3f} s, line {}\n", key_of(c.kind),
+               c.axis ? std::string(" ") + kAxisNames[*c.axis] : "", c.value, c.limit, c.time, c.line);
+  }
 }
 
 void print_summary(const Outcome& outcome, const SetpointPass& pass, const PlanFlags& flags) {
@@ -97,6 +133,14 @@ int run_plan(const PlanFlags& flags) {
                         {},
                         {}});
   }
+  if (flags.verify && (flags.setpoints.empty() || flags.setpoints == "-")) {
+    return report(Error{ErrorKind::usage,
+                        "verify-what",
+                        "--verify reads back the setpoint file, and there is none",
+                        "add --setpoints FILE",
+                        {},
+                        {}});
+  }
   const auto setup = flags.job.setup();
   if (!setup) return report(setup.error());
   auto reading = flags.reading.read();
@@ -118,16 +162,26 @@ int run_plan(const PlanFlags& flags) {
   const auto pass = pass_over_setpoints(*outcome, flags, terminal_monitor("setpoints"));
   end_progress();
   if (!pass) return report(pass.error());
+  std::optional<VerifyReport> proof;
+  if (flags.verify) {
+    auto verified = verify_file(flags.setpoints, *outcome, terminal_monitor("verifying"));
+    end_progress();
+    if (!verified) return report(verified.error());
+    proof = std::move(*verified);
+  }
   if (flags.json) {
     nlohmann::json json = outcome_json(*outcome);
     json["axes"] = axes_json(pass->peaks);
     json["setpoints"] = pass->rows;
+    json["max_chord_error_mm"] = pass->chord_error;
+    add_verification(json, proof);
     json["plan_wall_s"] = planned.count();
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else if (flags.setpoints != "-") {
     print_summary(*outcome, *pass, flags);
+    if (proof) print_verification(*proof);
   }
-  return kFine;
+  return proof && !proof->passes() ? kLimitBroken : kFine;
 }
 
 }  // namespace
@@ -141,6 +195,7 @@ void add_plan_command(CLI::App& app, Action& action) {
                       "Write setpoints: .csv, .npy, .npz, .halstream; - = standard output");
   command->add_flag("--axis-derivatives", flags->axis_derivatives, "Add speed, acceleration and jerk of each axis");
   command->add_flag("--decimal-comma", flags->decimal_comma, "Decimal commas in .semicolon.csv");
+  command->add_flag("--verify", flags->verify, "Read the setpoint file back and prove that it keeps every limit");
   command->add_flag("--json", flags->json, "Print one JSON object");
   command->add_flag("--bound", flags->bound, "Compute a lower bound of the cycle time");
   command->callback([flags, &action] { action = [flags] { return run_plan(*flags); }; });

@@ -81,7 +81,10 @@ void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
   PhaseState state{0, 0, 0, 0};
   if (row + 1 == rows_) {
     point = path_.node.back();
-    if (path_.size() > 0) line_ = moves_.line[path_.move.back()];
+    if (path_.size() > 0) {
+      line_ = moves_.line[path_.move.back()];
+      if (chords_) chords_->add(path_.size() - 1, path_.length.back(), point);
+    }
   } else {
     state = state_at(static_cast<double>(row) * period_);
     if (path_.size() > 0) {
@@ -92,6 +95,7 @@ void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
       } else {
         point = point_at(path_, segment_, s);
       }
+      if (chords_) chords_->add(segment_, s, point);
     } else {
       point = path_.node.front();
     }

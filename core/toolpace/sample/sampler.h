@@ -1,9 +1,12 @@
 #pragma once
 /// MotionPlan + Path -> setpoints, as a stream.
 
+#include <optional>
+
 #include "toolpace/nc/moves.h"
 #include "toolpace/path/path.h"
 #include "toolpace/plan/motion_plan.h"
+#include "toolpace/sample/chord_error.h"
 #include "toolpace/sample/setpoints.h"
 
 namespace toolpace {
@@ -23,6 +26,11 @@ class Sampler {
 
   /// Replaces `chunk` by the next rows, at most `limit`. @return false, with an empty chunk, after the last row
   bool next(Setpoints& chunk, std::size_t limit = 65536);
+
+  /// Measures, from here on, how far the chords between rows cut off the path. Costs about as much as sampling again.
+  void measure_chords() { chords_.emplace(path_); }
+  /// Largest so far [mm]; 0 where it was not measured.
+  double largest_chord_error() const { return chords_ ? chords_->largest() : 0.0; }
 
   /// Goes on at this row. O(log phases + segments).
   void seek(std::size_t row);
@@ -45,6 +53,7 @@ class Sampler {
   AxisVector direction_ = AxisVector::Zero();
   std::uint32_t line_ = 0;
   bool rotary_;
+  std::optional<ChordErrorMeter> chords_;
 };
 
 /// Number of rows that a motion of this duration has.

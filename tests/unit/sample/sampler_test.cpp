@@ -48,9 +48,9 @@ struct Planned {
   MotionPlan plan;
 };
 
-Planned plan_mixed() {
+Planned plan_of(Moves moves) {
   Planned p;
-  p.moves = mixed_program();
+  p.moves = std::move(moves);
   p.path = *build_path(p.moves, 0);
   Machine machine;
   machine.path = {100, 3000, 3000, 1e6, 1e6};
@@ -58,6 +58,8 @@ Planned plan_mixed() {
   p.plan = *plan_motion(*limits, {});
   return p;
 }
+
+Planned plan_mixed() { return plan_of(mixed_program()); }
 
 /// Distance of a point to the mixed program's geometry.
 double off_path(const Path& path, const AxisVector& p) {
@@ -150,6 +152,32 @@ TEST(Sampler, SeekGoesOnAtTheRow) {
     EXPECT_EQ(chunk.position[1][0], all.position[1][row]);
     EXPECT_EQ(chunk.speed[0], all.speed[row]);
   }
+}
+
+// At constant speed v on a circle of radius r the sagitta is (v·Ts)²/(8r); the feed is 50 mm/s, r = 5, Ts = 2 ms.
+TEST(Sampler, ChordErrorOnAnArcIsTheSagitta) {
+  Moves circle;
+  add(circle, MoveKind::arc, at(0, 0), 0);
+  circle.arcs.push_back({Eigen::Vector3d(0, 5, 0), Eigen::Vector3d::UnitZ(), 2 * std::numbers::pi});
+  const Planned p = plan_of(circle);
+  Sampler sampler(p.path, p.plan, p.moves, 0.002);
+  sampler.measure_chords();
+  Setpoints chunk;
+  while (sampler.next(chunk)) continue;
+  EXPECT_NEAR(sampler.largest_chord_error(), 0.1 * 0.1 / 40, 0.02 * 0.1 * 0.1 / 40);
+}
+
+TEST(ChordErrorMeter, ACornerBetweenTwoSetpointsIsMeasuredExactly) {
+  Path path;
+  path.kind = {SegmentKind::line, SegmentKind::line};
+  path.length = {1, 1};
+  path.move = {0, 0};
+  path.detail = {kNoDetail, kNoDetail};
+  path.node = {at(0, 0), at(1, 0), at(1, 1)};
+  ChordErrorMeter meter(path);
+  meter.add(0, 0.5, at(0.5, 0));
+  meter.add(1, 0.5, at(1, 0.5));
+  EXPECT_NEAR(meter.largest(), 0.5 / std::sqrt(2), 1e-15);
 }
 
 TEST(Sampler, ADurationOfWholePeriodsHasNoExtraRow) {
