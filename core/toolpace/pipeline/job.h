@@ -33,9 +33,13 @@ struct Summary {
   double path_length = 0;                                                ///< [mm]
   double cycle_time = 0, feed_time = 0, rapid_time = 0, dwell_time = 0;  ///< [s]
   double max_speed = 0, max_acceleration = 0,
-         max_jerk = 0;                        ///< of the exact profile along the path; jerk may be infinite
+         max_jerk = 0;                                 ///< of the exact profile along the path; jerk may be infinite
   std::array<double, kCauseCount> time_by_cause = {};  ///< [s], indexed by Cause
-  std::optional<double> bound;                ///< [s]
+  std::optional<double> bound;                         ///< [s]
+  // Of the motion through the tolerance tube (CornerRule::smooth):
+  double tube_deviation = 0;       ///< largest distance from the programmed path at setpoints and vertices [mm, deg]
+  std::size_t tube_windows = 0;    ///< optimised
+  std::size_t tube_fallbacks = 0;  ///< of these, left with a stop because nothing faster passed every check
 };
 
 /// A planned program. Immutable; shared between threads.

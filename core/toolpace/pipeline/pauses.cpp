@@ -13,9 +13,10 @@ MotionPlan insert_pauses(const MotionPlan& plan, const std::vector<Path::Pause>&
                          const std::vector<double>& positions) {
   MotionPlan result;
   result.phases.reserve(plan.phases.size() + pauses.size());
+  result.splines = plan.splines;
   const double rounding = kPositionRounding * (positions.empty() ? 0.0 : positions.back());
   double delay = 0.0;
-  std::size_t next = 0;
+  std::size_t next = 0, next_spline = 0;
   const auto insert_up_to = [&](double distance, double time) {
     while (next < pauses.size() && positions[pauses[next].node] <= distance + rounding) {
       const double duration = pauses[next].duration;
@@ -29,6 +30,9 @@ MotionPlan insert_pauses(const MotionPlan& plan, const std::vector<Path::Pause>&
   };
   for (const Phase& phase : plan.phases) {
     if (phase.speed == 0) insert_up_to(phase.distance, phase.begin);
+    for (; next_spline < plan.splines.size() && plan.splines[next_spline].begin <= phase.begin; ++next_spline) {
+      result.splines[next_spline].begin += delay;
+    }
     result.phases.push_back(phase);
     result.phases.back().begin += delay;
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "toolpace/law/law_table.h"
 #include "toolpace/limits/limit_speed.h"
@@ -12,6 +13,8 @@
 #include "toolpace/plan/hold.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/restraint.h"
+#include "toolpace/plan/smooth/plan_smooth.h"
+#include "toolpace/pipeline/many.h"
 
 namespace toolpace {
 namespace {
@@ -52,6 +55,17 @@ void measure_times(const Outcome& o, const Moves& moves, Summary& summary) {
   }
 }
 
+/// Speed and its changes at the knots and between them.
+void measure_spline(const TimeSpline& spline, Summary& summary) {
+  const std::size_t halves = 2 * (spline.points() - 3);
+  for (std::size_t i = 0; i <= halves; ++i) {
+    const SplineState state = evaluate(spline, static_cast<double>(i) * spline.step / 2);
+    summary.max_speed = std::max(summary.max_speed, state.speed);
+    summary.max_acceleration = std::max(summary.max_acceleration, std::abs(state.acceleration));
+    summary.max_jerk = std::max(summary.max_jerk, std::abs(state.jerk));
+  }
+}
+
 Summary summarise(const Outcome& o, const Moves& moves) {
   Summary s;
   s.blocks = static_cast<std::size_t>(std::count_if(moves.kind.begin(), moves.kind.end(), is_motion));
@@ -65,11 +79,54 @@ Summary summarise(const Outcome& o, const Moves& moves) {
     s.max_acceleration = std::max({s.max_acceleration, e.max_acceleration, e.max_deceleration});
     s.max_jerk = std::max(s.max_jerk, e.max_jerk);
   }
+  for (const TimeSpline& spline : o.plan.splines) measure_spline(spline, s);
   if (!law_row(o.job->options.law).bounds_jerk) s.max_jerk = kUnlimited;
   measure_times(o, moves, s);
   s.time_by_cause = time_by_cause(o.restraints);
   if (o.job->bound) s.bound = lower_bound(o.limits, o.job->options.law) + s.dwell_time;
   return s;
+}
+
+/// Arrival at each node in a plan with pauses: the planner's times, later by the pauses before the node.
+std::vector<double> delayed_times(std::vector<double> times, const std::vector<Path::Pause>& pauses) {
+  double delay = 0.0;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    times[i] += delay;
+    for (; next < pauses.size() && pauses[next].node == i; ++next) delay += pauses[next].duration;
+  }
+  return times;
+}
+
+/// On all cores; what the tasks compute does not depend on how many there are.
+ForEach on_all_cores(const Monitor& monitor) {
+  return [&monitor](std::size_t count, const std::function<void(std::size_t)>& task) {
+    const auto threads = std::max(1u, std::thread::hardware_concurrency());
+    // Cancelling is the tasks' own business.
+    (void)for_many<char>(count, threads, {monitor.stop, {}}, [&](std::size_t i, const Monitor&) -> Result<char> {
+      task(i);
+      return '\0';
+    });
+  };
+}
+
+/// Plans by the job's corner rule: along the path, or through the tube around it.
+Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& job, const SpeedLimits& limits,
+                             const Monitor& monitor) {
+  if (job.options.corner.rule == CornerRule::smooth && !job.options.corner.step) {
+    return plan_smooth(path, moves, job.machine, limits, job.options, on_all_cores(monitor), monitor);
+  }
+  auto plan = plan_motion(limits, job.options, monitor);
+  if (!plan) return tl::unexpected(plan.error());
+  SmoothPlan result;
+  result.node_time = node_times(limits, *plan);
+  result.plan = std::move(*plan);
+  return result;
+}
+
+Error no_hold_in_a_tube() {
+  return {ErrorKind::usage, "hold-in-tube", "a feed hold inside a smoothed motion is not planned",
+          "use another corner rule to plan the hold", {}, {}};
 }
 
 }  // namespace
@@ -82,23 +139,28 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   if (!path) return tl::unexpected(path.error());
   auto limits = limit_speed(*path, moves, job->machine, limit_options(job->options), stage(monitor, 0.2, 0.4));
   if (!limits) return tl::unexpected(limits.error());
-  auto plan = plan_motion(*limits, job->options, stage(monitor, 0.4, 0.9));
-  if (!plan) return tl::unexpected(plan.error());
+  auto planned = plan_rule(*path, moves, *job, *limits, stage(monitor, 0.4, 0.9));
+  if (!planned) return tl::unexpected(planned.error());
 
   Outcome outcome;
   outcome.job = std::move(job);
   outcome.path = std::make_shared<const Path>(std::move(*path));
   outcome.limits = std::move(*limits);
-  outcome.plan = insert_pauses(*plan, outcome.path->pauses, node_positions(outcome.limits));
+  outcome.node_time = delayed_times(std::move(planned->node_time), outcome.path->pauses);
+  outcome.plan = insert_pauses(planned->plan, outcome.path->pauses, node_positions(outcome.limits));
   if (const auto hold = outcome.job->options.hold_at) {
+    if (!outcome.plan.splines.empty()) return tl::unexpected(no_hold_in_a_tube());
     auto held = insert_hold(outcome.limits, outcome.plan, outcome.job->options, {*hold}, stage(monitor, 0.9, 0.95));
     if (!held) return tl::unexpected(held.error());
     outcome.plan = std::move(*held);
+    outcome.node_time = node_times(outcome.limits, outcome.plan);
   }
-  outcome.node_time = node_times(outcome.limits, outcome.plan);
   outcome.restraints = explain(outcome.limits, outcome.plan, outcome.node_time, outcome.job->options);
   outcome.warnings = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.summary = summarise(outcome, moves);
+  outcome.summary.tube_deviation = planned->deviation;
+  outcome.summary.tube_windows = planned->windows;
+  outcome.summary.tube_fallbacks = planned->fallbacks;
   monitor.report(1.0);
   return outcome;
 }

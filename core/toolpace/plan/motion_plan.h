@@ -6,11 +6,15 @@
 
 #include "toolpace/law/phase.h"
 #include "toolpace/limits/speed_limits.h"
+#include "toolpace/plan/time_spline.h"
 
 namespace toolpace {
 
 struct MotionPlan {
   std::vector<Phase> phases;  ///< dwells are phases at speed 0 that go nowhere
+  /// Stretches that are run as a spline in time, off the path by up to the tolerance, in the order of time. The phases of
+  /// such a stretch only sketch it, one a knot interval: the spline is what is run.
+  std::vector<TimeSpline> splines;
 
   /// [s]
   double cycle_time() const { return phases.empty() ? 0.0 : phases.back().begin + phases.back().duration; }

@@ -51,6 +51,7 @@ void Sampler::seek(std::size_t row) {
   const auto after = std::upper_bound(plan_.phases.begin(), plan_.phases.end(), time,
                                       [](double t, const Phase& p) { return t < p.begin; });
   phase_ = after == plan_.phases.begin() ? 0 : static_cast<std::size_t>(after - plan_.phases.begin()) - 1;
+  spline_ = 0;
   segment_ = 0;
   segment_begin_ = 0.0;
   if (path_.size() > 0) load_segment();
@@ -60,6 +61,13 @@ PhaseState Sampler::state_at(double time) {
   while (phase_ + 1 < plan_.phases.size() && plan_.phases[phase_ + 1].begin <= time) ++phase_;
   const Phase& phase = plan_.phases[phase_];
   return evaluate(phase, std::min(time - phase.begin, phase.duration));
+}
+
+/// The spline that is run at this time, if any. Times may only rise between calls.
+const TimeSpline* Sampler::spline_at(double time) {
+  const auto& splines = plan_.splines;
+  while (spline_ < splines.size() && splines[spline_].begin + splines[spline_].duration() < time) ++spline_;
+  return spline_ < splines.size() && splines[spline_].begin <= time ? &splines[spline_] : nullptr;
 }
 
 void Sampler::load_segment() {
@@ -89,6 +97,12 @@ void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
     state = state_at(static_cast<double>(row) * period_);
     if (path_.size() > 0) {
       enter_segment(state.distance);
+      const double time = static_cast<double>(row) * period_;
+      if (const TimeSpline* spline = spline_at(time)) {
+        const SplineState run = evaluate(*spline, time - spline->begin);
+        write(chunk, at, run.position, {state.distance, run.speed, run.acceleration, run.jerk});
+        return;
+      }
       const double s = std::clamp(state.distance - segment_begin_, 0.0, path_.length[segment_]);
       if (path_.kind[segment_] == SegmentKind::line) {
         point = path_.node[segment_] + s * direction_;
@@ -100,6 +114,10 @@ void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
       point = path_.node.front();
     }
   }
+  write(chunk, at, point, state);
+}
+
+void Sampler::write(Setpoints& chunk, std::size_t at, const AxisVector& point, const PhaseState& state) const {
   const std::size_t axes = rotary_ ? kAxisCount : 3;
   for (std::size_t k = 0; k < axes; ++k) chunk.position[k][at] = point[static_cast<Eigen::Index>(k)];
   chunk.speed[at] = state.speed;

@@ -38,6 +38,8 @@ class Sampler {
  private:
   PhaseState state_at(double time);
   void write_row(Setpoints& chunk, std::size_t row, std::size_t at);
+  void write(Setpoints& chunk, std::size_t at, const AxisVector& point, const PhaseState& state) const;
+  const TimeSpline* spline_at(double time);
   void enter_segment(double distance);
   void load_segment();
 
@@ -48,6 +50,7 @@ class Sampler {
   std::size_t rows_ = 0;
   std::size_t next_row_ = 0;
   std::size_t phase_ = 0;
+  std::size_t spline_ = 0;
   std::size_t segment_ = 0;
   double segment_begin_ = 0.0;  ///< path position of the segment's start
   AxisVector direction_ = AxisVector::Zero();

@@ -6,7 +6,7 @@
 
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/setup_keys.h"
-#include "toolpace/tune/many.h"
+#include "toolpace/pipeline/many.h"
 
 namespace toolpace {
 namespace {

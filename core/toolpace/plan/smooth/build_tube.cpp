@@ -1,0 +1,192 @@
+#include "toolpace/plan/smooth/build_tube.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toolpace {
+namespace {
+
+constexpr double kChordShare = 0.02;     // of the tolerance, for chords of curves
+constexpr double kMergeShare = 0.02;     // of the tolerance, for short segments made one
+constexpr std::size_t kMostMerged = 32;  // segments in one
+constexpr double kMostTime = 1.0;  // [s] of a segment at its feed: longer ones are cut, so that windows stay small
+constexpr double kMostPieces = 1e6;
+
+double in_tube_unit(int axis, double value) {
+  return is_rotary(static_cast<std::size_t>(axis)) ? value / kRadiansPerDegree : value;
+}
+
+class Builder {
+ public:
+  Builder(const Path& path, const Moves& moves, const Machine& machine, const TubeOptions& options)
+      : path_(path), moves_(moves), machine_(machine), options_(options) {}
+
+  TubePath build(std::size_t begin, std::size_t end) {
+    choose_axes(begin, end);
+    push(path_.node[begin]);
+    tube_.distance.push_back(0.0);
+    for (std::size_t i = begin; i < end; ++i) add_segment(i);
+    close(path_.node[end]);
+    return std::move(tube_);
+  }
+
+ private:
+  void choose_axes(std::size_t begin, std::size_t end) {
+    std::array<bool, kAxisCount> moves{};
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t a = 0; a < kAxisCount; ++a) {
+        const auto at = static_cast<Eigen::Index>(a);
+        moves[a] =
+            moves[a] || path_.node[i + 1][at] != path_.node[begin][at] || (a < 3 && path_.kind[i] != SegmentKind::line);
+      }
+    }
+    for (std::size_t a = 0; a < kAxisCount; ++a) {
+      if (!moves[a]) continue;
+      if (a < 3) ++tube_.linear;
+      tube_.axis[static_cast<std::size_t>(tube_.axes++)] = static_cast<int>(a);
+    }
+  }
+
+  void push(const AxisVector& p) {
+    for (int a = 0; a < tube_.axes; ++a) {
+      const int axis = tube_.axis[static_cast<std::size_t>(a)];
+      tube_.points.push_back(in_tube_unit(axis, p[axis]));
+    }
+  }
+
+  double tolerance(std::size_t i) const {
+    const MoveMode& mode = moves_.modes[moves_.mode[path_.move[i]]];
+    return mode.control == PathControl::blend && mode.tolerance > 0 ? mode.tolerance : options_.tolerance;
+  }
+
+  /// Top speed of a segment along its direction.
+  double feed(std::size_t i) const {
+    const bool rapid = moves_.kind[path_.move[i]] == MoveKind::rapid;
+    double most = machine_.path.speed;
+    if (!rapid) {
+      const double programmed = moves_.feed[path_.move[i]];
+      return std::min(
+          most, (is_rotary_only(path_, i) ? programmed / kRadiansPerDegree : programmed) * options_.feed_override);
+    }
+    const AxisVector u = start_direction(path_, i);
+    for (std::size_t a = 0; a < kAxisCount; ++a) {
+      const double part = std::abs(u[static_cast<Eigen::Index>(a)]);
+      if (part > 0) most = std::min(most, machine_.axes[a].speed / part);
+    }
+    return most * options_.rapid_override;
+  }
+
+  double chords(std::size_t i) const {
+    if (path_.kind[i] == SegmentKind::line) return 1;
+    double bend = 0;
+    for (const double part : {0.0, 0.5, 1.0}) {
+      bend = std::max(bend, frame_at(path_, i, part * path_.length[i]).second.head<3>().norm());
+    }
+    return path_.length[i] * std::sqrt(1.1 * bend / (8 * kChordShare * tolerance(i)));
+  }
+
+  void add_segment(std::size_t i) {
+    const double top = feed(i), length = path_.length[i];
+    const double pieces =
+        std::min(kMostPieces, std::max(chords(i), top < kUnlimited ? length / (top * kMostTime) : 1.0));
+    const double count = std::max(1.0, std::ceil(pieces - 1e-9));
+    for (double k = 1; k <= count; ++k) {
+      add_vertex(k < count ? point_at(path_, i, length * k / count) : path_.node[i + 1], done_ + length * k / count,
+                 top, tolerance(i));
+    }
+    done_ += length;
+  }
+
+  void add_vertex(const AxisVector& p, double distance, double top, double tol) {
+    const std::size_t axes = static_cast<std::size_t>(tube_.axes);
+    push(p);
+    if (merge(distance, top, tol)) return;
+    const double* last = tube_.points.data() + tube_.points.size() - 2 * axes;
+    if (std::equal(last, last + axes, last + axes)) {  // nothing that moves has moved
+      tube_.points.resize(tube_.points.size() - axes);
+      tube_.distance.back() = distance;
+      return;
+    }
+    inner_.clear();
+    tube_.feed.push_back(top);
+    tube_.tolerance.push_back(tol * (1 - kChordShare - kMergeShare));
+    tube_.distance.push_back(distance);
+  }
+
+  /// Lets the last segment end at the vertex just pushed, if all between stay close to it, in order.
+  bool merge(double distance, double top, double tol) {
+    const std::size_t axes = static_cast<std::size_t>(tube_.axes), n = tube_.segments();
+    if (n == 0 || tube_.feed.back() != top || tube_.tolerance.back() != tol * (1 - kChordShare - kMergeShare))
+      return false;
+    if (inner_.size() / axes + 1 >= kMostMerged) return false;
+    if (distance - tube_.distance[n - 1] > top * kMostTime) return false;
+    const double* b = tube_.points.data() + tube_.points.size() - axes;
+    const double *middle = b - axes, *a = middle - axes;
+    inner_.insert(inner_.end(), middle, middle + axes);
+    if (!is_close(a, b, kMergeShare * tol)) {
+      inner_.resize(inner_.size() - axes);
+      return false;
+    }
+    tube_.points.erase(tube_.points.end() - 2 * static_cast<std::ptrdiff_t>(axes),
+                       tube_.points.end() - static_cast<std::ptrdiff_t>(axes));
+    tube_.distance.back() = distance;
+    return true;
+  }
+
+  /// Do all inner points lie within `most` of the chord a b, one after another?
+  bool is_close(const double* a, const double* b, double most) const {
+    const auto axes = static_cast<std::size_t>(tube_.axes);
+    double dd = 0;
+    for (std::size_t q = 0; q < axes; ++q) dd += (b[q] - a[q]) * (b[q] - a[q]);
+    double before = 0;
+    for (std::size_t k = 0; k < inner_.size(); k += axes) {
+      double along = 0, square = 0;
+      for (std::size_t q = 0; q < axes; ++q) along += (inner_[k + q] - a[q]) * (b[q] - a[q]);
+      if (!(along >= before && along <= dd)) return false;
+      before = along;
+      for (std::size_t q = 0; q < axes; ++q) {
+        const double e = inner_[k + q] - a[q] - along / dd * (b[q] - a[q]);
+        square += e * e;
+      }
+      if (square > most * most) return false;
+    }
+    return true;
+  }
+
+  /// A last vertex that was left out because it repeats the one before must still be the exact end.
+  void close(const AxisVector& end) {
+    if (tube_.segments() == 0) return;
+    tube_.points.resize(tube_.points.size() - static_cast<std::size_t>(tube_.axes));
+    push(end);
+  }
+
+  const Path& path_;
+  const Moves& moves_;
+  const Machine& machine_;
+  const TubeOptions& options_;
+  TubePath tube_;
+  double done_ = 0;
+  std::vector<double> inner_;  // vertices that the last segment passes by
+};
+
+}  // namespace
+
+TubePath build_tube(const Path& path, const Moves& moves, const Machine& machine, const TubeOptions& options,
+                    std::size_t begin, std::size_t end) {
+  return Builder(path, moves, machine, options).build(begin, end);
+}
+
+TubeLimits tube_limits(const Machine& machine) {
+  TubeLimits limits;
+  for (std::size_t a = 0; a < kAxisCount; ++a) {
+    const double unit = is_rotary(a) ? kRadiansPerDegree : 1.0;
+    limits.speed[a] = machine.axes[a].speed / unit;
+    limits.acceleration[a] = machine.axes[a].acceleration / unit;
+    limits.jerk[a] = machine.axes[a].jerk / unit;
+  }
+  limits.path_acceleration = std::min(machine.path.acceleration, machine.path.deceleration);
+  limits.path_jerk = std::min(machine.path.jerk, machine.path.jerk_deceleration);
+  return limits;
+}
+
+}  // namespace toolpace

@@ -1,0 +1,180 @@
+#include "toolpace/plan/smooth/plan_smooth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "toolpace/plan/plan.h"
+#include "toolpace/plan/smooth/build_tube.h"
+
+namespace toolpace {
+namespace {
+
+/// Segments begin … end − 1, from rest to rest.
+struct Run {
+  std::size_t begin, end;
+  bool exact;
+};
+
+bool is_exact(const Path& path, const Moves& moves, std::size_t i) {
+  const PathControl control = moves.modes[moves.mode[path.move[i]]].control;
+  return control == PathControl::exact_path || control == PathControl::exact_stop;
+}
+
+std::vector<Run> find_runs(const Path& path, const Moves& moves) {
+  std::vector<Run> runs;
+  std::size_t pause = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    bool stops = false;
+    for (; pause < path.pauses.size() && path.pauses[pause].node <= i; ++pause) stops |= path.pauses[pause].node == i;
+    const bool exact = is_exact(path, moves, i);
+    if (runs.empty() || stops || exact != runs.back().exact || is_rotary_only(path, i) != is_rotary_only(path, i - 1)) {
+      runs.push_back({i, i, exact});
+    }
+    runs.back().end = i + 1;
+  }
+  return runs;
+}
+
+SpeedLimits slice(const SpeedLimits& all, const Run& run) {
+  const auto part = [](const auto& v, std::size_t from, std::size_t to) {
+    return std::decay_t<decltype(v)>(v.begin() + static_cast<std::ptrdiff_t>(from),
+                                     v.begin() + static_cast<std::ptrdiff_t>(to));
+  };
+  SpeedLimits r;
+  r.length = part(all.length, run.begin, run.end);
+  r.block_cap = part(all.block_cap, run.begin, run.end);
+  r.ramp = part(all.ramp, run.begin, run.end);
+  r.block_cause = part(all.block_cause, run.begin, run.end);
+  r.node_cap = part(all.node_cap, run.begin, run.end + 1);
+  r.node_cause = part(all.node_cause, run.begin, run.end + 1);
+  r.node_cap.front() = r.node_cap.back() = 0.0;
+  r.node_cause.front() = r.node_cause.back() = Cause::stop;
+  r.dynamics = all.dynamics;
+  return r;
+}
+
+class SmoothPlanner {
+ public:
+  SmoothPlanner(const Path& path, const Moves& moves, const Machine& machine, const SpeedLimits& limits,
+                const PlanOptions& options)
+      : path_(path),
+        moves_(moves),
+        machine_(machine),
+        limits_(limits),
+        options_(options),
+        position_(node_positions(limits)) {
+    result_.node_time.assign(path.size() + 1, 0.0);
+  }
+
+  Result<SmoothPlan> plan(const ForEach& for_each, const Monitor& monitor) {
+    for (const Run& run : find_runs(path_, moves_)) {
+      if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+      const auto added = run.exact ? add_exact(run, monitor) : add_tube(run, for_each, monitor);
+      if (!added) return tl::unexpected(added.error());
+    }
+    return std::move(result_);
+  }
+
+ private:
+  Result<void> add_exact(const Run& run, const Monitor& monitor) {
+    const SpeedLimits part = slice(limits_, run);
+    auto plan = plan_motion(part, options_, {monitor.stop, {}});
+    if (!plan) return tl::unexpected(plan.error());
+    const std::vector<double> times = node_times(part, *plan);
+    for (std::size_t i = 0; i < times.size(); ++i) result_.node_time[run.begin + i] = time_ + times[i];
+    for (Phase& phase : plan->phases) {
+      phase.begin += time_;
+      phase.distance += position_[run.begin];
+      result_.plan.phases.push_back(phase);
+    }
+    time_ += plan->cycle_time();
+    return {};
+  }
+
+  Result<void> add_tube(const Run& run, const ForEach& for_each, const Monitor& monitor) {
+    const TubePath tube =
+        build_tube(path_, moves_, machine_,
+                   {options_.corner.tolerance, options_.feed_override, options_.rapid_override}, run.begin, run.end);
+    Monitor part{monitor.stop, {}};
+    if (monitor.progress) {
+      const double from = position_[run.begin], to = position_[run.end], all = position_.back();
+      part.progress = [&monitor, from, to, all](double f) { monitor.report((from + f * (to - from)) / all); };
+    }
+    auto motion = plan_tube(tube, tube_limits(machine_), machine_.period, for_each, part);
+    if (!motion) return tl::unexpected(motion.error());
+    result_.deviation = std::max(result_.deviation, motion->deviation);
+    result_.windows += motion->windows;
+    result_.fallbacks += motion->fallbacks;
+    set_node_times(run, tube, *motion);
+    add_spline(run, tube, *motion);
+    sketch(run, tube, *motion);
+    time_ += motion->duration;
+    return {};
+  }
+
+  void set_node_times(const Run& run, const TubePath& tube, const TubeMotion& motion) {
+    std::size_t k = 0;
+    for (std::size_t i = run.begin; i <= run.end; ++i) {
+      const double at = position_[i] - position_[run.begin];
+      while (k + 1 < tube.segments() && tube.distance[k + 1] <= at) ++k;
+      const double length = tube.distance[k + 1] - tube.distance[k];
+      const double part = length > 0 ? std::clamp((at - tube.distance[k]) / length, 0.0, 1.0) : 0.0;
+      result_.node_time[i] = time_ + motion.pass[k] + part * (motion.pass[k + 1] - motion.pass[k]);
+    }
+    result_.node_time[run.end] = time_ + motion.duration;
+  }
+
+  void add_spline(const Run& run, const TubePath& tube, TubeMotion& motion) {
+    TimeSpline spline;
+    spline.begin = time_;
+    spline.step = motion.step;
+    spline.axes = tube.axes;
+    spline.axis = tube.axis;
+    spline.rest = path_.node[run.begin];
+    spline.control = std::move(motion.control);
+    const auto axes = static_cast<std::size_t>(tube.axes);
+    for (std::size_t a = 0; a < axes; ++a) {
+      const auto axis = static_cast<std::size_t>(tube.axis[a]);
+      if (!is_rotary(axis)) continue;
+      for (std::size_t i = a; i < spline.control.size(); i += axes) spline.control[i] *= kRadiansPerDegree;
+    }
+    result_.plan.splines.push_back(std::move(spline));
+  }
+
+  /// Phases, one a knot interval, that say where along the path the spline is and how fast.
+  void sketch(const Run& run, const TubePath& tube, const TubeMotion& motion) {
+    const TimeSpline& spline = result_.plan.splines.back();
+    const std::size_t cells = spline.points() - 3;
+    std::size_t k = 0;
+    SplineState state = evaluate(spline, 0.0);
+    for (std::size_t i = 0; i < cells; ++i) {
+      const double t = static_cast<double>(i) * spline.step;
+      while (k + 2 < motion.pass.size() && motion.pass[k + 1] <= t) ++k;
+      const double span = motion.pass[k + 1] - motion.pass[k];
+      const double part = span > 0 ? std::clamp((t - motion.pass[k]) / span, 0.0, 1.0) : 0.0;
+      const double at = tube.distance[k] + part * (tube.distance[k + 1] - tube.distance[k]);
+      const SplineState next = evaluate(spline, t + spline.step);
+      result_.plan.phases.push_back({time_ + t, spline.step, position_[run.begin] + at, state.speed,
+                                     (next.speed - state.speed) / spline.step, 0.0, PhaseShape::constant_jerk});
+      state = next;
+    }
+  }
+
+  const Path& path_;
+  const Moves& moves_;
+  const Machine& machine_;
+  const SpeedLimits& limits_;
+  const PlanOptions& options_;
+  std::vector<double> position_;
+  double time_ = 0;
+  SmoothPlan result_;
+};
+
+}  // namespace
+
+Result<SmoothPlan> plan_smooth(const Path& path, const Moves& moves, const Machine& machine, const SpeedLimits& limits,
+                               const PlanOptions& options, const ForEach& for_each, const Monitor& monitor) {
+  return SmoothPlanner(path, moves, machine, limits, options).plan(for_each, monitor);
+}
+
+}  // namespace toolpace

@@ -1,0 +1,28 @@
+#pragma once
+/// Planning a whole program through the tolerance tube (--corner smooth).
+
+#include "toolpace/limits/machine.h"
+#include "toolpace/nc/moves.h"
+#include "toolpace/path/path.h"
+#include "toolpace/plan/motion_plan.h"
+#include "toolpace/plan/options.h"
+#include "toolpace/plan/smooth/plan_tube.h"
+
+namespace toolpace {
+
+struct SmoothPlan {
+  MotionPlan plan;
+  std::vector<double> node_time;           ///< arrival at each node of the path [s]
+  double deviation = 0;                    ///< largest distance from the polyline of the path [mm, deg]
+  std::size_t windows = 0, fallbacks = 0;  ///< see TubeMotion
+};
+
+/// Runs of blocks in continuous path mode become one motion each, through the tube; blocks under G61 and G61.1, and the
+/// stops at pauses, stay exactly on the path, planned by the law of the options.
+/// @param limits  of the same path; the corner rule in them counts for the exact blocks alone
+/// @return Errors: of plan_tube and plan_motion
+Result<SmoothPlan> plan_smooth(const Path& path, const Moves& moves, const Machine& machine, const SpeedLimits& limits,
+                               const PlanOptions& options, const ForEach& for_each = for_each_in_turn,
+                               const Monitor& monitor = {});
+
+}  // namespace toolpace

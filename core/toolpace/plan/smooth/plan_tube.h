@@ -1,0 +1,41 @@
+#pragma once
+/// The fastest motion through the tolerance tube of a path, as a cubic B-spline in time.
+
+#include <functional>
+
+#include "toolpace/base/monitor.h"
+#include "toolpace/base/result.h"
+#include "toolpace/plan/smooth/tube_path.h"
+
+namespace toolpace {
+
+/// Runs task(0) … task(count − 1), in any order, on any threads, and returns when all are done.
+using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
+
+/// The same on the calling thread.
+void for_each_in_turn(std::size_t count, const std::function<void(std::size_t)>& task);
+
+struct TubeMotion {
+  double step = 0.001;          ///< h [s]
+  std::vector<double> control;  ///< control points, axes values each [mm, deg]; the first and last three are equal
+  std::vector<double> pass;     ///< when each vertex of the path is passed [s], from 0 on; never falling
+  double deviation = 0;         ///< largest distance from the polyline at stations and vertices [mm, deg]
+  std::size_t windows = 0;      ///< optimised
+  std::size_t fallbacks = 0;    ///< of these, planned with stops because no faster plan passed every check
+  double duration = 0;          ///< [s], a whole number of steps
+};
+
+/// Plans a path from rest to rest.
+///
+/// Guarantees: differences of the control points prove every speed, acceleration and jerk limit for all t; every point at
+/// a multiple of the period and every vertex of the path is within the tolerance of the other curve, in order (a Fréchet
+/// matching up to the sag of one period, √3·A·Ts²/8). Not guaranteed: the global optimum. Windows of bounded size are
+/// planned independently of each other, then the stops between them are removed, so time is linear, memory beyond the
+/// result bounded, and the result the same whatever runs the tasks.
+///
+/// @param period  interpolation period [s] > 0
+/// @return Error "cancelled"; usage "tube-unbounded" where neither acceleration nor jerk of a moving axis is bounded
+Result<TubeMotion> plan_tube(const TubePath& path, const TubeLimits& limits, double period,
+                             const ForEach& for_each = for_each_in_turn, const Monitor& monitor = {});
+
+}  // namespace toolpace

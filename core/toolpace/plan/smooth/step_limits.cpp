@@ -1,0 +1,51 @@
+#include "toolpace/plan/smooth/step_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toolpace::tube {
+namespace {
+
+/// Time that a move of the tube's size takes: from jerk ∛(tol/J), from acceleration √(tol/A); the slower one counts.
+double turning_time(const TubePath& path, const TubeLimits& limits) {
+  double acceleration = limits.path_acceleration, jerk = limits.path_jerk;
+  for (int a = 0; a < path.axes; ++a) {
+    const auto axis = static_cast<std::size_t>(path.axis[static_cast<std::size_t>(a)]);
+    acceleration = std::min(acceleration, limits.acceleration[axis]);
+    jerk = std::min(jerk, limits.jerk[axis]);
+  }
+  const double tolerance = *std::min_element(path.tolerance.begin(), path.tolerance.end());
+  return std::max(std::cbrt(tolerance / jerk), std::sqrt(tolerance / acceleration));
+}
+
+/// Largest h ≤ wanted, or a little above, that is a whole number of periods or a whole part of one.
+double step_near(double wanted, double period) {
+  if (wanted >= 0.8 * period) return period * std::clamp(std::floor(wanted / period + 0.2), 1.0, 8.0);
+  return period / std::clamp(std::ceil(period / wanted - 0.25), 1.0, 8.0);
+}
+
+}  // namespace
+
+StepLimits step_limits(const TubePath& path, const TubeLimits& limits, double period) {
+  StepLimits s;
+  const double h = step_near(0.45 * turning_time(path, limits), period);
+  s.step = h;
+  s.samples = std::max(1, static_cast<int>(std::lround(h / period)));
+  s.linear = path.linear > 0 ? path.linear : path.axes;
+  for (std::size_t a = 0; a < kAxisCount; ++a) {
+    if (static_cast<int>(a) >= path.axes) {  // a coordinate that never moves
+      for (auto& order : s.order) order[a] = TubeLimits::kNone;
+      continue;
+    }
+    const auto axis = static_cast<std::size_t>(path.axis[a]);
+    s.order[0][a] = limits.speed[axis] * h;
+    s.order[1][a] = limits.acceleration[axis] * h * h;
+    s.order[2][a] = limits.jerk[axis] * h * h * h;
+  }
+  s.norm[0] = TubeLimits::kNone;
+  s.norm[1] = limits.path_acceleration * h * h;
+  s.norm[2] = limits.path_jerk * h * h * h;
+  return s;
+}
+
+}  // namespace toolpace::tube
