@@ -1,0 +1,29 @@
+#include "support/screenshot.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QSet>
+
+#include "theme/appearance.h"
+
+namespace toolpace::ui {
+
+QImage screenshot(QWidget& widget, const QString& name) {
+  QApplication::processEvents();
+  const QImage image = widget.grab().toImage();
+  QDir().mkpath(TOOLPACE_SCREENSHOTS);
+  image.save(QString(TOOLPACE_SCREENSHOTS) + "/" + name + ".png");
+  return image;
+}
+
+void wear(const Theme& theme) { apply_theme(*qApp, theme, false); }
+
+int colours_in(const QImage& image) {
+  QSet<QRgb> colours;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) colours.insert(image.pixel(x, y));
+  }
+  return static_cast<int>(colours.size());
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,48 @@
+#pragma once
+/// The speed over the whole program in miniature, with the visible window; drag the window or its edges.
+
+#include <QPixmap>
+
+#include "plots/time_strip.h"
+
+namespace toolpace::ui {
+
+class OverviewStrip : public TimeStrip {
+  Q_OBJECT
+
+ public:
+  explicit OverviewStrip(QWidget* parent = nullptr);
+
+  void setRange(double begin, double end);  ///< [s] visible
+  void setCursorTime(std::optional<double> time);
+
+  QSize sizeHint() const override { return {300, 36}; }
+
+ signals:
+  void rangeRequested(double begin, double end);
+
+ protected:
+  void refresh() override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  enum class Grip { none, window, left, right };
+
+  double duration() const { return series_ && !series_->is_empty() ? series_->duration() : 1.0; }
+  double xOf(double time) const { return left_ + time / duration() * (right_ - left_); }
+  double timeAt(double x) const { return (x - left_) / std::max(right_ - left_, 1.0) * duration(); }
+  Grip gripAt(double x) const;
+  void drawMiniature();
+
+  double begin_ = 0, end_ = 1;
+  std::optional<double> cursor_;
+  QPixmap miniature_;
+  Grip grip_ = Grip::none;
+  double grip_offset_ = 0;  // from the window's begin to the mouse [s]
+};
+
+}  // namespace toolpace::ui

@@ -1,0 +1,224 @@
+#include "plots/profile_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "toolpace/path/path.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr double kPixelsPerPoint = 3;
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+/// The window cut to the plan; its pixels keep their width.
+TimeWindow clipped(const ProfileSeries& series, const TimeWindow& window) {
+  const double begin = std::max(window.begin, 0.0), end = std::min(window.end, series.duration());
+  const double share = (end - begin) / (window.end - window.begin);
+  return {begin, end, std::max(static_cast<int>(std::lround(window.columns * share)), 1)};
+}
+
+/// Least and greatest value of one pixel as a vertical stroke that goes on where the last one stopped.
+void add_stroke(Curve& curve, double time, const Extent& extent) {
+  if (extent.is_empty()) return curve.add(time, kNothing);
+  if (extent.low == extent.high) return curve.add(time, extent.low);
+  const double last = curve.value.isEmpty() ? extent.low : curve.value.back();
+  const bool upwards = !(std::abs(last - extent.high) < std::abs(last - extent.low));
+  curve.add(time, upwards ? extent.low : extent.high);
+  curve.add(time, upwards ? extent.high : extent.low);
+}
+
+void add_exact(MotionCurves& curves, const Phase& p, double from, double to, double pixel) {
+  const bool bent = p.rate != 0;
+  const int parts = bent ? static_cast<int>(std::clamp((to - from) / pixel / kPixelsPerPoint, 2.0, 2000.0)) : 1;
+  for (int k = 0; k <= parts; ++k) {
+    const double time = from + (to - from) * k / parts;
+    const PhaseState state = evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
+    curves.speed.add(time, state.speed);
+    curves.acceleration.add(time, state.acceleration);
+    curves.jerk.add(time, state.jerk);
+  }
+}
+
+MotionExtent extent_between(const ProfileSeries& series, double begin, double end) {
+  const auto& phases = series.outcome->plan.phases;
+  const auto scan = [&](std::size_t first, std::size_t last) { return motion_extent(*series.outcome, first, last); };
+  const std::size_t first = phase_at(*series.outcome, begin), last = phase_at(*series.outcome, end);
+  const auto part = [&](std::size_t i) {
+    const Phase& p = phases[i];
+    const double from = std::clamp(begin - p.begin, 0.0, p.duration), to = std::clamp(end - p.begin, from, p.duration);
+    return bounds(p, from, to);
+  };
+  MotionExtent extent;
+  extent.add(part(first));
+  if (last == first) return extent;
+  extent.add(part(last));
+  if (last > first + 1) extent.add(series.phases.query(first + 1, last, scan));
+  return extent;
+}
+
+/// One value of the blocks as steps in time.
+struct StepCurve {
+  Curve& curve;
+  void add(double begin, double end, const Extent& extent, bool upper) {
+    const double value = extent.is_empty() ? kNothing : upper ? extent.high : extent.low;
+    const bool goes_on = !curve.value.isEmpty() && curve.value.back() == value;
+    if (goes_on) {
+      curve.time.back() = end;
+      return;
+    }
+    curve.add(begin, value);
+    curve.add(end, value);
+  }
+};
+
+void add_caps(CapCurves& curves, double begin, double end, const CapExtent& extent) {
+  StepCurve{curves.feed}.add(begin, end, extent.feed, true);
+  StepCurve{curves.speed}.add(begin, end, extent.speed, true);
+  const auto signed_part = [](const Extent& e, bool upper) {
+    const bool has = !e.is_empty() && (upper ? e.high > 0 : e.low < 0);
+    return has ? e : Extent{};
+  };
+  StepCurve{curves.acceleration_high}.add(begin, end, signed_part(extent.acceleration, true), true);
+  StepCurve{curves.acceleration_low}.add(begin, end, signed_part(extent.acceleration, false), false);
+  StepCurve{curves.jerk_high}.add(begin, end, signed_part(extent.jerk, true), true);
+  StepCurve{curves.jerk_low}.add(begin, end, signed_part(extent.jerk, false), false);
+}
+
+}  // namespace
+
+MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& whole) {
+  MotionCurves curves;
+  if (series.is_empty()) return curves;
+  const TimeWindow window = clipped(series, whole);
+  if (!(window.end > window.begin)) return curves;
+  const auto& phases = series.outcome->plan.phases;
+  const double pixel = (window.end - window.begin) / window.columns;
+  const std::size_t first = phase_at(*series.outcome, window.begin), last = phase_at(*series.outcome, window.end);
+  if (last - first < static_cast<std::size_t>(window.columns) / 2 + 2) {
+    for (std::size_t i = first; i <= last; ++i) {
+      const double from = std::max(phases[i].begin, window.begin);
+      const double to = std::min(phases[i].begin + phases[i].duration, window.end);
+      if (to > from) add_exact(curves, phases[i], from, to, pixel);
+    }
+    return curves;
+  }
+  for (int column = 0; column < window.columns; ++column) {
+    const double begin = window.begin + column * pixel, middle = begin + pixel / 2;
+    const MotionExtent extent = extent_between(series, begin, begin + pixel);
+    add_stroke(curves.speed, middle, extent.speed);
+    add_stroke(curves.acceleration, middle, extent.acceleration);
+    add_stroke(curves.jerk, middle, extent.jerk);
+  }
+  return curves;
+}
+
+CapCurves cap_curves(const ProfileSeries& series, const TimeWindow& whole) {
+  CapCurves curves;
+  if (series.is_empty() || series.blocks.size() == 0) return curves;
+  const Outcome& outcome = *series.outcome;
+  const TimeWindow window = clipped(series, whole);
+  if (!(window.end > window.begin)) return curves;
+  const auto scan = [&](std::size_t first, std::size_t last) { return cap_extent(outcome, first, last); };
+  const std::size_t first = block_at(outcome, window.begin), last = block_at(outcome, window.end);
+  if (last - first < static_cast<std::size_t>(window.columns)) {
+    for (std::size_t i = first; i <= last; ++i) {
+      const double begin = std::max(outcome.node_time[i], window.begin),
+                   end = std::min(outcome.node_time[i + 1], window.end);
+      if (end > begin) add_caps(curves, begin, end, scan(i, i + 1));
+    }
+    return curves;
+  }
+  const double pixel = (window.end - window.begin) / window.columns;
+  for (int column = 0; column < window.columns; ++column) {
+    const double begin = window.begin + column * pixel;
+    const std::size_t from = block_at(outcome, begin), to = block_at(outcome, begin + pixel);
+    add_caps(curves, begin, begin + pixel, series.blocks.query(from, to + 1, scan));
+  }
+  return curves;
+}
+
+namespace {
+
+struct AxisState {
+  double speed, acceleration, jerk;
+};
+
+/// By the chain rule from the motion along the path and the path's frame.
+AxisState axis_state(const Outcome& outcome, std::size_t block, double time, std::size_t axis) {
+  const Path& path = *outcome.path;
+  const auto& phases = outcome.plan.phases;
+  const auto state_at = [&](double t) {
+    const Phase& p = phases[phase_at(outcome, t)];
+    return evaluate(p, std::clamp(t - p.begin, 0.0, p.duration));
+  };
+  const PhaseState s = state_at(time);
+  const double along = std::clamp(s.distance - state_at(outcome.node_time[block]).distance, 0.0, path.length[block]);
+  const Frame frame = frame_at(path, block, along);
+  const auto i = static_cast<Eigen::Index>(axis);
+  return {frame.first[i] * s.speed, frame.first[i] * s.acceleration + frame.second[i] * s.speed * s.speed,
+          frame.first[i] * s.jerk + 3 * frame.second[i] * s.speed * s.acceleration +
+              frame.third[i] * s.speed * s.speed * s.speed};
+}
+
+void add_axis_block(MotionCurves& curves, const Outcome& outcome, std::size_t block, const TimeWindow& part,
+                    std::size_t axis) {
+  const int parts = std::clamp(part.columns / 2, 2, 2000);
+  for (int k = 0; k <= parts; ++k) {
+    // A hair inside the block, so that a corner is a step and not a slope.
+    const double share = std::clamp(static_cast<double>(k) / parts, 1e-6, 1 - 1e-6);
+    const double time = part.begin + (part.end - part.begin) * share;
+    const AxisState state = axis_state(outcome, block, time, axis);
+    curves.speed.add(time, state.speed);
+    curves.acceleration.add(time, state.acceleration);
+    curves.jerk.add(time, state.jerk);
+  }
+}
+
+MotionExtent axis_extent(const Outcome& outcome, double begin, double end, std::size_t axis) {
+  constexpr std::size_t kMostBlocks = 64;
+  const std::size_t first = block_at(outcome, begin), last = block_at(outcome, end);
+  const std::size_t stride = (last - first) / kMostBlocks + 1;
+  MotionExtent extent;
+  for (std::size_t i = first; i <= last; i += stride) {
+    const double from = std::max(begin, outcome.node_time[i]), to = std::min(end, outcome.node_time[i + 1]);
+    for (const double share : {0.01, 0.5, 0.99}) {
+      const AxisState state = axis_state(outcome, i, from + (to - from) * share, axis);
+      extent.speed.add(static_cast<float>(state.speed));
+      extent.acceleration.add(static_cast<float>(state.acceleration));
+      extent.jerk.add(static_cast<float>(state.jerk));
+    }
+  }
+  return extent;
+}
+
+}  // namespace
+
+MotionCurves axis_curves(const ProfileSeries& series, const TimeWindow& whole, std::size_t axis) {
+  MotionCurves curves;
+  if (series.is_empty() || series.blocks.size() == 0) return curves;
+  const Outcome& outcome = *series.outcome;
+  const TimeWindow window = clipped(series, whole);
+  if (!(window.end > window.begin)) return curves;
+  const double pixel = (window.end - window.begin) / window.columns;
+  const std::size_t first = block_at(outcome, window.begin), last = block_at(outcome, window.end);
+  if (last - first < static_cast<std::size_t>(window.columns) / 2 + 2) {
+    for (std::size_t i = first; i <= last; ++i) {
+      const double begin = std::max(outcome.node_time[i], window.begin),
+                   end = std::min(outcome.node_time[i + 1], window.end);
+      if (end > begin) add_axis_block(curves, outcome, i, {begin, end, static_cast<int>((end - begin) / pixel)}, axis);
+    }
+    return curves;
+  }
+  for (int column = 0; column < window.columns; ++column) {
+    const double begin = window.begin + column * pixel;
+    const MotionExtent extent = axis_extent(outcome, begin, begin + pixel, axis);
+    add_stroke(curves.speed, begin + pixel / 2, extent.speed);
+    add_stroke(curves.acceleration, begin + pixel / 2, extent.acceleration);
+    add_stroke(curves.jerk, begin + pixel / 2, extent.jerk);
+  }
+  return curves;
+}
+
+}  // namespace toolpace::ui

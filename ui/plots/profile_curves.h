@@ -1,0 +1,44 @@
+#pragma once
+/// The visible part of the motion plots as curves of a few points a pixel: exact phases where they can be told apart,
+/// least and greatest value a pixel where not.
+
+#include <QVector>
+
+#include "plots/profile_series.h"
+
+namespace toolpace::ui {
+
+/// Points of a polyline, times ascending. A NaN value interrupts it.
+struct Curve {
+  QVector<double> time;   ///< [s]
+  QVector<double> value;  ///< core units
+
+  void add(double t, double v) {
+    time.append(t);
+    value.append(v);
+  }
+};
+
+/// A stretch of time as wide as so many pixels.
+struct TimeWindow {
+  double begin, end;  ///< [s], begin < end
+  int columns;        ///< ≥ 1
+};
+
+struct MotionCurves {
+  Curve speed, acceleration, jerk;
+};
+
+MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& window);
+
+struct CapCurves {
+  Curve feed, speed, acceleration_high, acceleration_low, jerk_high, jerk_low;
+};
+
+CapCurves cap_curves(const ProfileSeries& series, const TimeWindow& window);
+
+/// Speed, acceleration and jerk of one axis [mm, rad based]. Where more than 64 blocks share a pixel, 64 of them spread
+/// evenly over it stand for all.
+MotionCurves axis_curves(const ProfileSeries& series, const TimeWindow& window, std::size_t axis);
+
+}  // namespace toolpace::ui

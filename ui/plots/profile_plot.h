@@ -1,0 +1,96 @@
+#pragma once
+/// Three stacked plots of speed, acceleration and jerk over one time axis.
+
+#include <qcustomplot.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "models/units.h"
+#include "plots/cursor_layer.h"
+#include "plots/profile_curves.h"
+
+namespace toolpace::ui {
+
+class ProfilePlot : public QCustomPlot {
+  Q_OBJECT
+
+ public:
+  explicit ProfilePlot(QWidget* parent = nullptr);
+
+  void setSeries(std::shared_ptr<const ProfileSeries> series);
+  void setGhost(std::shared_ptr<const ProfileSeries> series);
+  void setTheme(const Theme& theme);
+  void setUnit(LengthUnit unit);
+  void setAxisShown(std::size_t axis, bool shown);  ///< X, Y, Z
+  void retranslate();
+
+  void setRange(double begin, double end);  ///< [s]; kept inside the plan
+  QCPRange range() const { return time_axes_.back()->range(); }
+  void fit();
+  void zoom(double factor, double around);  ///< [s]
+
+  void setCursorTime(std::optional<double> time);
+  void setMeasures(std::optional<double> first, std::optional<double> second);
+  const std::array<std::optional<double>, 2>& measures() const { return cursor_->measures; }
+
+  /// Left and right edge of the plots [px].
+  std::pair<double, double> edges() const;
+  /// Time the curves took to gather and to draw last [ms]. For the tests of speed.
+  double lastReplotMs() const { return last_replot_ms_; }
+
+ signals:
+  void rangeChanged(double begin, double end);
+  void timeClicked(double time);
+  void measured(double first, double second);
+  void laidOut();
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  static constexpr std::size_t kPlots = 3, kAxes = 3;
+  /// Graphs of one of the three plots.
+  struct Row {
+    QCPAxisRect* rect = nullptr;
+    QCPAxis* value = nullptr;
+    QCPGraph *feed = nullptr, *cap_high = nullptr, *cap_low = nullptr;
+    QCPGraph *ghost = nullptr, *curve = nullptr;
+    std::array<QCPGraph*, kAxes> axis = {};
+    QString quantity;
+    double factor = 1;  // from core units to the axis' numbers
+  };
+
+  void buildRow(std::size_t index);
+  void dress();
+  void dressRow(Row& row);
+  void updateScales();
+  void refill();
+  void updateMarks();
+  double timeAt(double x) const;
+  std::optional<std::size_t> measureAt(double x) const;
+  double duration() const;
+
+  std::array<Row, kPlots> rows_;
+  std::vector<QCPAxis*> time_axes_;
+  CursorLayer* cursor_;
+  std::shared_ptr<const ProfileSeries> series_, ghost_;
+  std::array<bool, kAxes> shown_ = {};
+  Theme theme_ = light_theme();
+  LengthUnit unit_ = LengthUnit::mm;
+  double last_replot_ms_ = 0;
+
+  QPointF pressed_at_;
+  double pressed_begin_ = 0;
+  bool dragging_ = false;
+  std::optional<std::size_t> dragged_measure_;
+};
+
+}  // namespace toolpace::ui

@@ -1,0 +1,68 @@
+#pragma once
+/// What the motion plots draw, ready made on the worker thread: summaries over the phases of a plan. The curves
+/// themselves are evaluated from the exact phases when they are drawn, for the visible time alone.
+
+#include <memory>
+
+#include "plots/cause_times.h"
+#include "plots/pyramid.h"
+#include "preview/phase_bounds.h"
+#include "toolpace/pipeline/job.h"
+
+namespace toolpace::ui {
+
+/// Of a run of phases, along the path [mm, s].
+struct MotionExtent {
+  Extent speed, acceleration, jerk;
+
+  void add(const MotionExtent& other) {
+    speed.add(other.speed);
+    acceleration.add(other.acceleration);
+    jerk.add(other.jerk);
+  }
+  void add(const PhaseBounds& b) {
+    speed.add({static_cast<float>(b.speed.low), static_cast<float>(b.speed.high)});
+    acceleration.add({static_cast<float>(b.acceleration.low), static_cast<float>(b.acceleration.high)});
+    jerk.add({static_cast<float>(b.jerk.low), static_cast<float>(b.jerk.high)});
+  }
+};
+
+/// What a run of blocks allows [mm, s]; entries that are unlimited stay empty.
+struct CapExtent {
+  Extent feed;          ///< programmed, with the override; rapids left out
+  Extent speed;         ///< cap
+  Extent acceleration;  ///< low: braking, negative; high: speeding up
+  Extent jerk;          ///< both signs
+
+  void add(const CapExtent& other) {
+    feed.add(other.feed);
+    speed.add(other.speed);
+    acceleration.add(other.acceleration);
+    jerk.add(other.jerk);
+  }
+};
+
+struct ProfileSeries {
+  std::shared_ptr<const Outcome> outcome;
+  Pyramid<MotionExtent> phases;
+  Pyramid<CapExtent> blocks;  ///< empty where node_time is missing
+  MotionExtent whole;
+  CauseTimes causes;
+
+  double duration() const { return outcome ? outcome->plan.cycle_time() : 0.0; }
+  bool is_empty() const { return !outcome || outcome->plan.phases.empty() || duration() <= 0; }
+};
+
+/// Pure and without a window: call it on the worker. Linear in phases and blocks.
+std::shared_ptr<const ProfileSeries> make_profile_series(std::shared_ptr<const Outcome> outcome);
+
+/// Extents of the phases [first, last) and of what the blocks [first, last) allow.
+MotionExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_t last);
+CapExtent cap_extent(const Outcome& outcome, std::size_t first, std::size_t last);
+
+/// Index of the phase at a time, clamped to the plan. Precondition: there is one.
+std::size_t phase_at(const Outcome& outcome, double time);
+/// Index of the block at a time, clamped to the path. Precondition: node_time is complete.
+std::size_t block_at(const Outcome& outcome, double time);
+
+}  // namespace toolpace::ui

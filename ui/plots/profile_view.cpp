@@ -1,0 +1,248 @@
+#include "plots/profile_view.h"
+
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+#include <QToolButton>
+
+#include "plots/limit_ribbon.h"
+#include "plots/overview_strip.h"
+#include "plots/profile_plot.h"
+
+namespace toolpace::ui {
+namespace {
+
+PhaseState state_at(const ProfileSeries& series, double time) {
+  const Phase& p = series.outcome->plan.phases[phase_at(*series.outcome, time)];
+  return evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
+}
+
+}  // namespace
+
+ProfileView::ProfileView(QWidget* parent) : QWidget(parent) {
+  setObjectName("profileView");
+  plot_ = new ProfilePlot(this);
+  ribbon_ = new LimitRibbon(this);
+  overview_ = new OverviewStrip(this);
+  buildHeader();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(header_);
+  column->addWidget(plot_, 1);
+  column->addWidget(ribbon_);
+  column->addWidget(overview_);
+  connect(plot_, &ProfilePlot::timeClicked, this, &ProfileView::cursorTimeRequested);
+  connect(ribbon_, &LimitRibbon::timeClicked, this, &ProfileView::cursorTimeRequested);
+  connect(overview_, &OverviewStrip::rangeRequested, this, &ProfileView::setVisibleRange);
+  connect(plot_, &ProfilePlot::laidOut, this, &ProfileView::alignStrips);
+  connect(plot_, &ProfilePlot::measured, this, &ProfileView::updateReadout);
+  connect(plot_, &ProfilePlot::rangeChanged, this, [this](double begin, double end) {
+    ribbon_->setRange(begin, end);
+    overview_->setRange(begin, end);
+    emit visibleRangeChanged(begin, end);
+  });
+  retranslate();
+  updateReadout();
+}
+
+void ProfileView::buildHeader() {
+  header_ = new QWidget(this);
+  auto* row = new QHBoxLayout(header_);
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(8);
+  const auto button = [&](const char* name, bool checkable) {
+    auto* b = new QToolButton(header_);
+    b->setObjectName(name);
+    b->setCheckable(checkable);
+    b->setAutoRaise(true);
+    row->addWidget(b);
+    return b;
+  };
+  constexpr std::array names = {"showAxisX", "showAxisY", "showAxisZ"};
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    axes_[i] = button(names[i], true);
+    axes_[i]->setText(QString(QChar('X' + static_cast<int>(i))));
+    connect(axes_[i], &QToolButton::toggled, this, [this, i](bool on) { plot_->setAxisShown(i, on); });
+  }
+  measure_ = button("measure", true);
+  fit_ = button("fitTime", false);
+  row->addStretch(1);
+  readout_ = new QLabel(header_);
+  readout_->setObjectName("profileReadout");
+  readout_->setTextFormat(Qt::PlainText);
+  readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(readout_, 100);
+  connect(measure_, &QToolButton::toggled, this, &ProfileView::setMeasuring);
+  connect(fit_, &QToolButton::clicked, this, &ProfileView::fit);
+}
+
+void ProfileView::retranslate() {
+  setAccessibleName(tr("Motion"));
+  plot_->setAccessibleName(tr("Speed, acceleration and jerk over time"));
+  ribbon_->setAccessibleName(tr("What holds the speed down over time"));
+  overview_->setAccessibleName(tr("Speed over the whole program, with the visible time"));
+  readout_->setAccessibleName(tr("Values at the cursor"));
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const QString text = tr("Show axis %1").arg(axes_[i]->text());
+    axes_[i]->setAccessibleName(text);
+    axes_[i]->setToolTip(text);
+  }
+  measure_->setText(tr("Measure"));
+  measure_->setAccessibleName(tr("Measure"));
+  measure_->setToolTip(tr("Two cursors with their differences (M)"));
+  fit_->setText(tr("Fit"));
+  fit_->setAccessibleName(tr("Fit time"));
+  fit_->setToolTip(tr("Show the whole program"));
+  plot_->retranslate();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+  ribbon_->update();
+  overview_->update();
+}
+
+void ProfileView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+    updateReadout();
+  }
+  QWidget::changeEvent(event);
+}
+
+void ProfileView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_M && event->modifiers() == Qt::NoModifier) return measure_->toggle();
+  QWidget::keyPressEvent(event);
+}
+
+void ProfileView::setSeries(std::shared_ptr<const ProfileSeries> series) {
+  series_ = series;
+  ribbon_->setSeries(series);
+  overview_->setSeries(series);
+  plot_->setSeries(std::move(series));
+  updateReadout();
+}
+
+void ProfileView::setGhost(std::shared_ptr<const ProfileSeries> series) { plot_->setGhost(std::move(series)); }
+
+void ProfileView::setTheme(const Theme& theme) {
+  plot_->setTheme(theme);
+  ribbon_->setTheme(theme);
+  overview_->setTheme(theme);
+}
+
+void ProfileView::setUnit(LengthUnit unit) {
+  unit_ = unit;
+  plot_->setUnit(unit);
+  updateReadout();
+}
+
+void ProfileView::setCursorTime(std::optional<double> time) {
+  cursor_ = time;
+  plot_->setCursorTime(time);
+  overview_->setCursorTime(time);
+  updateReadout();
+}
+
+void ProfileView::setVisibleRange(double begin, double end) { plot_->setRange(begin, end); }
+void ProfileView::fit() { plot_->fit(); }
+
+std::pair<double, double> ProfileView::visibleRange() const { return {plot_->range().lower, plot_->range().upper}; }
+
+void ProfileView::setAxisShown(std::size_t axis, bool shown) { axes_.at(axis)->setChecked(shown); }
+
+bool ProfileView::isMeasuring() const { return measure_->isChecked(); }
+
+void ProfileView::setMeasuring(bool on) {
+  measure_->setChecked(on);
+  if (on && !plot_->measures()[0]) {
+    const auto [begin, end] = visibleRange();
+    plot_->setMeasures(begin + (end - begin) / 3, begin + (end - begin) * 2 / 3);
+  } else if (!on) {
+    plot_->setMeasures({}, {});
+  }
+  updateReadout();
+  emit measuringChanged(on);
+}
+
+QString ProfileView::measureText() const {
+  const auto& at = plot_->measures();
+  if (!at[0] || !at[1] || !series_ || series_->is_empty()) return {};
+  const PhaseState a = state_at(*series_, *at[0]), b = state_at(*series_, *at[1]);
+  return QString("Δt %1   Δv %2   Δs %3")
+      .arg(value_text(*at[1] - *at[0], Quantity::time, unit_), value_text(b.speed - a.speed, Quantity::speed, unit_, 5),
+           value_text(b.distance - a.distance, Quantity::length, unit_));
+}
+
+void ProfileView::updateReadout() {
+  QString text = measureText();
+  if (text.isEmpty() && cursor_ && series_ && !series_->is_empty()) {
+    const PhaseState s = state_at(*series_, *cursor_);
+    text = QString("t %1   v %2   a %3   j %4")
+               .arg(value_text(*cursor_, Quantity::time, unit_), value_text(s.speed, Quantity::speed, unit_, 4),
+                    value_text(s.acceleration, Quantity::acceleration, unit_, 4),
+                    value_text(s.jerk, Quantity::jerk, unit_, 4));
+  }
+  readout_->setText(text);
+}
+
+void ProfileView::alignStrips() {
+  const auto [left, right] = plot_->edges();
+  ribbon_->setEdges(left, right);
+  overview_->setEdges(left, right);
+}
+
+void ProfileView::paintAll(QPainter& painter) const {
+  const auto [left, right] = plot_->edges();
+  painter.drawPicture(0, 0, [&] {
+    QPicture picture;
+    QCPPainter into(&picture);
+    into.setMode(QCPPainter::pmVectorized);
+    plot_->toPainter(&into, plot_->width(), plot_->height());
+    into.end();
+    return picture;
+  }());
+  ribbon_->paintInto(painter, QRectF(left, plot_->height() + 4, right - left, 10), visibleRange().first,
+                     visibleRange().second);
+}
+
+bool ProfileView::exportPicture(const QString& file) const {
+  const QString kind = QFileInfo(file).suffix().toLower();
+  const QSize size(plot_->width(), plot_->height() + 18);
+  QSaveFile out(file);
+  if (!out.open(QIODevice::WriteOnly)) return false;
+  if (kind == "svg") {
+    QSvgGenerator svg;
+    svg.setOutputDevice(&out);
+    svg.setSize(size);
+    svg.setViewBox(QRect({0, 0}, size));
+    QPainter painter(&svg);
+    paintAll(painter);
+  } else if (kind == "pdf") {
+    QPdfWriter pdf(&out);
+    pdf.setResolution(96);
+    pdf.setPageSize(QPageSize(QSizeF(size) * 0.75, QPageSize::Point));
+    pdf.setPageMargins({});
+    QPainter painter(&pdf);
+    paintAll(painter);
+  } else {
+    QImage image(size * 2, QImage::Format_RGB32);
+    image.setDevicePixelRatio(2);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.drawPixmap(0, 0, plot_->toPixmap(size.width(), plot_->height(), 2.0));
+    const auto [left, right] = plot_->edges();
+    ribbon_->paintInto(painter, QRectF(left, plot_->height() + 4, right - left, 10), visibleRange().first,
+                       visibleRange().second);
+    painter.end();
+    if (!image.save(&out, "PNG")) return false;
+  }
+  return out.commit();
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,80 @@
+#pragma once
+/// The motion plots with their controls, the binding-limit ribbon and the overview: shows immutable series, emits
+/// intent.
+
+#include <QWidget>
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "models/units.h"
+#include "plots/profile_series.h"
+#include "theme/theme.h"
+
+class QLabel;
+class QToolButton;
+
+namespace toolpace::ui {
+
+class LimitRibbon;
+class OverviewStrip;
+class ProfilePlot;
+
+class ProfileView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ProfileView(QWidget* parent = nullptr);
+
+  /// Shows a series made by make_profile_series(); null = nothing. The visible time stays unless all was visible.
+  void setSeries(std::shared_ptr<const ProfileSeries> series);
+  /// Plan B, dashed; null = none.
+  void setGhost(std::shared_ptr<const ProfileSeries> series);
+
+  void setTheme(const Theme& theme);
+  void setUnit(LengthUnit unit);
+  void setCursorTime(std::optional<double> time);  ///< [s]
+  void setVisibleRange(double begin, double end);  ///< [s]
+  void setMeasuring(bool on);
+  void setAxisShown(std::size_t axis, bool shown);  ///< 0 = X …
+  void fit();
+
+  std::pair<double, double> visibleRange() const;
+  bool isMeasuring() const;
+  /// Differences between the measuring cursors as shown, such as "Δt 0.500 s  Δv …"; empty when not measuring.
+  QString measureText() const;
+  ProfilePlot& plot() { return *plot_; }
+
+  /// Saves plots and ribbon as they are: .png, .svg or .pdf by extension. False if it cannot be written.
+  bool exportPicture(const QString& file) const;
+
+ signals:
+  void cursorTimeRequested(double time);               ///< [s] somebody clicked
+  void visibleRangeChanged(double begin, double end);  ///< [s]
+  void measuringChanged(bool on);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void buildHeader();
+  void retranslate();
+  void updateReadout();
+  void alignStrips();
+  void paintAll(QPainter& painter) const;
+
+  QWidget* header_;
+  QLabel* readout_;
+  QToolButton* measure_;
+  QToolButton* fit_;
+  std::array<QToolButton*, 3> axes_ = {};
+  ProfilePlot* plot_;
+  LimitRibbon* ribbon_;
+  OverviewStrip* overview_;
+  std::shared_ptr<const ProfileSeries> series_;
+  std::optional<double> cursor_;
+  LengthUnit unit_ = LengthUnit::mm;
+};
+
+}  // namespace toolpace::ui

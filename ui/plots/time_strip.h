@@ -1,0 +1,34 @@
+#pragma once
+/// What the strips under the plots share: one time axis between the same left and right edge as the plots.
+
+#include <QWidget>
+#include <memory>
+
+#include "plots/profile_series.h"
+#include "theme/theme.h"
+
+namespace toolpace::ui {
+
+class TimeStrip : public QWidget {
+ public:
+  using QWidget::QWidget;
+
+  void setTheme(const Theme& theme) { (theme_ = theme, refresh()); }
+  void setSeries(std::shared_ptr<const ProfileSeries> series) { (series_ = std::move(series), refresh()); }
+  /// Left and right edge of the plots [px of this widget].
+  void setEdges(double left, double right) {
+    if (left == left_ && right == right_) return;
+    left_ = left;
+    right_ = right;
+    refresh();
+  }
+
+ protected:
+  virtual void refresh() { update(); }
+
+  Theme theme_ = light_theme();
+  std::shared_ptr<const ProfileSeries> series_;
+  double left_ = 60, right_ = 300;
+};
+
+}  // namespace toolpace::ui

@@ -1,0 +1,323 @@
+#include "preview/contour_canvas.h"
+
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "preview/cause_style.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr int kSettleMs = 140;
+constexpr std::size_t kSmoothWhileMoving = 40'000, kSmoothAtRest = 600'000;  // pieces
+constexpr double kFitMargin = 36, kPickRadius = 8;                           // px
+constexpr double kLeastScale = 1e-7, kMostScale = 1e9;                       // px/mm
+
+}  // namespace
+
+ContourCanvas::ContourCanvas(QWidget* parent) : QWidget(parent) {
+  setObjectName("contourCanvas");
+  setAccessibleName(tr("Contour preview"));
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  settle_.setSingleShot(true);
+  settle_.setInterval(kSettleMs);
+  connect(&settle_, &QTimer::timeout, this, [this] {
+    moving_ = false;
+    redraw();
+  });
+  projection_ = named_view(View::xy);
+  updateColours();
+}
+
+void ContourCanvas::setScene(std::shared_ptr<const ContourScene> scene) {
+  const bool was_empty = !scene_ || scene_->is_empty();
+  scene_ = std::move(scene);
+  hovered_.reset();
+  setCursorTime(cursor_time_);
+  if (was_empty || follows_fit_) fit();
+  redraw();
+}
+
+void ContourCanvas::setGhost(std::shared_ptr<const ContourScene> scene) {
+  ghost_ = std::move(scene);
+  redraw();
+}
+
+void ContourCanvas::setTheme(const Theme& theme) {
+  theme_ = theme;
+  updateColours();
+}
+
+void ContourCanvas::setUnit(LengthUnit unit) {
+  unit_ = unit;
+  update();
+}
+
+void ContourCanvas::setColourBy(ColourBy by) {
+  by_ = by;
+  updateColours();
+}
+
+void ContourCanvas::setColourMap(ColourMap map) {
+  map_ = map;
+  updateColours();
+}
+
+void ContourCanvas::updateColours() {
+  const Ground ground = theme_.dark ? Ground::dark : Ground::light;
+  if (by_ == ColourBy::limit) {
+    colours_.fill(theme_.secondary.rgb());
+    for (std::size_t i = 0; i < kCauseCount; ++i) colours_[i] = cause_colour(static_cast<Cause>(i), ground).rgb();
+  } else {
+    colours_ = colour_table(map_, ground);
+  }
+  redraw();
+}
+
+void ContourCanvas::setEnlargement(double factor) {
+  enlargement_ = std::max(factor, 1.0);
+  redraw();
+}
+
+void ContourCanvas::setTolerance(double tolerance) {
+  tolerance_ = std::max(tolerance, 0.0);
+  redraw();
+}
+
+void ContourCanvas::setCursorTime(std::optional<double> time) {
+  cursor_time_ = time;
+  cursor_.reset();
+  if (time && scene_ && scene_->outcome) cursor_ = place_at(*scene_->outcome, *time);
+  update();
+}
+
+void ContourCanvas::setHighlight(std::optional<std::pair<double, double>> span) {
+  highlight_ = span;
+  update();
+}
+
+void ContourCanvas::setTravelVisible(bool visible) {
+  travel_visible_ = visible;
+  redraw();
+}
+
+void ContourCanvas::setView(View view) {
+  const Projection named = named_view(view);
+  projection_.right = named.right;
+  projection_.up = named.up;
+  fit();
+}
+
+void ContourCanvas::fit() {
+  follows_fit_ = true;
+  projection_ = fitted(projection_, scene_ ? scene_->box : Box{}, QSizeF(size()), kFitMargin);
+  redraw();
+  emit viewChanged();
+}
+
+void ContourCanvas::setProjection(const Projection& projection) {
+  follows_fit_ = false;
+  projection_ = projection;
+  redraw();
+}
+
+void ContourCanvas::zoomBy(double factor, const QPointF& fixed) {
+  follows_fit_ = false;
+  // Below this a float no longer tells neighbouring pixels apart.
+  const double size = scene_ ? scene_->box.diagonal() : 0.0;
+  const double most = size > 0 ? std::min(kMostScale, 4e6 / size * 16) : kMostScale;
+  projection_.zoom(factor, fixed, kLeastScale, std::max(most, projection_.scale));
+  moved();
+}
+
+void ContourCanvas::moved() {
+  moving_ = true;
+  settle_.start();
+  redraw();
+  emit viewChanged();
+}
+
+void ContourCanvas::redraw() {
+  stale_ = true;
+  update();
+}
+
+Projection ContourCanvas::scaled(double ratio) const {
+  Projection p = projection_;
+  p.scale *= ratio;
+  p.origin *= ratio;
+  return p;
+}
+
+void ContourCanvas::drawPicture(QImage& image, const Projection& projection, double ratio, bool smooth) const {
+  image.fill(theme_.surface.rgb());
+  if (!scene_) return;
+  QElapsedTimer clock;
+  clock.start();
+  {
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (travel_visible_) drawTravel(painter, projection);
+    if (tolerance_ > 0) drawBand(painter, projection);
+  }
+  if (ghost_) {
+    draw_scene(
+        image, *ghost_, projection,
+        {ColourBy::speed, nullptr, theme_.plan_b.rgb(), theme_.plan_b.rgb(), 1.4 * ratio, 6 * ratio, true, smooth});
+  }
+  SceneStyle style;
+  style.by = by_;
+  style.colours = scene_->can_colour_by(by_) ? &colours_ : nullptr;
+  style.plain = theme_.accent.rgb();
+  style.rapid = theme_.secondary.rgb();
+  style.width = (smooth ? 1.8 : 1.0) * ratio;
+  style.dash = 5 * ratio;
+  style.smooth = smooth;
+  last_pieces_ = draw_scene(image, *scene_, projection, style);
+  if (scene_->trace && enlargement_ > 1.0) {
+    draw_trace(image, *scene_->trace, projection, enlargement_, theme_.error.rgb(), 1.2 * ratio);
+  }
+  last_draw_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+}
+
+QImage ContourCanvas::render(const QSize& size, double scale) const {
+  QImage image(size * scale, QImage::Format_RGB32);
+  Projection p = projection_;
+  const double ratio =
+      std::min(double(size.width()) / std::max(width(), 1), double(size.height()) / std::max(height(), 1));
+  p.origin =
+      QPointF(size.width() / 2.0, size.height() / 2.0) + (p.origin - QPointF(width() / 2.0, height() / 2.0)) * ratio;
+  p.scale *= ratio * scale;
+  p.origin *= scale;
+  drawPicture(image, p, scale, true);
+  return image;
+}
+
+void ContourCanvas::paintEvent(QPaintEvent*) {
+  const double ratio = devicePixelRatioF();
+  const QSize pixels = (QSizeF(size()) * ratio).toSize();
+  if (stale_ || picture_.size() != pixels) {
+    if (picture_.size() != pixels) picture_ = QImage(pixels, QImage::Format_RGB32);
+    const Projection projection = scaled(ratio);
+    const std::size_t pieces = scene_ ? visible_pieces(*scene_, projection, QSizeF(pixels)) : 0;
+    picture_.setDevicePixelRatio(1.0);
+    drawPicture(picture_, projection, ratio, pieces < (moving_ ? kSmoothWhileMoving : kSmoothAtRest));
+    picture_.setDevicePixelRatio(ratio);
+    stale_ = false;
+  }
+  QPainter painter(this);
+  painter.drawImage(QPointF(0, 0), picture_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawAxes(painter);
+  if (!scene_ || scene_->is_empty()) return drawHint(painter);
+  drawScaleBar(painter);
+  drawHighlight(painter);
+  drawCursor(painter);
+  drawHover(painter);
+}
+
+void ContourCanvas::resizeEvent(QResizeEvent* event) {
+  if (follows_fit_) return fit();
+  // What was in the middle stays there.
+  const QSizeF before = event->oldSize().isValid() ? QSizeF(event->oldSize()) : QSizeF(size());
+  projection_.pan({(width() - before.width()) / 2, (height() - before.height()) / 2});
+  redraw();
+}
+
+void ContourCanvas::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  if (notches != 0) zoomBy(std::pow(1.25, notches), event->position());
+  event->accept();
+}
+
+bool ContourCanvas::isTiny(const QPointF& delta) const { return delta.manhattanLength() < 4; }
+
+void ContourCanvas::mousePressEvent(QMouseEvent* event) {
+  pressed_at_ = dragged_from_ = event->position();
+  dragging_ = false;
+  setFocus(Qt::MouseFocusReason);
+}
+
+void ContourCanvas::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() == Qt::NoButton) return hover(event->position());
+  if (!dragging_ && isTiny(event->position() - pressed_at_)) return;
+  dragging_ = true;
+  hovered_.reset();
+  const QPointF delta = event->position() - dragged_from_;
+  dragged_from_ = event->position();
+  follows_fit_ = false;
+  const bool turns = (event->buttons() & Qt::RightButton) || (event->modifiers() & Qt::ControlModifier);
+  if (turns) {
+    projection_.orbit(-delta.x() * 0.01, -delta.y() * 0.01);
+  } else {
+    projection_.pan(delta);
+  }
+  moved();
+}
+
+void ContourCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  const bool clicked = !dragging_ && event->button() == Qt::LeftButton;
+  dragging_ = false;
+  if (!clicked || !scene_) return;
+  if (const auto hit = pick(*scene_, projection_, event->position(), kPickRadius)) emit cursorTimeRequested(hit->time);
+}
+
+void ContourCanvas::mouseDoubleClickEvent(QMouseEvent*) { fit(); }
+
+void ContourCanvas::keyPressEvent(QKeyEvent* event) {
+  const QPointF middle(width() / 2.0, height() / 2.0);
+  const double step = 48;
+  switch (event->key()) {
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: return zoomBy(1.25, middle);
+    case Qt::Key_Minus: return zoomBy(0.8, middle);
+    case Qt::Key_F: return fit();
+    case Qt::Key_X: return setView(View::yz);
+    case Qt::Key_Y: return setView(View::xz);
+    case Qt::Key_Z:
+      if (event->modifiers() == Qt::NoModifier) return setView(View::xy);
+      break;
+    case Qt::Key_I: return setView(View::iso);
+    default: break;
+  }
+  // The arrows alone step through the program; with Shift they move the picture.
+  if (event->modifiers() == Qt::ShiftModifier) {
+    QPointF by;
+    if (event->key() == Qt::Key_Left) by = {step, 0};
+    if (event->key() == Qt::Key_Right) by = {-step, 0};
+    if (event->key() == Qt::Key_Up) by = {0, step};
+    if (event->key() == Qt::Key_Down) by = {0, -step};
+    if (!by.isNull()) {
+      follows_fit_ = false;
+      projection_.pan(by);
+      return moved();
+    }
+  }
+  QWidget::keyPressEvent(event);
+}
+
+void ContourCanvas::leaveEvent(QEvent*) {
+  hovered_.reset();
+  emit hoverChanged();
+  update();
+}
+
+void ContourCanvas::hover(const QPointF& at) {
+  hover_at_ = at;
+  const bool had = hovered_.has_value();
+  hovered_.reset();
+  if (scene_ && scene_->outcome) {
+    if (const auto hit = pick(*scene_, projection_, at, kPickRadius)) hovered_ = place_at(*scene_->outcome, hit->time);
+  }
+  if (!had && !hovered_) return;
+  emit hoverChanged();
+  update();
+}
+
+}  // namespace toolpace::ui

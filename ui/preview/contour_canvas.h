@@ -1,0 +1,117 @@
+#pragma once
+/// The drawing area of the contour preview: camera, picture, what lies over it, mouse and keys.
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "models/units.h"
+#include "preview/colour_map.h"
+#include "preview/contour_scene.h"
+#include "preview/scene_draw.h"
+#include "theme/theme.h"
+
+namespace toolpace::ui {
+
+class ContourCanvas : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ContourCanvas(QWidget* parent = nullptr);
+
+  void setScene(std::shared_ptr<const ContourScene> scene);
+  void setGhost(std::shared_ptr<const ContourScene> scene);
+  void setTheme(const Theme& theme);
+  void setUnit(LengthUnit unit);
+  void setColourBy(ColourBy by);
+  void setColourMap(ColourMap map);
+  void setEnlargement(double factor);   ///< of the contour error, ≥ 1
+  void setTolerance(double tolerance);  ///< [mm] half width of the band; 0 = none
+  void setCursorTime(std::optional<double> time);
+  void setHighlight(std::optional<std::pair<double, double>> span);  ///< [s]
+  void setTravelVisible(bool visible);
+
+  void setView(View view);
+  void fit();
+  void zoomBy(double factor, const QPointF& fixed);
+  const Projection& projection() const { return projection_; }
+  void setProjection(const Projection& projection);
+
+  const std::shared_ptr<const ContourScene>& scene() const { return scene_; }
+  const Theme& theme() const { return theme_; }
+  LengthUnit unit() const { return unit_; }
+  ColourBy colourBy() const { return by_; }
+  const ColourTable& colours() const { return colours_; }
+  const std::optional<PathPlace>& hovered() const { return hovered_; }
+
+  /// The picture without what follows the cursor, `size` logical px at `scale`, drawn smooth.
+  QImage render(const QSize& size, double scale) const;
+  /// The same as vectors, for SVG and PDF: at most as many lines as a picture of this size can tell apart.
+  void paintVectors(QPainter& painter, const QSizeF& size) const;
+
+  /// Time the last picture took [ms], and its pieces. For the tests of speed.
+  double lastDrawMs() const { return last_draw_ms_; }
+  std::size_t lastPieces() const { return last_pieces_; }
+
+ signals:
+  void cursorTimeRequested(double time);
+  void hoverChanged();
+  void viewChanged();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  QSize sizeHint() const override { return {640, 420}; }
+  QSize minimumSizeHint() const override { return {160, 120}; }
+
+ private:
+  void moved();   // the camera moved: draw quickly now, smoothly when it rests
+  void redraw();  // the contents changed
+  void drawPicture(QImage& image, const Projection& projection, double ratio, bool smooth) const;
+  void drawTravel(QPainter& painter, const Projection& projection) const;
+  void drawBand(QPainter& painter, const Projection& projection) const;
+  void drawHighlight(QPainter& painter) const;
+  void drawCursor(QPainter& painter) const;
+  void drawAxes(QPainter& painter) const;
+  void drawScaleBar(QPainter& painter) const;
+  void drawHover(QPainter& painter) const;
+  void drawHint(QPainter& painter) const;
+  void updateColours();
+  void hover(const QPointF& at);
+  Projection scaled(double ratio) const;
+  bool isTiny(const QPointF& delta) const;
+
+  std::shared_ptr<const ContourScene> scene_, ghost_;
+  Theme theme_ = light_theme();
+  LengthUnit unit_ = LengthUnit::mm;
+  ColourBy by_ = ColourBy::speed;
+  ColourMap map_ = ColourMap::cividis;
+  ColourTable colours_ = {};
+  double enlargement_ = 1.0, tolerance_ = 0.0;
+  bool travel_visible_ = true;
+
+  Projection projection_;
+  bool follows_fit_ = true;  // until the camera is moved by hand, a new size fits again
+  QImage picture_;
+  bool stale_ = true, moving_ = false;
+  mutable double last_draw_ms_ = 0;
+  mutable std::size_t last_pieces_ = 0;
+  QTimer settle_;
+
+  std::optional<double> cursor_time_;
+  std::optional<PathPlace> cursor_, hovered_;
+  std::optional<std::pair<double, double>> highlight_;
+  QPointF pressed_at_, dragged_from_, hover_at_;
+  bool dragging_ = false;
+};
+
+}  // namespace toolpace::ui

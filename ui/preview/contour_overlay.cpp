@@ -1,0 +1,214 @@
+/// What lies over and under the path in the contour preview.
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "preview/cause_style.h"
+#include "preview/contour_canvas.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr std::size_t kMostBandPieces = 20'000, kMostVectors = 200'000;
+
+QColor faded(const QColor& colour, double alpha) {
+  QColor c = colour;
+  c.setAlphaF(static_cast<float>(alpha));
+  return c;
+}
+
+/// 1, 2 or 5 times a power of ten, at most `most`.
+double round_length(double most) {
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * power <= most) return step * power;
+  }
+  return power;
+}
+
+void draw_chip(QPainter& painter, const Theme& theme, const QRectF& area, const QStringList& lines) {
+  painter.setPen(QPen(theme.line, 1));
+  painter.setBrush(faded(theme.surface, 0.94));
+  painter.drawRoundedRect(area, 4, 4);
+  const double step = (area.height() - 8) / static_cast<double>(lines.size());
+  for (int i = 0; i < lines.size(); ++i) {
+    painter.setPen(i == 0 ? theme.text : theme.secondary);
+    painter.drawText(QRectF(area.left() + 8, area.top() + 4 + i * step, area.width() - 16, step),
+                     Qt::AlignVCenter | Qt::AlignLeft, lines[i]);
+  }
+}
+
+}  // namespace
+
+void ContourCanvas::drawTravel(QPainter& painter, const Projection& projection) const {
+  if (!scene_->travel) return;
+  const Box& box = *scene_->travel;
+  const auto corner = [&](int bits) {
+    return projection.map({bits & 1 ? box.high.x() : box.low.x(), bits & 2 ? box.high.y() : box.low.y(),
+                           bits & 4 ? box.high.z() : box.low.z()});
+  };
+  const bool outside = (scene_->box.low.array() < box.low.array() - 1e-9).any() ||
+                       (scene_->box.high.array() > box.high.array() + 1e-9).any();
+  painter.setPen(QPen(outside ? theme_.error : theme_.line, 1.2));
+  for (int from = 0; from < 8; ++from) {
+    for (int bit = 1; bit < 8; bit *= 2) {
+      if (!(from & bit)) painter.drawLine(corner(from), corner(from | bit));
+    }
+  }
+}
+
+void ContourCanvas::drawBand(QPainter& painter, const Projection& projection) const {
+  const double wide = 2 * tolerance_ * projection.scale;
+  const QRectF window = QRectF(painter.viewport()).adjusted(-wide, -wide, wide, wide);
+  if (wide < 3 || !std::isfinite(wide)) return;
+  const auto runs = runs_near(*scene_, projection, window);
+  if (runs.size() * kChunk > kMostBandPieces) return;
+  QPainterPath path;
+  for (const auto& [first, last] : runs) {
+    path.moveTo(projection.map(scene_->point(first)));
+    for (std::size_t i = first + 1; i <= last; ++i) path.lineTo(projection.map(scene_->point(i)));
+  }
+  QPen pen(theme_.accent, wide, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  QColor tint = theme_.accent;
+  const auto blend = [&](int a, int b) { return a + (b - a) * 14 / 100; };
+  tint.setRgb(blend(theme_.surface.red(), tint.red()), blend(theme_.surface.green(), tint.green()),
+              blend(theme_.surface.blue(), tint.blue()));
+  pen.setColor(tint);
+  painter.strokePath(path, pen);
+}
+
+void ContourCanvas::drawHighlight(QPainter& painter) const {
+  if (!highlight_ || scene_->time.size() < 2) return;
+  const auto& time = scene_->time;
+  const auto first = std::upper_bound(time.begin(), time.end(), highlight_->first) - time.begin();
+  const auto last = std::lower_bound(time.begin(), time.end(), highlight_->second) - time.begin();
+  QPainterPath path;
+  const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(first - 1, 0));
+  const auto to = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(last, 0)), time.size() - 1);
+  const std::size_t stride = std::max<std::size_t>((to - from) / kMostBandPieces, 1);
+  path.moveTo(projection_.map(scene_->point(from)));
+  for (std::size_t i = from + 1; i < to; i += stride) path.lineTo(projection_.map(scene_->point(i)));
+  path.lineTo(projection_.map(scene_->point(to)));
+  painter.strokePath(path, QPen(faded(theme_.accent, 0.30), 8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+}
+
+void ContourCanvas::drawCursor(QPainter& painter) const {
+  if (!cursor_) return;
+  const QPointF at = projection_.map(cursor_->point);
+  painter.setPen(QPen(theme_.surface, 4));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(at, 7, 7);
+  painter.setPen(QPen(theme_.accent, 2));
+  painter.drawEllipse(at, 7, 7);
+  painter.setBrush(theme_.accent);
+  painter.drawEllipse(at, 1.5, 1.5);
+}
+
+void ContourCanvas::drawAxes(QPainter& painter) const {
+  const QPointF origin(34, height() - 34);
+  const struct {
+    Eigen::Vector3d direction;
+    QColor colour;
+    const char* name;
+    Qt::PenStyle dash;
+  } axes[] = {{Eigen::Vector3d::UnitX(), theme_.axis_x, "X", Qt::SolidLine},
+              {Eigen::Vector3d::UnitY(), theme_.axis_y, "Y", Qt::DashLine},
+              {Eigen::Vector3d::UnitZ(), theme_.axis_z, "Z", Qt::DotLine}};
+  for (const auto& axis : axes) {
+    const QPointF tip(24 * projection_.right.dot(axis.direction), -24 * projection_.up.dot(axis.direction));
+    const double length = std::hypot(tip.x(), tip.y());
+    painter.setPen(QPen(axis.colour, 1.6, axis.dash, Qt::RoundCap));
+    if (length < 2) {
+      painter.setBrush(axis.colour);
+      painter.drawEllipse(origin, 2, 2);
+      continue;
+    }
+    painter.drawLine(origin, origin + tip);
+    const QPointF label = origin + tip * (1 + 9 / length);
+    painter.drawText(QRectF(label.x() - 8, label.y() - 8, 16, 16), Qt::AlignCenter, axis.name);
+  }
+}
+
+void ContourCanvas::drawScaleBar(QPainter& painter) const {
+  const DisplayUnit unit = display_unit(Quantity::length, unit_);
+  const double most = 110 / projection_.scale * unit.factor;
+  if (!std::isfinite(most) || most <= 0) return;
+  const double shown = round_length(most), pixels = shown / unit.factor * projection_.scale;
+  const QPointF right(width() - 16, height() - 16), left = right - QPointF(pixels, 0);
+  painter.setPen(QPen(theme_.secondary, 1.2));
+  painter.drawLine(left, right);
+  painter.drawLine(left - QPointF(0, 4), left);
+  painter.drawLine(right - QPointF(0, 4), right);
+  painter.drawText(QRectF(right.x() - 160, right.y() - 24, 160, 18), Qt::AlignRight | Qt::AlignBottom,
+                   number_text(shown, 3) + " " + unit.text);
+}
+
+void ContourCanvas::drawHover(QPainter& painter) const {
+  if (!hovered_ || dragging_) return;
+  const QPointF at = projection_.map(hovered_->point);
+  painter.setPen(QPen(theme_.text, 1.5));
+  painter.setBrush(theme_.surface);
+  painter.drawEllipse(at, 3.5, 3.5);
+
+  const auto value = [this](double core, Quantity quantity) { return value_text(core, quantity, unit_, 4); };
+  QStringList lines;
+  QString head;
+  if (hovered_->line > 0) head = tr("line %1").arg(hovered_->line) + "   ";
+  lines << head + value(hovered_->state.speed, Quantity::speed);
+  const auto coordinate = [this](double mm) {
+    return QString::number(mm * display_unit(Quantity::length, unit_).factor, 'f', unit_ == LengthUnit::mm ? 3 : 4);
+  };
+  lines << QString("X %1  Y %2  Z %3")
+               .arg(coordinate(hovered_->point.x()), coordinate(hovered_->point.y()), coordinate(hovered_->point.z()));
+  lines << "a " + value(hovered_->state.acceleration, Quantity::acceleration) + "   j " +
+               value(hovered_->state.jerk, Quantity::jerk);
+  const QFontMetricsF metrics(font());
+  double wide = 0;
+  for (const auto& line : lines) wide = std::max(wide, metrics.horizontalAdvance(line));
+  QRectF area(hover_at_.x() + 16, hover_at_.y() + 16, wide + 18,
+              metrics.height() * static_cast<double>(lines.size()) + 12);
+  if (area.right() > width() - 4) area.moveRight(hover_at_.x() - 12);
+  if (area.bottom() > height() - 4) area.moveBottom(hover_at_.y() - 12);
+  area.moveLeft(std::max(area.left(), 4.0));
+  draw_chip(painter, theme_, area, lines);
+}
+
+void ContourCanvas::drawHint(QPainter& painter) const {
+  QFont large = font();
+  large.setPointSizeF(large.pointSizeF() * 1.25);
+  painter.setFont(large);
+  painter.setPen(theme_.secondary);
+  const QRectF area = QRectF(rect()).adjusted(24, 24, -24, -24);
+  painter.drawText(area, static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap, tr("drop an NC program here"));
+}
+
+void ContourCanvas::paintVectors(QPainter& painter, const QSizeF& size) const {
+  painter.fillRect(QRectF({0, 0}, size), theme_.surface);
+  if (!scene_ || scene_->is_empty()) return;
+  Projection p = projection_;
+  const double ratio = std::min(size.width() / std::max(width(), 1), size.height() / std::max(height(), 1));
+  p.origin = QPointF(size.width() / 2, size.height() / 2) + (p.origin - QPointF(width() / 2.0, height() / 2.0)) * ratio;
+  p.scale *= ratio;
+  painter.setClipRect(QRectF({0, 0}, size));
+  if (travel_visible_) drawTravel(painter, p);
+  const auto by = static_cast<std::size_t>(by_);
+  const bool coloured = scene_->can_colour_by(by_);
+  std::size_t level = scene_->lod.level_for(0.4 / p.scale);
+  while (level + 1 < scene_->lod.levels.size() && scene_->lod.levels[level].boxes.size() * kChunk > kMostVectors)
+    ++level;
+  const LodLevel& lod = scene_->lod.levels[level];
+  const std::size_t pieces = lod.is_full() ? scene_->line.pieces() : lod.vertex.size() - 1;
+  const auto vertex = [&](std::size_t j) { return lod.is_full() ? j : lod.vertex[j]; };
+  for (std::size_t j = 0; j < pieces; ++j) {
+    const bool rapid = scene_->line.style[vertex(j)] == static_cast<std::uint8_t>(PieceStyle::rapid);
+    const auto& levels = lod.is_full() ? scene_->line.level[by] : lod.level[by];
+    const QColor colour = rapid ? theme_.secondary : coloured ? QColor(colours_[levels[j]]) : theme_.accent;
+    painter.setPen(QPen(colour, rapid ? 0.6 : 1.2, rapid ? Qt::DashLine : Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(p.map(scene_->point(vertex(j))), p.map(scene_->point(vertex(j + 1))));
+  }
+}
+
+}  // namespace toolpace::ui

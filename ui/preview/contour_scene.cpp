@@ -1,0 +1,96 @@
+#include "preview/contour_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "preview/scene_builder.h"
+#include "toolpace/path/path.h"
+
+namespace toolpace::ui {
+namespace {
+
+std::optional<Box> travel_box(const Machine& machine) {
+  Box box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& limits = machine.axes[static_cast<std::size_t>(axis)];
+    if (!std::isfinite(limits.travel_min) || !std::isfinite(limits.travel_max)) return std::nullopt;
+    box.low[axis] = limits.travel_min;
+    box.high[axis] = limits.travel_max;
+  }
+  return box;
+}
+
+bool has_plan(const Outcome& outcome) {
+  return outcome.path && outcome.path->size() > 0 && !outcome.plan.phases.empty() &&
+         outcome.node_time.size() == outcome.path->node.size();
+}
+
+}  // namespace
+
+std::shared_ptr<const ContourScene> make_contour_scene(std::shared_ptr<const Outcome> outcome,
+                                                       std::shared_ptr<const ErrorTrace> trace) {
+  auto scene = std::make_shared<ContourScene>();
+  if (trace && trace->time.empty()) trace = nullptr;
+  scene->outcome = outcome;
+  scene->trace = trace;
+  if (!outcome) return scene;
+  if (outcome->job) scene->travel = travel_box(outcome->job->machine);
+  if (!outcome->path || outcome->path->node.empty()) return scene;
+  SceneBuilder builder(*outcome, *scene);
+  has_plan(*outcome) ? builder.build_planned() : builder.build_bare();
+
+  const double size = scene->box.diagonal();
+  if (size > 0)
+    scene->lod = build_lod(scene->line, size / 32768, size / 256);
+  else
+    scene->lod = build_lod(scene->line, 1.0, 1.0);
+  return scene;
+}
+
+std::optional<PathPlace> place_at(const Outcome& outcome, double time) {
+  if (!has_plan(outcome)) return std::nullopt;
+  const auto& phases = outcome.plan.phases;
+  PathPlace place;
+  place.time = std::clamp(std::isfinite(time) ? time : 0.0, 0.0, outcome.plan.cycle_time());
+  auto after = std::upper_bound(phases.begin(), phases.end(), place.time,
+                                [](double t, const Phase& phase) { return t < phase.begin; });
+  const Phase& phase = after == phases.begin() ? phases.front() : *std::prev(after);
+  place.state = evaluate(phase, std::clamp(place.time - phase.begin, 0.0, phase.duration));
+
+  const auto& arrival = outcome.node_time;
+  const auto node = std::upper_bound(arrival.begin(), arrival.end(), place.time) - arrival.begin();
+  place.block = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(node - 1, 0, std::ssize(arrival) - 2));
+  const Path& path = *outcome.path;
+  // Distance from the block's start: the plan knows how far it had come when it arrived there.
+  const double start_time = arrival[place.block];
+  auto first = std::upper_bound(phases.begin(), after == phases.begin() ? std::next(after) : after, start_time,
+                                [](double t, const Phase& p) { return t < p.begin; });
+  const Phase& start = first == phases.begin() ? phases.front() : *std::prev(first);
+  const double start_distance = evaluate(start, std::clamp(start_time - start.begin, 0.0, start.duration)).distance;
+  place.along = std::clamp(place.state.distance - start_distance, 0.0, path.length[place.block]);
+  place.point = point_at(path, place.block, place.along).head<3>();
+  if (outcome.job && outcome.job->program) {
+    const Moves& moves = outcome.job->program->moves;
+    if (path.move[place.block] < moves.line.size()) place.line = moves.line[path.move[place.block]];
+  }
+  return place;
+}
+
+std::optional<std::pair<double, double>> time_of_line(const Outcome& outcome, std::uint32_t line) {
+  if (!has_plan(outcome) || !outcome.job || !outcome.job->program) return std::nullopt;
+  const Moves& moves = outcome.job->program->moves;
+  const Path& path = *outcome.path;
+  std::optional<std::pair<double, double>> span;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::uint32_t row = path.move[i];
+    if (row >= moves.line.size() || moves.line[row] != line || (row < moves.file.size() && moves.file[row] != 0))
+      continue;
+    if (!span) span = {outcome.node_time[i], outcome.node_time[i + 1]};
+    span->second = outcome.node_time[i + 1];
+    // Loops come back to the same line: the first pass is shown.
+    if (i + 1 >= path.size() || path.move[i + 1] != row) break;
+  }
+  return span;
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,224 @@
+#include "preview/contour_view.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QStandardItemModel>
+#include <QSvgGenerator>
+#include <QToolButton>
+
+#include "preview/contour_legend.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr std::array kEnlargements = {1, 10, 100, 1000};
+
+}  // namespace
+
+ContourView::ContourView(QWidget* parent) : QWidget(parent) {
+  setObjectName("contourView");
+  canvas_ = new ContourCanvas(this);
+  legend_ = new ContourLegend(*canvas_, this);
+  buildHeader();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(header_);
+  column->addWidget(canvas_, 1);
+  column->addWidget(legend_);
+  connect(canvas_, &ContourCanvas::cursorTimeRequested, this, &ContourView::cursorTimeRequested);
+  connect(canvas_, &ContourCanvas::hoverChanged, legend_, qOverload<>(&QWidget::update));
+  retranslate();
+  updateChoices();
+  legend_->refresh();
+}
+
+void ContourView::buildHeader() {
+  header_ = new QWidget(this);
+  auto* row = new QHBoxLayout(header_);
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(8);
+  const auto combo = [&](const char* name) {
+    auto* box = new QComboBox(header_);
+    box->setObjectName(name);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    row->addWidget(box);
+    return box;
+  };
+  colour_by_ = combo("colourBy");
+  colour_map_ = combo("colourMap");
+  enlargement_ = combo("errorEnlargement");
+  for (const int factor : kEnlargements) enlargement_->addItem(QStringLiteral("×%1").arg(factor), factor);
+  row->addStretch(1);
+
+  views_ = new QButtonGroup(this);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(0);
+  const std::pair<View, const char*> views[] = {
+      {View::xy, "viewXY"}, {View::xz, "viewXZ"}, {View::yz, "viewYZ"}, {View::iso, "viewIso"}};
+  for (const auto& [view, name] : views) {
+    auto* button = new QToolButton(header_);
+    button->setObjectName(name);
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    views_->addButton(button, static_cast<int>(view));
+    buttons->addWidget(button);
+  }
+  views_->button(static_cast<int>(View::xy))->setChecked(true);
+  fit_ = new QToolButton(header_);
+  fit_->setObjectName("viewFit");
+  fit_->setAutoRaise(true);
+  buttons->addWidget(fit_);
+  row->addLayout(buttons);
+
+  connect(colour_by_, &QComboBox::activated, this,
+          [this] { setColourBy(static_cast<ColourBy>(colour_by_->currentData().toInt())); });
+  connect(colour_map_, &QComboBox::activated, this,
+          [this] { setColourMap(static_cast<ColourMap>(colour_map_->currentIndex())); });
+  connect(enlargement_, &QComboBox::activated, this, [this] { setEnlargement(enlargement_->currentData().toInt()); });
+  connect(views_, &QButtonGroup::idClicked, this, [this](int id) { setView(static_cast<View>(id)); });
+  connect(fit_, &QToolButton::clicked, this, &ContourView::fit);
+}
+
+void ContourView::retranslate() {
+  setAccessibleName(tr("Contour"));
+  canvas_->setAccessibleName(tr("Contour preview"));
+  legend_->setAccessibleName(tr("Legend of the contour preview"));
+  const auto name = [](QWidget* widget, const QString& text, const QString& tip) {
+    widget->setAccessibleName(text);
+    widget->setToolTip(tip);
+  };
+  name(colour_by_, tr("Colour by"), tr("What the colours of the path show"));
+  name(colour_map_, tr("Colour map"), tr("Colour map; all are safe for colour-blind eyes"));
+  name(enlargement_, tr("Error enlargement"), tr("How much the contour error is enlarged"));
+  if (colour_by_->count() == 0) {
+    for (int i = 0; i < static_cast<int>(kColourings); ++i) colour_by_->addItem({}, i);
+    for (int i = 0; i < 3; ++i) colour_map_->addItem({});
+  }
+  for (int i = 0; i < colour_by_->count(); ++i) colour_by_->setItemText(i, colour_by_title(static_cast<ColourBy>(i)));
+  colour_map_->setItemText(0, tr("cividis"));
+  colour_map_->setItemText(1, tr("viridis"));
+  colour_map_->setItemText(2, tr("turbo"));
+
+  const std::array<std::pair<QString, QString>, 4> views = {{{tr("XY"), tr("Look from above (Z)")},
+                                                             {tr("XZ"), tr("Look from the front (Y)")},
+                                                             {tr("YZ"), tr("Look from the right (X)")},
+                                                             {tr("Iso"), tr("Isometric view (I)")}}};
+  for (int i = 0; i < 4; ++i) {
+    auto* button = static_cast<QToolButton*>(views_->button(i));
+    button->setText(views[static_cast<std::size_t>(i)].first);
+    name(button, views[static_cast<std::size_t>(i)].first, views[static_cast<std::size_t>(i)].second);
+  }
+  fit_->setText(tr("Fit"));
+  name(fit_, tr("Fit"), tr("Show the whole path (F)"));
+}
+
+void ContourView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+    legend_->refresh();
+  }
+  QWidget::changeEvent(event);
+}
+
+void ContourView::updateChoices() {
+  auto* items = qobject_cast<QStandardItemModel*>(colour_by_->model());
+  const auto& scene = canvas_->scene();
+  for (int i = 0; i < colour_by_->count(); ++i) {
+    items->item(i)->setEnabled(!scene || scene->is_empty() || scene->can_colour_by(static_cast<ColourBy>(i)));
+  }
+  items->item(static_cast<int>(ColourBy::contour_error))->setEnabled(scene && scene->trace);
+  enlargement_->setVisible(scene && scene->trace);
+}
+
+void ContourView::setScene(std::shared_ptr<const ContourScene> scene) {
+  canvas_->setScene(std::move(scene));
+  updateChoices();
+  legend_->refresh();
+  setHighlightedLine(highlighted_);
+}
+
+void ContourView::setGhost(std::shared_ptr<const ContourScene> scene) { canvas_->setGhost(std::move(scene)); }
+
+void ContourView::setTheme(const Theme& theme) {
+  canvas_->setTheme(theme);
+  legend_->refresh();
+}
+
+void ContourView::setUnit(LengthUnit unit) {
+  canvas_->setUnit(unit);
+  legend_->refresh();
+}
+
+void ContourView::setTolerance(double tolerance) { canvas_->setTolerance(tolerance); }
+void ContourView::setCursorTime(std::optional<double> time) { canvas_->setCursorTime(time); }
+
+void ContourView::setHighlightedLine(std::uint32_t line) {
+  highlighted_ = line;
+  const auto& scene = canvas_->scene();
+  canvas_->setHighlight(line > 0 && scene && scene->outcome ? time_of_line(*scene->outcome, line) : std::nullopt);
+}
+
+void ContourView::setColourBy(ColourBy by) {
+  colour_by_->setCurrentIndex(static_cast<int>(by));
+  if (canvas_->colourBy() == by) return;
+  canvas_->setColourBy(by);
+  legend_->refresh();
+  emit colourByChanged(by);
+}
+
+ColourBy ContourView::colourBy() const { return canvas_->colourBy(); }
+ColourMap ContourView::colourMap() const { return static_cast<ColourMap>(colour_map_->currentIndex()); }
+
+void ContourView::setColourMap(ColourMap map) {
+  colour_map_->setCurrentIndex(static_cast<int>(map));
+  canvas_->setColourMap(map);
+  legend_->refresh();
+}
+
+void ContourView::setEnlargement(double factor) {
+  const int index = enlargement_->findData(static_cast<int>(factor));
+  if (index >= 0) enlargement_->setCurrentIndex(index);
+  canvas_->setEnlargement(factor);
+  emit enlargementChanged(factor);
+}
+
+void ContourView::setView(View view) {
+  view_ = view;
+  views_->button(static_cast<int>(view))->setChecked(true);
+  canvas_->setView(view);
+}
+
+void ContourView::fit() { canvas_->fit(); }
+
+bool ContourView::exportPicture(const QString& file) const {
+  const QString kind = QFileInfo(file).suffix().toLower();
+  QSaveFile out(file);
+  if (!out.open(QIODevice::WriteOnly)) return false;
+  if (kind == "svg") {
+    QSvgGenerator svg;
+    svg.setOutputDevice(&out);
+    svg.setSize(canvas_->size());
+    svg.setViewBox(canvas_->rect());
+    QPainter painter(&svg);
+    canvas_->paintVectors(painter, QSizeF(canvas_->size()));
+  } else if (kind == "pdf") {
+    QPdfWriter pdf(&out);
+    pdf.setResolution(96);
+    pdf.setPageSize(QPageSize(QSizeF(canvas_->size()) * 0.75, QPageSize::Point));
+    pdf.setPageMargins({});
+    QPainter painter(&pdf);
+    canvas_->paintVectors(painter, QSizeF(canvas_->size()));
+  } else if (!canvas_->render(canvas_->size(), 2.0).save(&out, "PNG")) {
+    return false;
+  }
+  return out.commit();
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,75 @@
+#pragma once
+/// The contour preview with its controls and legend: a view of immutable scenes that computes no plan and emits intent.
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "models/units.h"
+#include "preview/contour_canvas.h"
+
+class QButtonGroup;
+class QComboBox;
+class QToolButton;
+
+namespace toolpace::ui {
+
+class ContourLegend;
+
+class ContourView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ContourView(QWidget* parent = nullptr);
+
+  /// Shows a scene made by make_contour_scene(); null = nothing loaded, with the hint to drop a program. The camera
+  /// stays where it is unless nothing was shown before.
+  void setScene(std::shared_ptr<const ContourScene> scene);
+  /// Plan B, drawn dashed beneath; null = none.
+  void setGhost(std::shared_ptr<const ContourScene> scene);
+
+  void setTheme(const Theme& theme);
+  void setUnit(LengthUnit unit);
+  void setTolerance(double tolerance);             ///< [mm] half width of the band round the path; 0 = no band
+  void setCursorTime(std::optional<double> time);  ///< [s]
+  void setHighlightedLine(std::uint32_t line);     ///< NC line; 0 = none
+  void setColourBy(ColourBy by);
+  void setColourMap(ColourMap map);
+  void setEnlargement(double factor);  ///< of the contour error, 1 … 1000
+  void setView(View view);
+  void fit();
+
+  ColourBy colourBy() const;
+  ColourMap colourMap() const;
+  View view() const { return view_; }
+  ContourCanvas& canvas() { return *canvas_; }
+
+  /// Saves the picture without cursor and mouse: .png, .svg or .pdf by extension. False if it cannot be written.
+  bool exportPicture(const QString& file) const;
+
+ signals:
+  void cursorTimeRequested(double time);  ///< [s] somebody clicked on the path
+  void colourByChanged(toolpace::ui::ColourBy by);
+  void enlargementChanged(double factor);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void buildHeader();
+  void retranslate();
+  void updateChoices();
+
+  ContourCanvas* canvas_;
+  ContourLegend* legend_;
+  QWidget* header_;
+  QComboBox* colour_by_;
+  QComboBox* colour_map_;
+  QComboBox* enlargement_;
+  QButtonGroup* views_;
+  QToolButton* fit_;
+  View view_ = View::xy;
+  std::uint32_t highlighted_ = 0;
+};
+
+}  // namespace toolpace::ui

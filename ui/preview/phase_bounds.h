@@ -1,0 +1,48 @@
+#pragma once
+/// Least and greatest speed, acceleration and jerk inside a phase, exact and with sign, for drawing envelopes.
+
+#include <algorithm>
+
+#include "toolpace/law/phase.h"
+
+namespace toolpace::ui {
+
+struct Interval {
+  double low, high;
+
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+struct PhaseBounds {
+  Interval speed;         ///< [mm/s]
+  Interval acceleration;  ///< [mm/s²]
+  Interval jerk;          ///< [mm/s³]
+};
+
+/// Bounds over the stretch from `from` to `to` seconds after the phase's start, 0 ≤ from ≤ to ≤ duration.
+/// @source quintic: Ning et al. 2014, eqs. (3), (4): acceleration peaks in the middle, jerk at τ = (3 ± √3)/6.
+/// Constant jerk: ends, and the speed's vertex where the acceleration is 0.
+inline PhaseBounds bounds(const Phase& p, double from, double to) {
+  const PhaseState a = evaluate(p, from), b = evaluate(p, to);
+  PhaseBounds box{{std::min(a.speed, b.speed), std::max(a.speed, b.speed)},
+                  {std::min(a.acceleration, b.acceleration), std::max(a.acceleration, b.acceleration)},
+                  {std::min(a.jerk, b.jerk), std::max(a.jerk, b.jerk)}};
+  const auto inside = [&](double time) { return time > from && time < to; };
+  if (p.shape == PhaseShape::quintic) {
+    if (inside(p.duration / 2)) box.acceleration.add(evaluate(p, p.duration / 2).acceleration);
+    for (const double tau : {0.21132486540518713, 0.7886751345948129}) {
+      if (inside(tau * p.duration)) box.jerk.add(evaluate(p, tau * p.duration).jerk);
+    }
+  } else if (p.rate != 0) {
+    const double vertex = -p.acceleration / p.rate;
+    if (inside(vertex)) box.speed.add(evaluate(p, vertex).speed);
+  }
+  return box;
+}
+
+inline PhaseBounds bounds(const Phase& p) { return bounds(p, 0.0, p.duration); }
+
+}  // namespace toolpace::ui
