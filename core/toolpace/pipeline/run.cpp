@@ -14,7 +14,7 @@
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/restraint.h"
 #include "toolpace/plan/smooth/plan_smooth.h"
-#include "toolpace/pipeline/many.h"
+#include "toolpace/tune/many.h"
 
 namespace toolpace {
 namespace {
@@ -110,10 +110,24 @@ ForEach on_all_cores(const Monitor& monitor) {
   };
 }
 
+bool is_through_tube(const Job& job) {
+  return job.options.corner.rule == CornerRule::smooth && !job.options.corner.step;
+}
+
+/// A hold stops on the path, and a motion through the tube has left it.
+Error hold_needs_path() {
+  return {ErrorKind::usage,
+          "hold-needs-path",
+          "a feed hold cannot be inserted into a motion through the tolerance tube",
+          "take another corner rule than smooth",
+          {},
+          {}};
+}
+
 /// Plans by the job's corner rule: along the path, or through the tube around it.
 Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& job, const SpeedLimits& limits,
                              const Monitor& monitor) {
-  if (job.options.corner.rule == CornerRule::smooth && !job.options.corner.step) {
+  if (is_through_tube(job)) {
     return plan_smooth(path, moves, job.machine, limits, job.options, on_all_cores(monitor), monitor);
   }
   auto plan = plan_motion(limits, job.options, monitor);
@@ -122,11 +136,6 @@ Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& jo
   result.node_time = node_times(limits, *plan);
   result.plan = std::move(*plan);
   return result;
-}
-
-Error no_hold_in_a_tube() {
-  return {ErrorKind::usage, "hold-in-tube", "a feed hold inside a smoothed motion is not planned",
-          "use another corner rule to plan the hold", {}, {}};
 }
 
 }  // namespace
@@ -149,7 +158,7 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   outcome.node_time = delayed_times(std::move(planned->node_time), outcome.path->pauses);
   outcome.plan = insert_pauses(planned->plan, outcome.path->pauses, node_positions(outcome.limits));
   if (const auto hold = outcome.job->options.hold_at) {
-    if (!outcome.plan.splines.empty()) return tl::unexpected(no_hold_in_a_tube());
+    if (is_through_tube(*outcome.job)) return tl::unexpected(hold_needs_path());
     auto held = insert_hold(outcome.limits, outcome.plan, outcome.job->options, {*hold}, stage(monitor, 0.9, 0.95));
     if (!held) return tl::unexpected(held.error());
     outcome.plan = std::move(*held);

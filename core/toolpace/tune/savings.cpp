@@ -6,7 +6,7 @@
 
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/setup_keys.h"
-#include "toolpace/pipeline/many.h"
+#include "toolpace/tune/many.h"
 
 namespace toolpace {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "toolpace/pipeline/many.h"
+#include "toolpace/tune/many.h"
 
 namespace toolpace {
 namespace {
