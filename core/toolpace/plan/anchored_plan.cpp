@@ -63,7 +63,13 @@ Span span_of_block(const SpeedLimits& limits, std::size_t i, bool touched) {
   return s;
 }
 
-Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap) {
+/// Where anchors may stand.
+enum class AnchorSites : std::uint8_t {
+  touched,         ///< nodes that the optimum touches
+  touched_changed  ///< … and those where the ramp limits change
+};
+
+Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap, AnchorSites sites) {
   const std::vector<double> square = fastest_squares(limits, cap);
   const std::vector<double> position = node_positions(limits);
   Anchors a;
@@ -75,7 +81,9 @@ Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap) 
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const double c = cap[i], f = limits.block_cap[i];
     const bool changes = i > 0 && (limits.block_cap[i - 1] != f || c < f);
-    if (changes && square[i] >= c * c * (1 - kTouch)) add(i);
+    const bool touched = changes && square[i] >= c * c * (1 - kTouch);
+    const bool changed = sites == AnchorSites::touched_changed && i > 0 && limits.ramp[i] != limits.ramp[i - 1];
+    if (touched || changed) add(i);
     const Dynamics& d = limits.dynamics_of(i);
     const double up = d.up.acceleration, down = d.down.acceleration;
     const double share = std::isinf(up) ? 1.0 : up / (up + down);
@@ -248,10 +256,8 @@ class AnchorPlanner {
 };
 
 template <class Law>
-MotionPlan plan_with(const Anchors& anchors, const Monitor& monitor) {
-  const Layout l = AnchorPlanner<Law>(anchors, monitor).run();
+MotionPlan write_plan(const Anchors& anchors, const Layout& l) {
   MotionPlan plan;
-  if (monitor.is_cancelled()) return plan;
   PhaseWriter writer(plan.phases);
   for (std::size_t i = 0; i < l.span.size(); ++i) {
     const double cap = std::max({l.span[i].cap(), l.speed[i], l.speed[i + 1]});
@@ -265,8 +271,22 @@ MotionPlan plan_with(const Anchors& anchors, const Monitor& monitor) {
 
 MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, LawKind law,
                                const Monitor& monitor) {
-  const Anchors anchors = find_anchors(limits, cap);
-  return visit_law(law, [&](auto chosen) { return plan_with<decltype(chosen)>(anchors, monitor); });
+  std::vector<AnchorSites> trials = {AnchorSites::touched};
+  if (limits.dynamics.size() > 1) trials.push_back(AnchorSites::touched_changed);
+  return visit_law(law, [&](auto chosen) {
+    using Law = decltype(chosen);
+    MotionPlan plan;
+    double best = std::numeric_limits<double>::infinity();
+    for (const AnchorSites sites : trials) {
+      const Anchors anchors = find_anchors(limits, cap, sites);
+      const Layout l = AnchorPlanner<Law>(anchors, monitor).run();
+      if (monitor.is_cancelled()) return MotionPlan{};
+      if (!(l.time < best)) continue;
+      best = l.time;
+      plan = write_plan<Law>(anchors, l);
+    }
+    return plan;
+  });
 }
 
 }  // namespace toolpace::detail

@@ -11,8 +11,11 @@
 namespace toolpace::detail {
 namespace {
 
-/// Rounds of lowering caps where a node is crossed too fast to stop in its window.
-constexpr int kWindowRounds = 12;
+/// Rounds of lowering caps where a node is crossed too fast to stop in its window: Newton steps first, then to speeds that
+/// are safe in any case, which no node needs twice.
+constexpr int kNewtonRounds = 8, kSafeRounds = 24;
+/// Shorter windows whose plans are rivals of the wanted one's, and how many blocks may be planned for them in all.
+constexpr std::size_t kRivals = 6, kRivalBlocks = 200000;
 constexpr int kPasses = 1, kPassesForOptimum = 8;
 
 bool is_jerk_hull(LawKind law) { return law == LawKind::seven_phase || law == LawKind::time_optimal; }
@@ -23,16 +26,30 @@ MotionPlan plan_under(const SpeedLimits& limits, const std::vector<double>& cap,
   return plan_span_ramps(limits, cap, law == LawKind::time_optimal ? kPassesForOptimum : kPasses, monitor);
 }
 
+bool is_slower(const MotionPlan& plan, const MotionPlan& other) {
+  return plan.phases.empty() || other.cycle_time() < plan.cycle_time();
+}
+
+/// Without a window.
+MotionPlan plan_whole(const SpeedLimits& limits, LawKind law, const Monitor& monitor) {
+  MotionPlan plan = plan_under(limits, joined_caps(limits), law, monitor);
+  // The hull and the trapezoid under limits that are the same everywhere have no faster rival in block ramps.
+  if (monitor.is_cancelled() || law == LawKind::trapezoid || (is_jerk_hull(law) && limits.dynamics.size() == 1)) {
+    return plan;
+  }
+  MotionPlan other = plan_block_ramps(limits, law, limits.size(), monitor);
+  return is_slower(plan, other) ? other : plan;
+}
+
 /// Plans so that every node can be stopped from; no phases where that did not come to an end.
-MotionPlan plan_in_windows(const SpeedLimits& limits, LawKind law, std::size_t blocks, const Monitor& monitor) {
+MotionPlan plan_in_window(const SpeedLimits& limits, LawKind law, const StopWindow& window, const Monitor& monitor) {
   std::vector<double> cap = joined_caps(limits);
-  if (blocks >= limits.size()) return plan_under(limits, cap, law, monitor);
-  const StopWindow window(limits, law, blocks);
   window.lower(cap);
-  for (int round = 0; round < kWindowRounds; ++round) {
+  for (int round = 0; round < kNewtonRounds + kSafeRounds; ++round) {
     MotionPlan plan = plan_under(limits, cap, law, monitor);
     if (monitor.is_cancelled()) return {};
-    if (window.lower_where_accelerating(plan, cap) == 0) return plan;
+    const auto step = round < kNewtonRounds ? StopWindow::Step::newton : StopWindow::Step::safe;
+    if (window.lower_where_too_fast(plan, step, cap) == 0) return plan;
   }
   return {};
 }
@@ -40,13 +57,20 @@ MotionPlan plan_in_windows(const SpeedLimits& limits, LawKind law, std::size_t b
 }  // namespace
 
 MotionPlan plan_across_blocks(const SpeedLimits& limits, LawKind law, std::size_t blocks, const Monitor& monitor) {
-  MotionPlan plan = plan_in_windows(limits, law, blocks, monitor);
-  if (monitor.is_cancelled()) return {};
-  // The hull without look-ahead under limits that are the same everywhere has no slower rival in block ramps.
-  const bool is_best = law == LawKind::trapezoid || (is_jerk_hull(law) && limits.dynamics.size() == 1);
-  if (is_best && blocks >= limits.size()) return plan;
-  MotionPlan other = plan_block_ramps(limits, law, blocks, monitor);
-  if (plan.phases.empty() || other.cycle_time() < plan.cycle_time()) return other;
+  MotionPlan plan = plan_whole(limits, law, monitor);
+  if (blocks >= limits.size() || monitor.is_cancelled()) return plan;
+  const StopWindow window(limits, law, blocks);
+  if (window.holds(plan)) return plan;
+  plan = {};
+  // What can stop in a shorter window can stop in this one: the shorter ones' plans are rivals, so that a deeper look-ahead
+  // does not cost time where its own plan came out worse.
+  const std::size_t rivals = std::min({blocks - 1, kRivals, kRivalBlocks / limits.size()});
+  for (std::size_t n = blocks - rivals; n <= blocks && !monitor.is_cancelled(); ++n) {
+    for (MotionPlan other : {plan_in_window(limits, law, StopWindow(limits, law, n), monitor),
+                             plan_block_ramps(limits, law, n, monitor)}) {
+      if (!other.phases.empty() && is_slower(plan, other)) plan = std::move(other);
+    }
+  }
   return plan;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "toolpace/law/law_table.h"
+#include "toolpace/plan/increasing_root.h"
 #include "toolpace/plan/plan.h"
 
 namespace toolpace::detail {
@@ -13,6 +14,8 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// A stop that is longer than its window by this share is rounding.
 constexpr double kRounding = 1e-9;
+/// [mm] A rest may be missed by this share of a micrometre.
+constexpr double kLeastWay = 1e-3;
 
 void include(Dynamics& all, const Dynamics& d) {
   for (RampLimits Dynamics::*side : {&Dynamics::up, &Dynamics::down}) {
@@ -62,7 +65,10 @@ StopWindow::StopWindow(const SpeedLimits& limits, LawKind law, std::size_t block
   const Dynamics all = smallest_of_all(limits);
   const double top = *std::max_element(limits.block_cap.begin(), limits.block_cap.end());
   double steepest = 0;
-  for (const Dynamics& d : limits.dynamics) steepest = std::max(steepest, d.up.acceleration);
+  for (const Dynamics& d : limits.dynamics) {
+    steepest = std::max(steepest, d.up.acceleration);
+    highest_jerk_ = std::max(highest_jerk_, d.up.jerk);
+  }
   never_binds_ = stop_length(top, steepest, all) <= shortest;
   if (never_binds_ || blocks == 1) {
     dynamics_ = {all};
@@ -92,23 +98,53 @@ void StopWindow::lower(std::vector<double>& cap) const {
   }
 }
 
-std::size_t StopWindow::lower_where_accelerating(const MotionPlan& plan, std::vector<double>& cap) const {
-  if (never_binds_) return 0;
+/// Calls f(node, state, excess length) until it returns false.
+template <class F>
+void StopWindow::for_each_too_fast(const MotionPlan& plan, F&& f) const {
+  if (never_binds_) return;
   const std::vector<double> time = node_times(limits_, plan);
-  std::size_t count = 0, k = 0;
+  std::size_t k = 0;
   for (std::size_t i = 1; i + 1 < time.size(); ++i) {
     while (k + 1 < plan.phases.size() && plan.phases[k + 1].begin <= time[i]) ++k;
-    if (way_[i] == kUnbounded || cap[i] == 0) continue;
+    if (way_[i] == kUnbounded) continue;
     const PhaseState there = evaluate(plan.phases[k], time[i] - plan.phases[k].begin);
-    if (!(there.acceleration > 0)) continue;
-    const Dynamics& d = dynamics_of(i);
-    const double excess = stop_length(there.speed, there.acceleration, d) - way_[i];
-    if (excess <= way_[i] * kRounding) continue;
-    const double step = 1e-4 * there.speed;
-    const double slope = (stop_length(there.speed + step, there.acceleration, d) - way_[i] - excess) / step;
-    cap[i] = std::clamp(there.speed - excess / slope, 0.01 * there.speed, there.speed * (1 - 1e-6));
-    ++count;
+    const double excess = stop_length(there.speed, there.acceleration, dynamics_of(i)) - way_[i];
+    if (excess > (way_[i] + kLeastWay) * kRounding && !f(i, there, excess)) return;
   }
+}
+
+bool StopWindow::holds(const MotionPlan& plan) const {
+  bool all = true;
+  for_each_too_fast(plan, [&](std::size_t, const PhaseState&, double) { return all = false; });
+  return all;
+}
+
+double StopWindow::safe_speed(double speed, std::size_t node) const {
+  const Dynamics& d = dynamics_of(node);
+  const auto excess = [&](double v) { return stop_length(v, std::sqrt(2 * highest_jerk_ * v), d) - way_[node]; };
+  const double at_speed = excess(speed);
+  return at_speed > 0 ? increasing_root(0.0, speed, -way_[node], at_speed, excess) : speed;
+}
+
+double StopWindow::slower(const PhaseState& there, std::size_t node, double excess) const {
+  const Dynamics& d = dynamics_of(node);
+  const double step = 1e-4 * there.speed;
+  const double slope = (stop_length(there.speed + step, there.acceleration, d) - way_[node] - excess) / step;
+  return std::clamp(there.speed - excess / slope, 0.01 * there.speed, there.speed * (1 - 1e-6));
+}
+
+std::size_t StopWindow::lower_where_too_fast(const MotionPlan& plan, Step step, std::vector<double>& cap) const {
+  std::size_t count = 0;
+  for_each_too_fast(plan, [&](std::size_t node, const PhaseState& there, double excess) {
+    if (way_[node] == 0) {
+      cap[node] = 0;
+    } else {
+      const double v = step == Step::safe ? safe_speed(there.speed, node) : slower(there, node, excess);
+      cap[node] = std::min(cap[node], v);
+    }
+    ++count;
+    return true;
+  });
   return count;
 }
 

@@ -2,6 +2,7 @@
 /// Look-ahead for ramps that run across blocks: at every node the machine can stop inside its window.
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "toolpace/law/law.h"
@@ -19,18 +20,31 @@ class StopWindow {
   /// Lowers caps to what can be stopped from, with zero acceleration, by the law's own ramp.
   void lower(std::vector<double>& cap) const;
 
-  /// Lowers the caps of nodes that the plan crosses too fast for their acceleration: that takes v·a/J + a³/3J² to be
-  /// brought to zero, and a²/2J more speed to be stopped from. One Newton step each.
+  /// Whether the plan could stop inside its window at every node. With an acceleration a > 0 that takes v·a/J + a³/3J² to be
+  /// brought to zero, and a²/2J more speed to be stopped from.
+  bool holds(const MotionPlan& plan) const;
+
+  enum class Step : std::uint8_t {
+    newton,  ///< one Newton step towards the speed from which the stop fits
+    safe     ///< down to where the stop fits whatever the acceleration: a ≤ √(2Jv)
+  };
+
+  /// Lowers the caps of nodes where the plan could not stop.
   /// @return how many nodes there were
-  std::size_t lower_where_accelerating(const MotionPlan& plan, std::vector<double>& cap) const;
+  std::size_t lower_where_too_fast(const MotionPlan& plan, Step step, std::vector<double>& cap) const;
 
  private:
   double stop_length(double speed, double acceleration, const Dynamics& d) const;
+  double safe_speed(double speed, std::size_t node) const;
+  double slower(const PhaseState& there, std::size_t node, double excess) const;
+  template <class F>
+  void for_each_too_fast(const MotionPlan& plan, F&& f) const;
 
   const SpeedLimits& limits_;
   LawKind law_;
   std::vector<double> way_;         ///< length of each node's window [mm]; infinite where it holds the end
   std::vector<Dynamics> dynamics_;  ///< smallest limits in each node's window; one entry where all are the same
+  double highest_jerk_ = 0;         ///< while speeding up [mm/s³]
   bool never_binds_ = false;        ///< even the highest speed and acceleration can be stopped in the shortest window
 
   const Dynamics& dynamics_of(std::size_t node) const { return dynamics_.size() == 1 ? dynamics_[0] : dynamics_[node]; }
