@@ -13,5 +13,6 @@ void add_plan_command(CLI::App& app, Action& action);
 void add_blocks_command(CLI::App& app, Action& action);
 void add_move_command(CLI::App& app, Action& action);
 void add_steps_command(CLI::App& app, Action& action);
+void add_verify_command(CLI::App& app, Action& action);
 
 }  // namespace toolpace::cli

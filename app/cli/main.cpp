@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   add_blocks_command(app, action);
   add_move_command(app, action);
   add_steps_command(app, action);
+  add_verify_command(app, action);
   catch_interrupts();
 
   try {

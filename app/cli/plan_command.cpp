@@ -15,8 +15,8 @@
 #include "report.h"
 #include "toolpace/io/setpoint_writer.h"
 #include "toolpace/law/law_table.h"
+#include "toolpace/pipeline/prove.h"
 #include "toolpace/sample/sampler.h"
-#include "toolpace/verify/verify.h"
 
 namespace toolpace::cli {
 namespace {
@@ -65,14 +65,6 @@ Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, const PlanFlags
     if (auto finished = writer->finish(); !finished) return tl::unexpected(finished.error());
   }
   return pass;
-}
-
-/// Reads the file back and judges it against machine and program.
-Result<VerifyReport> verify_file(const std::string& file, const Outcome& outcome, const Monitor& monitor) {
-  auto opened = open_setpoint_file(file);
-  if (!opened) return tl::unexpected(opened.error());
-  const ProgrammedPath program{*outcome.path, outcome.job->program->moves, {}};
-  return verify(**opened, outcome.job->machine, &program, monitor);
 }
 
 void add_verification(nlohmann::json& json, const std::optional<VerifyReport>& proof) {
@@ -164,7 +156,7 @@ int run_plan(const PlanFlags& flags) {
   if (!pass) return report(pass.error());
   std::optional<VerifyReport> proof;
   if (flags.verify) {
-    auto verified = verify_file(flags.setpoints, *outcome, terminal_monitor("verifying"));
+    auto verified = prove(flags.setpoints, *outcome, terminal_monitor("verifying"));
     end_progress();
     if (!verified) return report(verified.error());
     proof = std::move(*verified);

@@ -16,6 +16,10 @@ void ReadingFlags::add_to(CLI::App& command) {
   command
       .add_option("PROGRAM", program, "NC program (.ngc, .nc, .tap, .gcode …) or polyline (.csv); - = standard input")
       ->required();
+  add_options_to(command);
+}
+
+void ReadingFlags::add_options_to(CLI::App& command) {
   command.add_option("--dialect", dialect, "auto, linuxcnc, fanuc or grbl")
       ->check(CLI::IsMember({"auto", "linuxcnc", "fanuc", "grbl"}));
   command.add_flag("--strict", strict, "Treat every warning as an error");

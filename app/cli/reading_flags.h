@@ -19,6 +19,8 @@ struct ReadingFlags {
 
   /// Adds PROGRAM and the reading flags to a command.
   void add_to(CLI::App& command);
+  /// Adds the reading flags alone.
+  void add_options_to(CLI::App& command);
 
   ReadOptions options() const;
 

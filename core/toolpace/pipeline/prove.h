@@ -1,0 +1,21 @@
+#pragma once
+/// Judging a plan's setpoint file by what the job asked for.
+
+#include <filesystem>
+
+#include "toolpace/pipeline/job.h"
+#include "toolpace/verify/verify.h"
+
+namespace toolpace {
+
+/// The machine as its setpoints are judged: a law that does not bound jerk is not judged by jerk.
+Machine judged_machine(const Machine& machine, const PlanOptions& options);
+
+/// How far from the programmed path a job's setpoints may be [mm]: what rounding leaves for the corner rules that stay on
+/// the path, the tolerance (of the job and of any G64 P or Q in the program) for those that smooth corners.
+double judged_tolerance(const Moves& moves, const CornerOptions& corner);
+
+/// Reads the file back and judges it by machine, options and program. Errors: of verify().
+Result<VerifyReport> prove(const std::filesystem::path& setpoints, const Outcome& outcome, const Monitor& monitor = {});
+
+}  // namespace toolpace
