@@ -192,7 +192,7 @@ bool BlockReader::read_assignment(Scanner& text) {
     return faults_.fail("equals-missing", "'=' is missing after the parameter", "write #number = value", text.column());
   }
   text.take();
-  if (!expressions_.read_value(text, assignment.value)) return false;
+  if (!expressions_.read_assigned(text, assignment.value)) return false;
   assignments_.push_back(std::move(assignment));
   return true;
 }

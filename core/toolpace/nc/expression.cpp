@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "toolpace/base/axes.h"
 
@@ -245,8 +246,12 @@ bool ExpressionReader::read_operator(Scanner& text, Operator& op) {
                                        {"lt", Operator::lt},         {"le", Operator::le}};
   text.peek();
   for (const auto& entry : kEntries) {
-    if (!text.take_word(entry.word)) continue;
+    if ((open_ended_ && entry.op == Operator::end) || !text.take_word(entry.word)) continue;
     op = entry.op;
+    return true;
+  }
+  if (open_ended_) {
+    op = Operator::end;
     return true;
   }
   if (text.peek() == '\0') return faults_.fail("bracket-missing", "']' is missing", "close the bracket", text.column());
@@ -329,9 +334,23 @@ bool ExpressionReader::read_bracketed(Scanner& text, double& value) {
   }
   ++depth_;
   text.take();  // '['
-  Operator next = Operator::end;
-  const bool good = read_value(text, value) && read_operator(text, next) && read_level(text, 1, value, next);
+  const bool outer_open_ended = std::exchange(open_ended_, false);
+  const bool good = read_operators(text, value);
+  open_ended_ = outer_open_ended;
   --depth_;
+  return good;
+}
+
+bool ExpressionReader::read_operators(Scanner& text, double& value) {
+  Operator next = Operator::end;
+  return read_value(text, value) && read_operator(text, next) && read_level(text, 1, value, next);
+}
+
+bool ExpressionReader::read_assigned(Scanner& text, double& value) {
+  if (!fanuc_) return read_value(text, value);
+  open_ended_ = true;
+  const bool good = read_operators(text, value);
+  open_ended_ = false;
   return good;
 }
 

@@ -26,6 +26,9 @@ class ExpressionReader {
     return read_compound(text, value);
   }
 
+  /// A value as it may follow '=': in Fanuc macros also an expression without brackets, "#1=#1+2.*#3".
+  bool read_assigned(Scanner& text, double& value);
+
   /// "[ … ]"
   bool read_bracketed(Scanner& text, double& value);
 
@@ -46,6 +49,7 @@ class ExpressionReader {
   bool read_exists(Scanner& text, double& value);
   bool read_function(Scanner& text, double& value);
   bool apply_function(std::string_view name, std::size_t column, Scanner& text, double& value);
+  bool read_operators(Scanner& text, double& value);
   bool read_operator(Scanner& text, Operator& op);
   bool apply(Operator op, double left, double right, std::size_t column, double& value);
   bool read_level(Scanner& text, int level, double& left, Operator& next);
@@ -53,6 +57,7 @@ class ExpressionReader {
   const Parameters& parameters_;
   FaultSink& faults_;
   bool fanuc_;
+  bool open_ended_ = false;  ///< outside of all brackets an expression ends where no operator follows
   int depth_ = 0;
 };
 

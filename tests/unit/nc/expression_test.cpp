@@ -39,6 +39,25 @@ TEST(Expression, OperatorsBindByLevelAndGoFromLeftToRight) {
   EXPECT_EQ(of("[2 * 3 ** 2 * 2 + 1]"), 37.0);
 }
 
+TEST(Expression, FanucAssignsWithoutBrackets) {
+  Parameters parameters;
+  FaultSink faults;
+  const auto assigned = [&](std::string_view text, char next) {
+    double value = 0.0;
+    Scanner scanner(text);
+    EXPECT_TRUE(ExpressionReader(parameters, faults, true).read_assigned(scanner, value)) << text;
+    EXPECT_EQ(scanner.peek(), next) << text;
+    return value;
+  };
+  EXPECT_EQ(assigned("360.*2/8", '\0'), 90.0);
+  EXPECT_EQ(assigned("1+2*[3-1]", '\0'), 5.0);
+  EXPECT_EQ(assigned("4 (four)", '('), 4.0);
+  EXPECT_EQ(assigned("1+1]", ']'), 2.0);  // left for the block reader to refuse
+  double value = 0.0;
+  Scanner unclosed("[1+2");
+  EXPECT_FALSE(ExpressionReader(parameters, faults, true).read_assigned(unclosed, value));
+}
+
 TEST(Expression, ModuloIsNeverNegative) {
   Evaluation of;
   EXPECT_EQ(of("[-7 MOD 4]"), 1.0);
