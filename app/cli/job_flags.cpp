@@ -1,7 +1,9 @@
 #include "job_flags.h"
 
 #include <charconv>
+#include <utility>
 
+#include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/setup_keys.h"
 
@@ -43,6 +45,33 @@ Result<void> set_lookahead(const std::string& text, std::optional<std::size_t>& 
 
 void set(const std::optional<double>& flag, double& target, double unit = 1.0) {
   if (flag) target = *flag * unit;
+}
+
+/// Names the flag whose number makes no sense on its own; check_setup() judges the whole.
+Result<void> check_positive(const JobFlags& f) {
+  const std::pair<const char*, std::optional<double>> flags[] = {{"--tacc-ms", f.tacc_ms},
+                                                                 {"--tdec-ms", f.tdec_ms},
+                                                                 {"--am", f.am},
+                                                                 {"--dm", f.dm},
+                                                                 {"--jm", f.jm},
+                                                                 {"--jd", f.jd},
+                                                                 {"--vmax", f.vmax},
+                                                                 {"--corner-step-mm-s", f.corner_step},
+                                                                 {"--tolerance-mm", f.tolerance},
+                                                                 {"--junction-deviation-mm", f.junction_deviation},
+                                                                 {"--override-percent", f.override_percent},
+                                                                 {"--rapid-percent", f.rapid_percent},
+                                                                 {"--period-ms", f.period_ms}};
+  for (const auto& [name, value] : flags) {
+    if (!value || *value > 0) continue;
+    return tl::unexpected(Error{ErrorKind::usage,
+                                "bad-limit",
+                                std::string(name) + " " + to_text(*value) + " makes no sense",
+                                "give a value above 0",
+                                {},
+                                {}});
+  }
+  return {};
 }
 
 /// dm and jd follow am and jm where only those are given.
@@ -94,6 +123,7 @@ Result<Setup> JobFlags::setup() const {
         pick("--corner", corner, corner_names(), options.corner.rule), set_lookahead(lookahead, options.lookahead)}) {
     if (!done) return tl::unexpected(done.error());
   }
+  if (auto checked = check_positive(*this); !checked) return tl::unexpected(checked.error());
   set_path_limits(*this, setup->machine.path);
   set(tacc_ms, options.t_acc, 1e-3);
   set(tdec_ms, options.t_dec, 1e-3);

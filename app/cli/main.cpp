@@ -7,6 +7,22 @@
 #include "interrupt.h"
 #include "report.h"
 
+namespace {
+
+/// What was printed may still wait in the buffer: a full disk or a closed pipe shows only here.
+int after_flushing(int code) {
+  using namespace toolpace;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  return cli::report(Error{ErrorKind::io,
+                           "stdout-unwritable",
+                           "standard output cannot be written",
+                           "check that the disk is not full and that the reader of the pipe is still there",
+                           {},
+                           {}});
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace toolpace::cli;
   CLI::App app{"Plans the motion of CNC machines: NC programs in, proven setpoints out.", "toolpace"};
@@ -22,7 +38,7 @@ int main(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
-    return action ? action() : kFine;
+    return after_flushing(action ? action() : kFine);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? kFine : kBadUsage;
   } catch (const std::exception& e) {
