@@ -6,6 +6,7 @@
 #include "toolpace/limits/limit_speed.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job.h"
+#include "toolpace/pipeline/many.h"
 #include "toolpace/pipeline/pauses.h"
 #include "toolpace/pipeline/setup.h"
 #include "toolpace/pipeline/travel.h"
@@ -14,7 +15,6 @@
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/restraint.h"
 #include "toolpace/plan/smooth/plan_smooth.h"
-#include "toolpace/tune/many.h"
 
 namespace toolpace {
 namespace {

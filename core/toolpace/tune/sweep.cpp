@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "toolpace/tune/many.h"
+#include "toolpace/pipeline/many.h"
 
 namespace toolpace {
 namespace {

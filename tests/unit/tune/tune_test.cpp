@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "toolpace/pipeline/setup.h"
-#include "toolpace/tune/many.h"
+#include "toolpace/pipeline/many.h"
 #include "toolpace/tune/savings.h"
 #include "toolpace/tune/sweep.h"
 
