@@ -5,6 +5,7 @@
 #include <string>
 
 #include "commands.h"
+#include "interrupt.h"
 #include "report.h"
 #include "toolpace/io/pulse_writer.h"
 #include "toolpace/sample/pulse_table.h"
@@ -27,7 +28,8 @@ int run_steps(const StepsFlags& flags) {
   move.t_dec = flags.tdec_ms * kSecondsPerMillisecond;
   const auto table = PulseTable::create(move);
   if (!table) return report(table.error());
-  const auto written = write_pulses(flags.output, *table, flags.format);
+  const auto written = write_pulses(flags.output, *table, flags.format, terminal_monitor("writing"));
+  end_progress();
   return written ? kFine : report(written.error());
 }
 
