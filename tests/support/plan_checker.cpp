@@ -97,15 +97,19 @@ class Measure {
     }
   }
 
-  void check_node(const Phase& p, double v) {
-    const auto& before = limits_.dynamics_of(block_ - 1);
+  /// What a rounding of the place is worth in speed², by the accelerations around the present node.
+  double place_slack(double share) const {
+    const auto& before = limits_.dynamics_of(block_ > 0 ? block_ - 1 : 0);
     const auto& after = limits_.dynamics_of(block_);
     double a =
         std::max({before.up.acceleration, before.down.acceleration, after.up.acceleration, after.down.acceleration});
     if (!std::isfinite(a)) a = 1e5;
-    const double slack = 2 * a * (1e-10 * std::max(1.0, node_.back()));
+    return 2 * a * (share * std::max(1.0, node_.back()));
+  }
+
+  void check_node(const Phase& p, double v) {
     const double cap = limits_.node_cap[block_];
-    raise(use_.node_speed, (v * v) / (cap * cap + slack), "node speed", p);
+    raise(use_.node_speed, (v * v) / (cap * cap + place_slack(1e-10)), "node speed", p);
   }
 
   void check_stretch(const Phase& p, double t0, double t1) {
@@ -121,7 +125,8 @@ class Measure {
     const auto& d = limits_.dynamics_of(block_);
     for (const double t : times) {
       const State x = state_at(p, t);
-      raise(use_.block_speed, x.v / limits_.block_cap[block_], "speed", p);
+      const double cap = limits_.block_cap[block_];
+      raise(use_.block_speed, x.v / std::sqrt(cap * cap + place_slack(1e-12)), "speed", p);
       use_.lowest_speed = std::min(use_.lowest_speed, x.v);
     }
     // A phase that ends at a node may reach past it by a rounding of the position, which is no time at all, except near

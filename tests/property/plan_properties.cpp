@@ -1,0 +1,126 @@
+/// Plans of random chains keep every limit on the exact polynomials, and the promises that plans make to each other.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "case_count.h"
+#include "plan_cases.h"
+#include "plan_checker.h"
+#include "toolpace/law/law_table.h"
+#include "toolpace/plan/bound.h"
+#include "toolpace/plan/plan.h"
+
+namespace toolpace {
+namespace {
+
+std::string describe(const PlanOptions& o, std::uint64_t seed, bool mixed) {
+  return std::string(law_row(o.law).id) + (o.ramps == Ramps::span ? " span" : " block") + " N " +
+         std::to_string(o.lookahead.value_or(0)) + " seed " + std::to_string(seed) + (mixed ? " mixed" : "");
+}
+
+test::CheckOptions check_of(LawKind law) {
+  const bool smooth = law_row(law).bounds_jerk;
+  return {smooth, smooth, 1e-7};
+}
+
+struct Family {
+  Ramps ramps;
+  std::size_t blocks;    ///< a chain
+  std::uint64_t chains;  ///< for each law
+  bool mixed;            ///< limits that change from block to block
+};
+
+class PlansOfRandomChains : public ::testing::TestWithParam<Family> {};
+
+TEST_P(PlansOfRandomChains, KeepEveryLimit) {
+  const Family& f = GetParam();
+  constexpr std::size_t kDepths[] = {0, 0, 1, 2, 3, 8, 40};
+  for (std::uint64_t seed = 1; seed <= test::case_count(f.chains); ++seed) {
+    const SpeedLimits limits = test::random_chain(seed, f.blocks, f.mixed);
+    for (const LawRow& law : law_table()) {
+      PlanOptions options;
+      options.law = law.kind;
+      options.ramps = f.ramps;
+      const std::size_t depth = kDepths[seed % std::size(kDepths)];
+      if (depth > 0) options.lookahead = depth;
+      const auto plan = plan_motion(limits, options);
+      ASSERT_TRUE(plan) << plan.error().message;
+      ASSERT_EQ(test::find_offence(limits, *plan, check_of(law.kind)), "") << describe(options, seed, f.mixed);
+      ASSERT_GE(plan->cycle_time(), lower_bound(limits, law.kind)) << describe(options, seed, f.mixed);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, PlansOfRandomChains,
+                         ::testing::Values(Family{Ramps::block, 500, 280, false}, Family{Ramps::block, 500, 70, true},
+                                           Family{Ramps::span, 150, 210, false}, Family{Ramps::span, 100, 70, true},
+                                           Family{Ramps::span, 3, 500, false}, Family{Ramps::span, 7, 300, true}));
+
+TEST(PlansOfRandomChains, AreNeverSlowerAcrossBlocksThanWithinThem) {
+  for (std::uint64_t seed = 1; seed <= test::case_count(150); ++seed) {
+    const bool mixed = seed % 3 == 0;
+    const SpeedLimits limits = test::random_chain(seed + 100000, 80, mixed);
+    for (const LawRow& law : law_table()) {
+      PlanOptions options;
+      options.law = law.kind;
+      const double block = plan_motion(limits, options)->cycle_time();
+      options.ramps = Ramps::span;
+      EXPECT_LE(plan_motion(limits, options)->cycle_time(), block * 1.001) << describe(options, seed + 100000, mixed);
+    }
+  }
+}
+
+TEST(PlansOfRandomChains, GainFromDeeperLookAhead) {
+  for (std::uint64_t seed = 1; seed <= test::case_count(25); ++seed) {
+    const SpeedLimits limits = test::random_chain(seed + 200000, 60);
+    PlanOptions options;
+    options.law = LawKind::seven_phase;
+    options.ramps = Ramps::span;
+    double last = 1e300;
+    for (const std::size_t depth : {1, 2, 3, 5, 8, 13, 21, 34, 60}) {
+      options.lookahead = depth;
+      const double time = plan_motion(limits, options)->cycle_time();
+      EXPECT_LE(time, last * (1 + 1e-9)) << describe(options, seed + 200000, false);
+      last = time;
+    }
+  }
+}
+
+// Same input, same bytes; and a plan under a monitor is the plan without one.
+TEST(PlansOfRandomChains, AreTheSameToTheLastBit) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const SpeedLimits limits = test::random_chain(seed, 300, seed % 2 == 0);
+    PlanOptions options;
+    options.law = LawKind::time_optimal;
+    options.ramps = Ramps::span;
+    const auto a = plan_motion(limits, options);
+    const auto b = plan_motion(SpeedLimits(limits), options, Monitor{{}, [](double) {}});
+    ASSERT_EQ(a->phases.size(), b->phases.size());
+    for (std::size_t i = 0; i < a->phases.size(); ++i) {
+      EXPECT_EQ(a->phases[i].begin, b->phases[i].begin);
+      EXPECT_EQ(a->phases[i].distance, b->phases[i].distance);
+      EXPECT_EQ(a->phases[i].rate, b->phases[i].rate);
+    }
+  }
+}
+
+// A million blocks without a rest between them: positions stay exact, nothing adds up.
+TEST(PlansOfRandomChains, StayExactOverAMillionBlocks) {
+  SpeedLimits limits = test::random_chain(7, 1000000);
+  for (std::size_t i = 1; i + 1 < limits.node_cap.size(); ++i) {
+    if (limits.node_cap[i] == 0) limits.node_cap[i] = 0.1;
+  }
+  for (const Ramps ramps : {Ramps::block, Ramps::span}) {
+    PlanOptions options;
+    options.law = ramps == Ramps::block ? LawKind::quintic : LawKind::seven_phase;
+    options.ramps = ramps;
+    const auto plan = plan_motion(limits, options);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(test::find_offence(limits, *plan, {true, true, 1e-6}), "");
+  }
+}
+
+}  // namespace
+}  // namespace toolpace
