@@ -221,8 +221,8 @@ TEST_P(RandomTubes, AreSoundWithAndWithoutAJerkLimit) {
     fallbacks += motion.fallbacks;
     if (testing::Test::HasFatalFailure()) return;
   }
-  RecordProperty("windows", static_cast<int>(windows));
-  RecordProperty("fallbacks", static_cast<int>(fallbacks));
+  // Stops are left for the odd case, not for the rule.
+  EXPECT_LE(fallbacks, 1 + windows / 20) << "of " << windows;
 }
 
 INSTANTIATE_TEST_SUITE_P(PlanTube, RandomTubes,

@@ -210,9 +210,11 @@ void NewtonRound<D>::visit_tube(Visit&& visit) const {
         put(kv, basis(tv));
         const Vec v = m.combine(kv, basis_slope(tv)), a = m.combine(kv, basis_bend(tv));
         r.value -= vertex<D>(path_, s + 1);
-        const double vv = v.squaredNorm(), ea = std::max(0.0, r.value.dot(a));
+        const double vv = v.squaredNorm(), ea = std::max(0.0, r.value.dot(a)), ev = r.value.dot(v);
+        // Sliding along the motion only moves the moment of passing, unless the order holds that moment fast.
+        const bool held = ev * ev > 0.01 * vv * r.value.squaredNorm();
         Mat project = Mat::Identity();
-        if (vv > 0) project -= v * v.transpose() / (vv + ea);
+        if (vv > 0 && !held) project -= v * v.transpose() / (vv + ea);
         visit(r, std::min(path_.tolerance[s], path_.tolerance[s + 1]), project);
         ++s;
         ++next;

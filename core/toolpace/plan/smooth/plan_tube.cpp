@@ -90,14 +90,29 @@ class Planner {
   }
 
   void optimise(Planned& p) {
-    const std::size_t begin = p.window.first, end = begin + p.window.pass.size() + 1;
+    const std::size_t segments = p.window.pass.size() + 1;
     tube::WindowOptimiser<D> optimiser(path_, limits_);
-    if (!optimiser.improve(p.window, monitor_)) {
-      p.window = tube::exact_motion<D>(path_, limits_, begin, end);
-      p.stops = true;
-    }
+    p.stops = !improve(optimiser, p.window);
     p.deviation = optimiser.check().deviation(p.window);
-    progress_.add(end - begin);
+    progress_.add(segments);
+  }
+
+  /// @return false if a part of the window had to be left with stops
+  bool improve(tube::WindowOptimiser<D>& optimiser, MotionWindow<D>& m) {
+    const std::size_t begin = m.first, end = begin + m.pass.size() + 1, middle = (begin + end) / 2;
+    if (optimiser.improve(m, monitor_)) return true;
+    if (middle == begin || monitor_.is_cancelled()) {
+      m = tube::exact_motion<D>(path_, limits_, begin, end);
+      return false;
+    }
+    // Whatever resists sits somewhere: halves, with a stop between them, save the rest.
+    m = tube::FirstMotion<D>(path_, limits_, begin, middle).make();
+    MotionWindow<D> rest = tube::FirstMotion<D>(path_, limits_, middle, end).make();
+    improve(optimiser, m);
+    improve(optimiser, rest);
+    m = seam(m, 0, rest, rest.size());
+    m.rest_begin = m.rest_end = true;
+    return false;
   }
 
   /// Control points over which a stop is felt: the time to the top speed and some corners more.

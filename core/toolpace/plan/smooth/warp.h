@@ -107,28 +107,4 @@ class Warp {
   std::vector<Vec> out_;
 };
 
-/// Moves each passing time to where the motion is nearest to its vertex, keeping the order.
-template <int D>
-void refine_passes(const TubePath& path, MotionWindow<D>& m) {
-  double low = 1;
-  const double top = static_cast<double>(m.size()) - 2;
-  for (std::size_t i = 0; i < m.pass.size(); ++i) {
-    double u = std::clamp(m.pass[i], low, top);
-    const auto p = vertex<D>(path, m.first + 1 + i);
-    for (int it = 0; it < 3; ++it) {
-      double t;
-      const std::size_t k = m.cell(u, t);
-      const auto e = (m.combine(k, basis(t)) - p).eval();
-      const auto v = m.combine(k, basis_slope(t)).eval();
-      const auto a = m.combine(k, basis_bend(t)).eval();
-      const double f = e.dot(v), vv = v.squaredNorm(), full = vv + e.dot(a);
-      const double slope = full > 0.3 * vv ? full : vv;
-      if (!(slope > 0)) break;
-      u = std::clamp(u - std::clamp(f / slope, -1.0, 1.0), low, top);
-    }
-    m.pass[i] = u;
-    low = u;
-  }
-}
-
 }  // namespace toolpace::tube

@@ -3,6 +3,7 @@
 
 #include "toolpace/base/monitor.h"
 #include "toolpace/plan/smooth/newton_round.h"
+#include "toolpace/plan/smooth/refine_passes.h"
 #include "toolpace/plan/smooth/tube_check.h"
 #include "toolpace/plan/smooth/warp.h"
 
@@ -17,7 +18,7 @@ class WindowOptimiser {
   /// Improves a window whose start need not keep any limit.
   /// @return true if the result keeps them all; otherwise the window is of no use
   bool improve(MotionWindow<D>& m, const Monitor& monitor) {
-    refine_passes(path_, m);
+    passes_.apply(path_, m);
     for (const Level& level : kLevels) {
       for (int i = 0; i < level.rounds; ++i) {
         if (monitor.is_cancelled()) return false;
@@ -47,7 +48,7 @@ class WindowOptimiser {
     std::copy(std::begin(kShares), std::end(kShares), o.share);
     if (!round_.solve(m, o)) return false;
     warp_.apply(m, round_.bend, round_.pace);
-    refine_passes(path_, m);
+    passes_.apply(path_, m);
     return true;
   }
 
@@ -65,10 +66,10 @@ class WindowOptimiser {
         o.weight = 1;
         o.edge = 0.999;
         o.hurry = false;
-        std::fill(std::begin(o.share), std::end(o.share), 0.9995);
+        std::fill(std::begin(o.share), std::end(o.share), 0.9995 - 0.004 * attempt);
         if (!round_.solve(m, o)) return false;
         warp_.apply(m, round_.bend, round_.pace);
-        refine_passes(path_, m);
+        passes_.apply(path_, m);
       }
       slow_down(m, use, 0.02 * (1 << attempt));
     }
@@ -86,7 +87,7 @@ class WindowOptimiser {
     for (std::size_t k = 0; k < n; ++k) pace[k] = k < 3 || k + 3 >= n ? 0 : -by * (1 - free[k]) * ease(m, k);
     const std::vector<typename MotionWindow<D>::Vec> bend(n, MotionWindow<D>::Vec::Zero());
     warp_.apply(m, bend, pace);
-    refine_passes(path_, m);
+    passes_.apply(path_, m);
   }
 
   const TubePath& path_;
@@ -94,6 +95,7 @@ class WindowOptimiser {
   NewtonRound<D> round_;
   TubeCheck<D> check_;
   Warp<D> warp_;
+  PassRefiner<D> passes_;
 };
 
 }  // namespace toolpace::tube
