@@ -9,7 +9,7 @@
 namespace toolpace {
 namespace {
 
-constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 

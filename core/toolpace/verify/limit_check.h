@@ -14,7 +14,7 @@ namespace toolpace {
 
 /// Differences of a motion whose derivative keeps a limit keep it too: they are its weighted means. So a difference
 /// beyond limit + bound proves a broken limit, where
-///   bound = 2ⁿ·u/Tsⁿ for the n-th difference, u = 4·2⁻⁵²·(largest |position| + way so far),
+///   bound = 2ⁿ·u/Tsⁿ for the n-th difference, u = 16·2⁻⁵²·(largest |position| + way so far),
 /// u covers the rounding of a position and of the path length it was computed from.
 class LimitCheck {
  public:

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kFinest = 2e-7, kCoarsest = 1e-5;  // [mm] sagitta of the chords that stand for curves
 constexpr double kNegligibleStep = 1e-9;            // change of a direction that is rounding
+constexpr double kSmoothing = 2 * kOnPath;          // a tolerance that lets corners be smoothed
 constexpr double kNearNode = 1e-3;  // of the chord: a node this near to a row counts on both sides of it
 constexpr double kCircular = 1e-4;  // change of radius up to which angle and path length are proportional
 constexpr int kNewtonSteps = 3;     // from a chord that is within 1e-5 mm of the curve
@@ -153,11 +154,13 @@ void PathCheck::take_crossings(const RowStream& stream, std::size_t local, const
     const double t = square > 0 ? std::clamp((vertex.point - from).dot(chord) / square, 0.0, 1.0) : 0.0;
     const double off = (vertex.point - from - t * chord).norm();
     if (chord_.would_take(off, 0.0)) chord_.take(off, 0.0, stream, local);
-    if (vertex.is_node && on_path && vertex.segment + 1 < path_.size()) log_corner(stream, local, vertex);
+    // Where a path runs back over itself, the row before may have been past the node already.
+    const bool maybe_before = before.last_cell >= v;
+    if (vertex.is_node && on_path && vertex.segment + 1 < path_.size()) log_corner(stream, local, vertex, maybe_before);
   }
 }
 
-void PathCheck::log_corner(const RowStream& stream, std::size_t local, const PathVertex& node) {
+void PathCheck::log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, bool maybe_before) {
   const std::size_t left = node.segment, right = left + 1;
   const Frame in = frame_at(path_, left, path_.length[left]), out = frame_at(path_, right, 0.0);
   double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
@@ -180,7 +183,7 @@ void PathCheck::log_corner(const RowStream& stream, std::size_t local, const Pat
   event.corner = static_cast<std::int64_t>(left);
   const double near = kNearNode * longest;
   const std::int64_t row = stream.row(local);
-  const bool begins = (point_of(stream, local - 1) - node.point).norm() <= near;
+  const bool begins = maybe_before || (point_of(stream, local - 1) - node.point).norm() <= near;
   const bool ends = (point_of(stream, local) - node.point).norm() <= near;
   for (std::int64_t interval = row - begins; interval <= row + ends; ++interval) {
     event.interval = interval;
@@ -196,7 +199,7 @@ void PathCheck::take_line(const RowStream& stream, std::size_t local) {
   // At a node, on a pause or where strokes lie over each other, the lines around it are as good; on a smoothed corner
   // those of both legs.
   const PathVertex* const last = vertices_.at(match.last_cell + 1);
-  const std::size_t spread = match.distance > kOnPath ? 1 : 0;
+  const std::size_t spread = match.distance > kOnPath || tolerance_.value_or(0) > kSmoothing ? 1 : 0;
   const std::size_t end_segment = path_.size() - 1;
   const std::size_t high = std::min((last != nullptr ? last->segment : end_segment) + spread, end_segment);
   const std::size_t first = vertices_.at(match.first_cell + 1)->segment;

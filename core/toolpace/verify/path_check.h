@@ -41,7 +41,7 @@ class PathCheck {
  private:
   bool take_row(const RowStream& stream, std::size_t local);
   void take_crossings(const RowStream& stream, std::size_t local, const PathMatch& before, bool on_path);
-  void log_corner(const RowStream& stream, std::size_t local, const PathVertex& node);
+  void log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, bool maybe_before);
   void take_line(const RowStream& stream, std::size_t local);
   double exact_distance(const AxisVector& point);
   double slack(const RowStream& stream, std::size_t local) const;

@@ -35,6 +35,24 @@ double turn(const Chord& a, const Chord& b) {
   return std::atan2(std::sqrt(cx * cx + cy * cy + cz * cz), dot);
 }
 
+/// How the direction changes around an interval, and the acceleration vector there.
+struct Turning {
+  double angle;         ///< [rad], at most π
+  double acceleration;  ///< [mm/s²]
+};
+
+Turning turning_at(const RowStream& stream, std::size_t i, double period) {
+  const Chord before = chord(stream, i - 1), here = chord(stream, i), after = chord(stream, i + 1);
+  const auto change = [](const Chord& a, const Chord& b) { return Chord{b.x - a.x, b.y - a.y, b.z - a.z}.length(); };
+  const double angle = turn(before, here) + turn(here, after);
+  return {std::min(std::numbers::pi, angle), std::max(change(before, here), change(here, after)) / (period * period)};
+}
+
+/// Towards 0 by `amount`, not beyond.
+double shrink(double value, double amount) {
+  return value > 0 ? std::max(0.0, value - amount) : std::min(0.0, value + amount);
+}
+
 }  // namespace
 
 ProfileCheck::ProfileCheck(const Machine& machine, double period)
@@ -89,18 +107,22 @@ void ProfileCheck::take_interval(const RowStream& stream, std::size_t i) {
   way_ += std::abs(way);
   const Chord here = chord(stream, i);
   const double length = here.length();
-  double off = length - way;
-  if (off < 0) {
-    // The angle is needed only where the chord is too short.
-    const double angle =
-        std::min(std::numbers::pi, turn(chord(stream, i - 1), here) + turn(here, chord(stream, i + 1)));
-    off = std::min(0.0, off + way * angle * angle / 8);
+  double chord_off = length - way;
+  double speed_off = std::abs(v1 - v0 - period_ / 2 * (a0 + a1));
+  double acceleration_off = std::abs(a1 - a0 - period_ / 2 * (j0 + j1));
+  if (chord_off < 0 || speed_.would_take(speed_off, 0.0) || acceleration_.would_take(acceleration_off, 0.0)) {
+    const Turning turning = turning_at(stream, i, period_);
+    const double slow = std::max(std::min(std::abs(v0), std::abs(v1)), std::numeric_limits<double>::min());
+    if (chord_off < 0) chord_off = std::min(0.0, chord_off + way * turning.angle * turning.angle / 8);
+    chord_off = shrink(chord_off, period_ * period_ * turning.acceleration * turning.angle / 2);
+    speed_off = shrink(speed_off, period_ * turning.acceleration * turning.angle);
+    acceleration_off = shrink(
+        acceleration_off,
+        turning.acceleration * (turning.angle + std::min(1.0, turning.angle) * period_ * turning.acceleration / slow));
   }
-  const double disagreement = std::abs(off);
+  const double disagreement = std::abs(chord_off);
   if (chord_.would_take(disagreement, 0.0)) chord_.take(disagreement, 0.0, stream, i);
-  const double speed_off = std::abs(v1 - v0 - period_ / 2 * (a0 + a1));
   if (speed_.would_take(speed_off, 0.0)) speed_.take(speed_off, 0.0, stream, i);
-  const double acceleration_off = std::abs(a1 - a0 - period_ / 2 * (j0 + j1));
   if (acceleration_.would_take(acceleration_off, 0.0)) acceleration_.take(acceleration_off, 0.0, stream, i);
 }
 
