@@ -154,13 +154,13 @@ void PathCheck::take_crossings(const RowStream& stream, std::size_t local, const
     const double t = square > 0 ? std::clamp((vertex.point - from).dot(chord) / square, 0.0, 1.0) : 0.0;
     const double off = (vertex.point - from - t * chord).norm();
     if (chord_.would_take(off, 0.0)) chord_.take(off, 0.0, stream, local);
-    // Where a path runs back over itself, the row before may have been past the node already.
-    const bool maybe_before = before.last_cell >= v;
-    if (vertex.is_node && on_path && vertex.segment + 1 < path_.size()) log_corner(stream, local, vertex, maybe_before);
+    // Where a path runs back over itself, the row before may have been past the node already, or this one not yet.
+    const Doubt doubt{before.last_cell >= v, follower_.match().first_cell < v};
+    if (vertex.is_node && on_path && vertex.segment + 1 < path_.size()) log_corner(stream, local, vertex, doubt);
   }
 }
 
-void PathCheck::log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, bool maybe_before) {
+void PathCheck::log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt) {
   const std::size_t left = node.segment, right = left + 1;
   const Frame in = frame_at(path_, left, path_.length[left]), out = frame_at(path_, right, 0.0);
   double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
@@ -183,8 +183,8 @@ void PathCheck::log_corner(const RowStream& stream, std::size_t local, const Pat
   event.corner = static_cast<std::int64_t>(left);
   const double near = kNearNode * longest;
   const std::int64_t row = stream.row(local);
-  const bool begins = maybe_before || (point_of(stream, local - 1) - node.point).norm() <= near;
-  const bool ends = (point_of(stream, local) - node.point).norm() <= near;
+  const bool begins = doubt.earlier || (point_of(stream, local - 1) - node.point).norm() <= near;
+  const bool ends = doubt.later || (point_of(stream, local) - node.point).norm() <= near;
   for (std::int64_t interval = row - begins; interval <= row + ends; ++interval) {
     event.interval = interval;
     corners_.add(event);

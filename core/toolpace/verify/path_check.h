@@ -39,9 +39,13 @@ class PathCheck {
   void report(VerifyReport& report, bool followed) const;
 
  private:
+  /// Whether a node may have been passed in the row interval before or after the one that the matches say.
+  struct Doubt {
+    bool earlier, later;
+  };
   bool take_row(const RowStream& stream, std::size_t local);
   void take_crossings(const RowStream& stream, std::size_t local, const PathMatch& before, bool on_path);
-  void log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, bool maybe_before);
+  void log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt);
   void take_line(const RowStream& stream, std::size_t local);
   double exact_distance(const AxisVector& point);
   double slack(const RowStream& stream, std::size_t local) const;

@@ -119,6 +119,19 @@ TEST(Limits, ExemptACornerWithoutTheProgramToo) {
   EXPECT_NEAR(report.largest_corner_step, 20, 2);
 }
 
+TEST(Limits, ExemptReversalsWhereverTheRowsFall) {
+  const TemporaryDirectory dir;
+  // Back over itself at 1 mm/s, as the servo rule lets it: a row near the turn may belong to either leg.
+  for (int i = 0; i < 40; ++i) {
+    Program program;
+    program.line(2 + 0.00037 * i, 0).line(1, 0).start(0, 0).arc(1, 20, -1.0).arc(1, 20, 1.0);
+    const toolpace::Setup setup = axis_limited_setup();
+    write_setpoints(planned(program, setup), dir / "a.npz");
+    const VerifyReport report = verified(dir / "a.npz", setup.machine, &program.moves(), 1e-6);
+    ASSERT_TRUE(report.passes()) << i << "\n" << broken(report);
+  }
+}
+
 TEST(Limits, DoNotExemptARowOutOfLine) {
   const TemporaryDirectory dir;
   Program program;
