@@ -34,8 +34,8 @@ void Background::start(Task task) {
     QMetaObject::invokeMethod(
         this,
         [this, hand_over = std::move(delivery)] {
+          if (hand_over) hand_over();  // still busy: what it submits waits for finished()
           running_ = false;
-          if (hand_over) hand_over();
           emit finished();
         },
         Qt::QueuedConnection);

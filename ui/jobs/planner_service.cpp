@@ -32,8 +32,9 @@ void PlannerService::start(std::shared_ptr<const Job> job, quint64 generation) {
     if (!outcome) {
       return [this, error = outcome.error(), generation] { emit failed(error, generation); };
     }
-    auto timeline = std::make_shared<const Timeline>(std::make_shared<const Outcome>(std::move(*outcome)));
-    return [this, timeline, generation] { emit planned(timeline, generation); };
+    const auto shared = std::make_shared<const Outcome>(std::move(*outcome));
+    Planned plan{std::make_shared<const Timeline>(shared), make_contour_scene(shared), make_profile_series(shared)};
+    return [this, plan = std::move(plan), generation] { emit planned(plan, generation); };
   });
 }
 

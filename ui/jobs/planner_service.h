@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jobs/background.h"
-#include "models/timeline.h"
+#include "jobs/planned.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {
@@ -26,7 +26,7 @@ class PlannerService : public QObject {
   bool isLatest(quint64 generation) const { return generation == latest_; }
 
  signals:
-  void planned(std::shared_ptr<const toolpace::ui::Timeline> timeline, quint64 generation);
+  void planned(const toolpace::ui::Planned& plan, quint64 generation);
   void failed(const toolpace::Error& error, quint64 generation);
   void progressed(double fraction);
   void busyChanged(bool busy);

@@ -16,7 +16,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
   connect(&reader_, &ReaderService::read, this, &Workspace::takeDocument);
   connect(&reader_, &ReaderService::failed, this, &Workspace::openFailed);
   connect(&reader_, &ReaderService::progressed, this, &Workspace::progressed);
-  connect(&planner_, &PlannerService::planned, this, &Workspace::takeTimeline);
+  connect(&planner_, &PlannerService::planned, this, &Workspace::takePlan);
   connect(&planner_, &PlannerService::failed, this, &Workspace::takeFailure);
   connect(&planner_, &PlannerService::progressed, this, &Workspace::progressed);
   connect(&watcher_, &FileWatcher::changed, this, &Workspace::reload);
@@ -71,15 +71,15 @@ void Workspace::takeDocument(std::shared_ptr<const Document> document) {
   if (another) {
     playback_.pause();
     watcher_.watch(document_->path);
-    pinned_ = nullptr;
-    timeline_ = nullptr;
+    pinned_ = {};
+    plan_ = {};
     cursor_ = 0;
   }
   collectProblems({});
   emit documentChanged();
   if (another) {
     emit pinnedChanged();
-    emit timelineChanged();
+    emit planChanged();
     emit cursorChanged(cursor_);
   }
   replan();
@@ -92,12 +92,12 @@ void Workspace::replan() {
   planner_.submit(next);
 }
 
-void Workspace::takeTimeline(std::shared_ptr<const Timeline> timeline, quint64 generation) {
-  if (!document_ || timeline->outcome()->job->program != document_->reading) return;  // another program was opened
-  timeline_ = std::move(timeline);
+void Workspace::takePlan(const Planned& plan, quint64 generation) {
+  if (!document_ || plan.timeline->outcome()->job->program != document_->reading) return;  // another program was opened
+  plan_ = plan;
   if (planner_.isLatest(generation)) setStale(false);
-  collectProblems(timeline_->outcome()->warnings);
-  emit timelineChanged();
+  collectProblems(plan_.timeline->outcome()->warnings);
+  emit planChanged();
   setCursorTime(cursor_);
 }
 
@@ -119,48 +119,48 @@ void Workspace::setStale(bool stale) {
 }
 
 void Workspace::pin() {
-  if (!timeline_) return;
-  pinned_ = timeline_;
+  if (!plan_) return;
+  pinned_ = plan_;
   emit pinnedChanged();
 }
 
 void Workspace::unpin() {
   if (!pinned_) return;
-  pinned_ = nullptr;
+  pinned_ = {};
   emit pinnedChanged();
 }
 
 void Workspace::swap() {
-  if (!pinned_ || !timeline_) return;
-  std::swap(pinned_, timeline_);
-  const auto& job = *timeline_->outcome()->job;
+  if (!pinned_ || !plan_) return;
+  std::swap(pinned_, plan_);
+  const auto& job = *plan_.timeline->outcome()->job;
   emit pinnedChanged();
-  emit timelineChanged();
+  emit planChanged();
   tuning_.replace(tr("Swap A and B"), {job.machine, job.options});
 }
 
 void Workspace::setCursorTime(double time) {
-  const double end = timeline_ ? timeline_->duration() : 0.0;
+  const double end = plan_ ? plan_.timeline->duration() : 0.0;
   cursor_ = std::clamp(time, 0.0, std::max(end, 0.0));
   emit cursorChanged(cursor_);
 }
 
 void Workspace::setCursorLine(std::uint32_t line) {
-  if (!timeline_) return;
-  if (const auto time = timeline_->time_of_line(line)) setCursorTime(*time);
+  if (!plan_) return;
+  if (const auto time = plan_.timeline->time_of_line(line)) setCursorTime(*time);
 }
 
 void Workspace::stepLine(int direction) {
-  if (!timeline_) return;
+  if (!plan_) return;
   playback_.pause();
-  setCursorTime(direction > 0 ? timeline_->next_line(cursor_) : timeline_->previous_line(cursor_));
+  setCursorTime(direction > 0 ? plan_.timeline->next_line(cursor_) : plan_.timeline->previous_line(cursor_));
 }
 
 void Workspace::togglePlay() {
   if (playback_.isPlaying()) {
     playback_.pause();
-  } else if (timeline_) {
-    playback_.play(cursor_, timeline_->duration());
+  } else if (plan_) {
+    playback_.play(cursor_, plan_.timeline->duration());
   }
 }
 

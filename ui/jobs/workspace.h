@@ -22,9 +22,10 @@ class Workspace : public QObject {
   TuningModel& tuning() { return tuning_; }
   Playback& playback() { return playback_; }
   const std::shared_ptr<const Document>& document() const { return document_; }
-  const std::shared_ptr<const Timeline>& timeline() const { return timeline_; }  ///< plan A; null before the first one
-  const std::shared_ptr<const Timeline>& pinned() const { return pinned_; }      ///< plan B; null = none
-  const Diagnostics& problems() const { return problems_; }                      ///< of reading and of planning
+  const Planned& plan() const { return plan_; }      ///< plan A; empty before the first one
+  const Planned& pinned() const { return pinned_; }  ///< plan B; empty = none
+  const std::shared_ptr<const Timeline>& timeline() const { return plan_.timeline; }
+  const Diagnostics& problems() const { return problems_; }  ///< of reading and of planning
   double cursorTime() const { return cursor_; }
   bool isStale() const { return stale_; }  ///< the plan shown is not yet the one of the present parameters
   bool isBusy() const { return reader_.isBusy() || planner_.isBusy(); }
@@ -48,7 +49,7 @@ class Workspace : public QObject {
 
  signals:
   void documentChanged();
-  void timelineChanged();
+  void planChanged();
   void pinnedChanged();
   void problemsChanged();
   void cursorChanged(double time);
@@ -60,7 +61,7 @@ class Workspace : public QObject {
  private:
   void replan();
   void takeDocument(std::shared_ptr<const Document> document);
-  void takeTimeline(std::shared_ptr<const Timeline> timeline, quint64 generation);
+  void takePlan(const Planned& plan, quint64 generation);
   void takeFailure(const Error& error, quint64 generation);
   void collectProblems(const Diagnostics& of_plan);
   void setStale(bool stale);
@@ -71,7 +72,7 @@ class Workspace : public QObject {
   FileWatcher watcher_;
   Playback playback_;
   std::shared_ptr<const Document> document_;
-  std::shared_ptr<const Timeline> timeline_, pinned_;
+  Planned plan_, pinned_;
   Diagnostics problems_;
   double cursor_ = 0;
   bool stale_ = false;

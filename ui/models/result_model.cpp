@@ -50,10 +50,16 @@ int ResultModel::rowCount(const QModelIndex& parent) const {
 
 int ResultModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
+DisplayUnit ResultModel::unit_of(const Row& row) const {
+  DisplayUnit unit = display_unit(row.quantity, unit_);
+  if (row.quantity == Quantity::jerk) unit = {unit.factor * 1e-3, "10³ " + unit.text};  // as the plots have it
+  return unit;
+}
+
 QString ResultModel::shown(const Row& row, double value) const {
   if (row.is_count) return number_text(value, 12);
   if (row.quantity == Quantity::time) return QString::number(value, 'f', 3);
-  return number_text(value * display_unit(row.quantity, unit_).factor, 5);
+  return number_text(value * unit_of(row).factor, 5);
 }
 
 QString ResultModel::difference(const Row& row, double a, double b) const {
@@ -96,7 +102,7 @@ QVariant ResultModel::headerData(int section, Qt::Orientation orientation, int r
   if (orientation == Qt::Vertical) {
     if (role != Qt::DisplayRole) return {};
     const Row& row = rows_[static_cast<std::size_t>(section)];
-    return row.is_count ? row.title : row.title + "  " + display_unit(row.quantity, unit_).text;
+    return row.is_count ? row.title : row.title + "  " + unit_of(row).text;
   }
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};

@@ -40,6 +40,7 @@ class ResultModel : public QAbstractTableModel {
     std::function<double(const Summary&)> read;
   };
 
+  DisplayUnit unit_of(const Row& row) const;
   QString shown(const Row& row, double value) const;
   QString difference(const Row& row, double a, double b) const;
 

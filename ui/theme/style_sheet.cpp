@@ -24,7 +24,7 @@ QMenu::item:selected { background: $hover; color: $text; }
 QMenu::item:disabled { color: $faint; }
 QMenu::separator { height: 1px; background: $line; margin: 4px 0; }
 
-QToolBar { background: $surface; border: none; border-bottom: 1px solid $line; padding: 4px 8px; spacing: 4px; }
+QToolBar { background: $surface; border: none; border-bottom: 1px solid $line; padding: 3px 8px; spacing: 4px; }
 QToolBar::separator { background: $line; width: 1px; margin: 4px 4px; }
 QStatusBar { background: $surface; border-top: 1px solid $line; }
 QStatusBar::item { border: none; }
@@ -45,6 +45,10 @@ QToolButton:pressed, QToolButton:checked { background: $pressed; }
 QToolButton:focus { border-color: $accent; }
 QToolButton:disabled { color: $faint; }
 QToolButton[popupMode="2"] { padding-right: 16px; }
+QToolButton::menu-button { border: none; width: 16px; border-radius: 4px; }
+QToolButton::menu-button:hover { background: $pressed; }
+QToolButton::menu-arrow { image: url(:/icons/chevron-down.svg); width: 10px; height: 10px; }
+QToolButton[popupMode="1"] { padding-right: 20px; }
 QToolButton::menu-indicator { image: url(:/icons/chevron-down.svg); width: 10px; height: 10px;
   subcontrol-origin: padding; subcontrol-position: right center; right: 4px; }
 
@@ -60,6 +64,7 @@ QLineEdit, QAbstractSpinBox, QComboBox { background: $surface; color: $text; bor
   padding: 1px 6px; min-height: $fieldHeight; selection-background-color: $accent; selection-color: $onAccent; }
 QLineEdit:hover, QAbstractSpinBox:hover, QComboBox:hover { border-color: $faint; }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border-color: $accent; }
+QLineEdit[wrong="true"], QLineEdit[wrong="true"]:focus { border-color: $error; color: $error; }
 QLineEdit:disabled, QAbstractSpinBox:disabled, QComboBox:disabled { color: $faint; background: $window; }
 QAbstractSpinBox QLineEdit, QTableView QLineEdit { border: none; border-radius: 0; padding: 0; min-height: 0; }
 QComboBox::drop-down { border: none; width: 20px; }
@@ -73,7 +78,7 @@ QCheckBox::indicator { width: $check; height: $check; border: 1px solid $faint; 
 QCheckBox::indicator:checked { background: $accent; border-color: $accent; image: url($checkIcon); }
 QCheckBox:focus { color: $accent; }
 
-QSlider { min-height: $sliderHeight; }
+QSlider { background: transparent; min-height: $sliderHeight; }
 QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: $line; }
 QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: $accent; }
 QSlider::handle:horizontal { width: $knob; height: $knob; margin: $knobMargin 0; border-radius: $knobRadius;
@@ -89,10 +94,11 @@ QScrollArea { background: $surface; border: none; }
 QAbstractScrollArea { border: none; }
 QTableView, QTreeView, QListView { background: $surface; color: $text; border: none; alternate-background-color: $stripe;
   selection-background-color: $pressed; selection-color: $text; gridline-color: $line; }
-QTableView::item { padding: 0 8px; border: none; border-bottom: 1px solid $faintLine; }
+QTableView::item { padding: 0 6px; border: none; border-bottom: 1px solid $faintLine; }
 QTableView::item:focus { background: $hover; }
 QHeaderView { background: $surface; }
 QHeaderView::section { background: $surface; color: $secondary; border: none; border-bottom: 1px solid $line; padding: 4px 8px; }
+QHeaderView::section:vertical { padding: 0 8px; border-bottom: 1px solid $faintLine; color: $text; }
 QHeaderView::section:hover { color: $text; }
 QHeaderView::down-arrow { image: url(:/icons/chevron-down.svg); width: 10px; height: 10px; }
 QHeaderView::up-arrow { image: url(:/icons/chevron-up.svg); width: 10px; height: 10px; }
@@ -110,6 +116,7 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QLabel { color: $text; background: transparent; }
 QLabel[role="secondary"] { color: $secondary; }
 QLabel[role="heading"] { color: $secondary; font-weight: 600; }
+QLabel[role="hint"] { color: $secondary; background: $surface; border-top: 1px solid $line; }
 QLabel[role="warning"] { color: $warning; }
 QLabel[role="error"] { color: $error; }
 QLabel[role="good"] { color: $good; }

@@ -1,0 +1,147 @@
+#include "actions.h"
+
+#include <QWidget>
+
+#include "theme/icons.h"
+
+namespace toolpace::studio {
+
+Actions::Actions(QWidget* window) : QObject(window), window_(window) {
+  open = add("openAction", "open", {QKeySequence::Open});
+  reload = add("reloadAction", "reload", {QKeySequence(Qt::Key_F5)});
+  open_example = add("openExampleAction", "");
+  close_window = add("quitAction", "", {QKeySequence("Ctrl+Q")});
+  export_setpoints = add("exportSetpointsAction", "export", {QKeySequence("Ctrl+E")});
+  export_picture = add("exportPictureAction", "");
+  export_plots = add("exportPlotsAction", "");
+  export_window = add("exportWindowAction", "");
+  open_machine = add("openMachineAction", "machine", {QKeySequence("Ctrl+M")});
+  save_machine = add("saveMachineAction", "", {QKeySequence::Save});
+  save_machine_as = add("saveMachineAsAction", "", {QKeySequence("Ctrl+Shift+S")});
+  default_machine = add("defaultMachineAction", "");
+  undo = add("undoAction", "undo", {QKeySequence("Ctrl+Z")});
+  redo = add("redoAction", "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  find = add("findAction", "search", {QKeySequence::Find});
+  edit_line = add("editLineAction", "", {QKeySequence("Ctrl+F2")});
+  addPlan();
+  addView();
+  show_keys = add("keysAction", "", {QKeySequence(Qt::Key_F1)});
+  about = add("aboutAction", "");
+  retranslate();
+}
+
+void Actions::addPlan() {
+  play = add("playAction", "play", {QKeySequence(Qt::Key_Space)});
+  previous_line = add("previousLineAction", "previous", {QKeySequence(Qt::Key_Left)});
+  next_line = add("nextLineAction", "next", {QKeySequence(Qt::Key_Right)});
+  to_start = add("toStartAction", "first", {QKeySequence(Qt::Key_Home)});
+  to_end = add("toEndAction", "last", {QKeySequence(Qt::Key_End)});
+  cancel = add("cancelAction", "cancel", {QKeySequence("Ctrl+.")});
+  next_problem = add("nextProblemAction", "warning", {QKeySequence("F8")});
+  slowest_place = add("slowestPlaceAction", "", {QKeySequence("F9")});
+  pin = add("pinAction", "pin", {QKeySequence("Ctrl+B")});
+  unpin = add("unpinAction", "", {QKeySequence("Ctrl+Shift+B")});
+  swap = add("swapAction", "swap", {QKeySequence("Ctrl+T")});
+  sweep = add("sweepAction", "sweep", {QKeySequence("Ctrl+L")});
+  what_if = add("whatIfAction", "", {QKeySequence("Ctrl+I")});
+}
+
+void Actions::addView() {
+  fit = add("fitAction", "fit", {QKeySequence(Qt::Key_F)});
+  view_xy = add("viewXyAction", "", {QKeySequence(Qt::Key_Z)});
+  view_xz = add("viewXzAction", "", {QKeySequence(Qt::Key_Y)});
+  view_yz = add("viewYzAction", "", {QKeySequence(Qt::Key_X)});
+  view_iso = add("viewIsoAction", "", {QKeySequence(Qt::Key_I)});
+  dark = addToggle("darkAction", "theme", {QKeySequence("Ctrl+D")});
+  touch = addToggle("touchAction", "");
+  inch = addToggle("inchAction", "", {QKeySequence("Ctrl+U")});
+  english = addToggle("englishAction", "");
+  chinese = addToggle("chineseAction", "");
+  auto* languages = new QActionGroup(this);
+  languages->addAction(english);
+  languages->addAction(chinese);
+  reset_layout = add("resetLayoutAction", "panels");
+}
+
+QAction* Actions::add(const char* name, const char* icon, const QList<QKeySequence>& keys) {
+  auto* action = new QAction(this);
+  action->setObjectName(name);
+  action->setProperty("icon_name", icon);
+  action->setShortcuts(keys);
+  window_->addAction(action);
+  all_.push_back(action);
+  return action;
+}
+
+QAction* Actions::addToggle(const char* name, const char* icon, const QList<QKeySequence>& keys) {
+  auto* action = add(name, icon, keys);
+  action->setCheckable(true);
+  return action;
+}
+
+void Actions::setTheme(const ui::Theme& theme) {
+  for (auto* action : all_) {
+    const QString name = action->property("icon_name").toString();
+    if (!name.isEmpty()) action->setIcon(ui::icon(name, theme));
+  }
+}
+
+std::vector<const QAction*> Actions::withShortcuts() const {
+  std::vector<const QAction*> result;
+  for (const auto* action : all_) {
+    if (!action->shortcut().isEmpty()) result.push_back(action);
+  }
+  return result;
+}
+
+void Actions::retranslate() {
+  open->setText(tr("&Open…"));
+  reload->setText(tr("&Reload"));
+  open_example->setText(tr("Open the e&xample"));
+  close_window->setText(tr("&Quit"));
+  export_setpoints->setText(tr("&Setpoints…"));
+  export_picture->setText(tr("&Contour preview…"));
+  export_plots->setText(tr("&Plots…"));
+  export_window->setText(tr("&Window…"));
+  open_machine->setText(tr("&Open machine…"));
+  save_machine->setText(tr("&Save machine"));
+  save_machine_as->setText(tr("Save machine &as…"));
+  default_machine->setText(tr("&Default limits"));
+  undo->setText(tr("&Undo"));
+  redo->setText(tr("&Redo"));
+  find->setText(tr("&Find in program"));
+  edit_line->setText(tr("&Edit line"));
+  play->setText(tr("&Play or pause"));
+  previous_line->setText(tr("One line &back"));
+  next_line->setText(tr("One line &on"));
+  to_start->setText(tr("To the &start"));
+  to_end->setText(tr("To the &end"));
+  cancel->setText(tr("&Cancel"));
+  next_problem->setText(tr("Next p&roblem"));
+  slowest_place->setText(tr("Next place that &loses time"));
+  pin->setText(tr("Pin this plan as &B"));
+  unpin->setText(tr("Let &go of B"));
+  swap->setText(tr("S&wap A and B"));
+  sweep->setText(tr("Sweep the look-a&head"));
+  what_if->setText(tr("What would more &limits save?"));
+  fit->setText(tr("&Fit"));
+  view_xy->setText(tr("View along &Z (XY)"));
+  view_xz->setText(tr("View along &Y (XZ)"));
+  view_yz->setText(tr("View along &X (YZ)"));
+  view_iso->setText(tr("&Isometric view"));
+  dark->setText(tr("&Dark theme"));
+  touch->setText(tr("&Touch mode"));
+  inch->setText(tr("Show &inches"));
+  english->setText("English");
+  chinese->setText("简体中文");
+  reset_layout->setText(tr("&Reset the layout"));
+  show_keys->setText(tr("&Keys"));
+  about->setText(tr("&About Toolpace"));
+  for (auto* action : all_) {
+    QString tip = action->text().remove('&').remove("…");
+    if (!action->shortcut().isEmpty()) tip += "  (" + action->shortcut().toString(QKeySequence::NativeText) + ")";
+    action->setToolTip(tip);
+  }
+}
+
+}  // namespace toolpace::studio

@@ -1,0 +1,44 @@
+#pragma once
+/// Everything a person can ask the window for, each with name, shortcut and icon.
+
+#include <QAction>
+#include <QActionGroup>
+#include <QObject>
+#include <vector>
+
+#include "theme/theme.h"
+
+namespace toolpace::studio {
+
+class Actions : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Actions(QWidget* window);
+
+  void retranslate();
+  void setTheme(const ui::Theme& theme);
+  /// For the list of keys.
+  std::vector<const QAction*> withShortcuts() const;
+
+  QAction *open, *reload, *open_example, *close_window;
+  QAction *export_setpoints, *export_picture, *export_plots, *export_window;
+  QAction *open_machine, *save_machine, *save_machine_as, *default_machine;
+  QAction *undo, *redo, *find, *edit_line;
+  QAction *play, *previous_line, *next_line, *to_start, *to_end, *cancel, *next_problem, *slowest_place;
+  QAction *fit, *view_xy, *view_xz, *view_yz, *view_iso;
+  QAction *pin, *unpin, *swap, *sweep, *what_if;
+  QAction *dark, *touch, *inch, *english, *chinese, *reset_layout;
+  QAction *show_keys, *about;
+
+ private:
+  QAction* add(const char* name, const char* icon, const QList<QKeySequence>& keys = {});
+  QAction* addToggle(const char* name, const char* icon, const QList<QKeySequence>& keys = {});
+  void addPlan();
+  void addView();
+
+  QWidget* window_;
+  std::vector<QAction*> all_;
+};
+
+}  // namespace toolpace::studio

@@ -1,0 +1,139 @@
+#pragma once
+/// The window: panels around preview and plots, wired to one workspace.
+
+#include <QActionGroup>
+#include <QLabel>
+#include <QMainWindow>
+#include <QMenu>
+#include <QToolButton>
+#include <QTranslator>
+#include <map>
+
+#include "actions.h"
+#include "jobs/export_service.h"
+#include "jobs/workspace.h"
+#include "machine_profile.h"
+#include "models/units.h"
+#include "preferences.h"
+#include "theme/theme.h"
+
+class QDockWidget;
+
+namespace toolpace::ui {
+class ContourView;
+class DockTitle;
+class LossPanel;
+class NcPanel;
+class ProblemsPanel;
+class ProfileView;
+class ResultsPanel;
+class SweepPanel;
+class TransportBar;
+class TuningPanel;
+class WhatIfPanel;
+}  // namespace toolpace::ui
+
+namespace toolpace::studio {
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// @param remember  false: neither reads nor writes preferences (pictures, tests)
+  explicit MainWindow(bool remember);
+  ~MainWindow() override;
+
+  ui::Workspace& workspace() { return workspace_; }
+  Actions& actions() { return *actions_; }
+
+  void openProgram(const QString& path);
+  void openExample();
+  /// What was open when the window was last closed, else the example.
+  void openLast();
+  /// Opens a machine file, or imports a LinuxCNC .ini or a grbl dump (.txt).
+  bool openMachine(const QString& path);
+  void storeMachineAs(const QString& path);
+  void saveSetpoints(const QString& path);  ///< in a worker; the status line tells when it is done
+  enum class Picture { contour, plots, window };
+  bool savePicture(Picture picture, const QString& path);
+  void setDark(bool dark);
+  void setTouch(bool touch);
+  void setInch(bool inch);
+  void setLanguage(const QString& language);  ///< "en" or "zh_CN"
+  /// True when nothing is being read or planned any more.
+  bool isSettled() const { return !workspace_.isBusy() && !exporter_.isBusy(); }
+
+ signals:
+  void openedOrFailed();  ///< the program that was asked for is shown, or its failure is
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  // main_window.cpp
+  void connectWorkspace();
+  void connectPanels();
+  void connectActions();
+  void showPlan();
+  void showPinned();
+  void showDocument();
+  void showProblems();
+  void showCursor(double time);
+  void showTitle();
+  void showFailure(const Error& error, const QString& path);
+  void applyAppearance();
+  void retranslate();
+  // main_window_layout.cpp
+  void buildPanels();
+  QDockWidget* addDock(const char* name, QWidget* content, Qt::DockWidgetArea area, bool titled);
+  void arrange();
+  void buildToolBar();
+  void buildMenus();
+  void fillRecent();
+  void fillMachines();
+  // main_window_files.cpp
+  void askProgram();
+  void askMachine();
+  void saveMachine(bool ask);
+  void exportSetpoints();
+  void exportPicture(Picture picture);
+  QString askFile(const QString& title, const QString& suffix, const QStringList& filters);
+  void connectExporter();
+  void goToProblem();
+  void goToSlowest();
+  void showKeys();
+  void showAbout();
+
+  bool remember_;
+  Preferences preferences_;
+  ui::Workspace workspace_;
+  ui::ExportService exporter_;
+  MachineProfile machine_;
+  Actions* actions_ = nullptr;
+  ui::Theme theme_ = ui::light_theme();
+  QTranslator translator_, qt_translator_;
+  QByteArray first_layout_;
+
+  ui::NcPanel* nc_ = nullptr;
+  ui::ContourView* contour_ = nullptr;
+  ui::ProfileView* profile_ = nullptr;
+  ui::TuningPanel* tuning_ = nullptr;
+  ui::ResultsPanel* results_ = nullptr;
+  ui::WhatIfPanel* what_if_ = nullptr;
+  ui::LossPanel* loss_ = nullptr;
+  ui::SweepPanel* sweep_ = nullptr;
+  ui::ProblemsPanel* problems_ = nullptr;
+  ui::TransportBar* transport_ = nullptr;
+  std::map<QString, QDockWidget*> docks_;
+  std::map<QString, ui::DockTitle*> titles_;
+  QToolBar* tool_bar_ = nullptr;
+  QMenu *file_menu_, *edit_menu_, *plan_menu_, *view_menu_, *help_menu_, *recent_menu_, *machine_menu_, *export_menu_,
+      *panels_menu_, *language_menu_;
+  QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *unit_button_ = nullptr, *export_button_ = nullptr;
+  std::size_t next_problem_ = 0, next_slow_ = 0;
+};
+
+}  // namespace toolpace::studio

@@ -1,0 +1,197 @@
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include "import_machine.h"
+#include "main_window.h"
+#include "panels/nc_panel.h"
+#include "panels/problems_panel.h"
+#include "panels/transport_bar.h"
+#include "plots/profile_view.h"
+#include "preview/contour_view.h"
+
+namespace toolpace::studio {
+namespace {
+
+/// ".csv" of "Comma-separated (*.csv)".
+QString extension_of(const QString& filter) {
+  const qsizetype star = filter.indexOf('*');
+  return star < 0 ? QString() : filter.mid(star + 1).section(')', 0, 0).section(' ', 0, 0);
+}
+
+Result<Setup> read_any_machine(const QString& path, const Setup& base) {
+  const bool ini = path.endsWith(".ini", Qt::CaseInsensitive);
+  const bool dump = path.endsWith(".txt", Qt::CaseInsensitive);
+  if (!ini && !dump) return load_machine(path);
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) {
+    return tl::unexpected(Error{ErrorKind::io, "cannot-open", file.errorString().toStdString(), {}, {}, {}});
+  }
+  const std::string text = file.readAll().toStdString();
+  const std::string name = path.toStdString();
+  return ini ? import_linuxcnc_ini(text, name, base) : import_grbl_dump(text, name, base);
+}
+
+}  // namespace
+
+void MainWindow::askProgram() {
+  const QString folder = QFileInfo(preferences_.last_program).absolutePath();
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Open a program"), folder,
+      tr("NC programs (*.ngc *.nc *.tap *.gcode *.g *.cnc *.mpf *.txt);;Polylines (*.csv);;All files (*)"));
+  if (!path.isEmpty()) openProgram(path);
+}
+
+void MainWindow::askMachine() {
+  const QString folder = QFileInfo(preferences_.last_machine).absolutePath();
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Open a machine"), folder,
+      tr("Machine files (*.toml);;LinuxCNC configuration (*.ini);;grbl settings, as $$ lists them (*.txt)"));
+  if (!path.isEmpty()) openMachine(path);
+}
+
+bool MainWindow::openMachine(const QString& path) {
+  const auto setup = read_any_machine(path, workspace_.tuning().value());
+  if (!setup) {
+    showFailure(setup.error(), path);
+    return false;
+  }
+  workspace_.tuning().replace(tr("Open machine"), *setup);
+  const bool ours = path.endsWith(".toml", Qt::CaseInsensitive) && !path.startsWith(":/");
+  if (path.endsWith(".toml", Qt::CaseInsensitive)) workspace_.tuning().undoStack().setClean();
+  machine_ = {ours ? QFileInfo(path).absoluteFilePath() : QString(), QFileInfo(path).completeBaseName()};
+  if (ours) {
+    preferences_.last_machine = machine_.path;
+    studio::remember(preferences_.recent_machines, machine_.path);
+  }
+  showTitle();
+  return true;
+}
+
+void MainWindow::saveMachine(bool ask) {
+  QString path = machine_.path;
+  if (ask || path.isEmpty()) {
+    const QString suggestion = path.isEmpty() ? QString("machine.toml") : path;
+    path = QFileDialog::getSaveFileName(this, tr("Save the machine"), suggestion, tr("Machine files (*.toml)"));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += ".toml";
+  }
+  storeMachineAs(path);
+}
+
+void MainWindow::storeMachineAs(const QString& path) {
+  if (const auto stored = store_machine(path, workspace_.tuning().value()); !stored) {
+    return showFailure(stored.error(), path);
+  }
+  machine_ = {QFileInfo(path).absoluteFilePath(), QFileInfo(path).completeBaseName()};
+  preferences_.last_machine = machine_.path;
+  studio::remember(preferences_.recent_machines, machine_.path);
+  workspace_.tuning().undoStack().setClean();
+  transport_->setMessage(tr("saved %1").arg(QFileInfo(path).fileName()));
+  showTitle();
+}
+
+QString MainWindow::askFile(const QString& title, const QString& suffix, const QStringList& filters) {
+  const auto& document = workspace_.document();
+  const QString base = document ? QFileInfo(document->name).completeBaseName() : QString("toolpace");
+  QString filter;
+  QString path = QFileDialog::getSaveFileName(this, title, base + suffix, filters.join(";;"), &filter);
+  if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += extension_of(filter);
+  return path;
+}
+
+void MainWindow::exportSetpoints() {
+  if (!workspace_.timeline() || exporter_.isBusy()) return;
+  const QString path = askFile(tr("Save setpoints"), ".csv",
+                               {tr("Comma-separated (*.csv)"), tr("NumPy array (*.npy)"), tr("NumPy archive (*.npz)"),
+                                tr("LinuxCNC halstreamer (*.halstream)"), tr("Semicolons (*.semicolon.csv)")});
+  if (!path.isEmpty()) saveSetpoints(path);
+}
+
+void MainWindow::saveSetpoints(const QString& path) {
+  if (!workspace_.timeline() || exporter_.isBusy()) return;
+  transport_->setBusy(true);
+  exporter_.start(workspace_.timeline()->outcome(), path);
+}
+
+void MainWindow::connectExporter() {
+  connect(&exporter_, &ui::ExportService::progressed, transport_, &ui::TransportBar::setProgress);
+  connect(&exporter_, &ui::ExportService::saved, this, [this](const QString& file, qulonglong rows) {
+    transport_->setBusy(workspace_.isBusy());
+    transport_->setMessage(tr("saved %1 rows to %2").arg(rows).arg(QFileInfo(file).fileName()));
+  });
+  connect(&exporter_, &ui::ExportService::failed, this, [this](const Error& error, const QString& file) {
+    transport_->setBusy(workspace_.isBusy());
+    showFailure(error, file);
+  });
+  connect(transport_, &ui::TransportBar::cancelRequested, this, [this] { exporter_.cancel(); });
+}
+
+void MainWindow::exportPicture(Picture picture) {
+  const QString png = tr("Picture (*.png)");
+  QStringList filters = {png};
+  if (picture != Picture::window) filters << tr("Vector graphic (*.svg)") << tr("PDF (*.pdf)");
+  const QString suffix = picture == Picture::contour ? "-contour.png"
+                         : picture == Picture::plots ? "-plots.png"
+                                                     : ".png";
+  const QString path = askFile(tr("Save a picture"), suffix, filters);
+  if (!path.isEmpty()) savePicture(picture, path);
+}
+
+bool MainWindow::savePicture(Picture picture, const QString& path) {
+  const bool saved = picture == Picture::contour ? contour_->exportPicture(path)
+                     : picture == Picture::plots ? profile_->exportPicture(path)
+                                                 : grab().save(path);
+  if (saved) {
+    transport_->setMessage(tr("saved %1").arg(QFileInfo(path).fileName()));
+  } else {
+    showFailure({ErrorKind::io, "cannot-write", "cannot be written", "check the folder and the extension", {}, {}},
+                path);
+  }
+  return saved;
+}
+
+void MainWindow::goToProblem() {
+  const auto& all = workspace_.problems();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& problem = all[(next_problem_ + i) % all.size()];
+    if (problem.where.line == 0) continue;
+    next_problem_ = (next_problem_ + i + 1) % all.size();
+    const int line = static_cast<int>(problem.where.line);
+    nc_->view().setCurrentLine(line);
+    workspace_.setCursorLine(static_cast<std::uint32_t>(line));
+    transport_->setMessage(ui::message_text(problem.code, problem.message));
+    return;
+  }
+}
+
+void MainWindow::goToSlowest() {
+  const auto& timeline = workspace_.timeline();
+  if (!timeline || timeline->worst_lines().empty()) return;
+  const std::uint32_t line = timeline->worst_lines()[next_slow_++ % timeline->worst_lines().size()];
+  nc_->view().setCurrentLine(static_cast<int>(line));
+  workspace_.setCursorTime(timeline->lines()[line].begin);
+}
+
+void MainWindow::showKeys() {
+  QString rows;
+  for (const QAction* action : actions_->withShortcuts()) {
+    rows += QString("<tr><td style='padding-right:24px'>%1</td><td>%2</td></tr>")
+                .arg(action->text().remove('&').toHtmlEscaped(), action->shortcut().toString(QKeySequence::NativeText));
+  }
+  QMessageBox box(QMessageBox::NoIcon, tr("Keys"), "<table>" + rows + "</table>", QMessageBox::Close, this);
+  box.setObjectName("keysBox");
+  box.exec();
+}
+
+void MainWindow::showAbout() {
+  QMessageBox box(QMessageBox::NoIcon, tr("About Toolpace"),
+                  "<b>Toolpace " TOOLPACE_VERSION "</b><p>" + tr("Plans the motion of CNC machines.") +
+                      "</p><p>GPL-3.0-or-later</p>",
+                  QMessageBox::Close, this);
+  box.setObjectName("aboutBox");
+  box.exec();
+}
+
+}  // namespace toolpace::studio

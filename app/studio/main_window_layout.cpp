@@ -1,0 +1,199 @@
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QToolBar>
+
+#include "main_window.h"
+#include "panels/dock_title.h"
+#include "panels/loss_panel.h"
+#include "panels/nc_panel.h"
+#include "panels/problems_panel.h"
+#include "panels/results_panel.h"
+#include "panels/sweep_panel.h"
+#include "panels/transport_bar.h"
+#include "panels/tuning_panel.h"
+#include "panels/what_if_panel.h"
+#include "plots/profile_view.h"
+#include "preview/contour_view.h"
+
+namespace toolpace::studio {
+namespace {
+
+constexpr int kProgramWidth = 240, kRightWidth = 352, kTuningHeight = 392, kResultHeight = 296, kPlotHeight = 316;
+
+QToolButton* menu_button(const char* name, QMenu* menu, QToolBar* bar) {
+  auto* button = new QToolButton(bar);
+  button->setObjectName(name);
+  button->setMenu(menu);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  bar->addWidget(button);
+  return button;
+}
+
+}  // namespace
+
+void MainWindow::buildPanels() {
+  setDockOptions(AllowTabbedDocks | AllowNestedDocks | AnimatedDocks);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+
+  contour_ = new ui::ContourView(this);
+  if (contour_->objectName().isEmpty()) contour_->setObjectName("contourView");
+  setCentralWidget(contour_);
+  nc_ = new ui::NcPanel(this);
+  profile_ = new ui::ProfileView(this);
+  tuning_ = new ui::TuningPanel(workspace_.tuning(), this);
+  results_ = new ui::ResultsPanel(this);
+  what_if_ = new ui::WhatIfPanel(this);
+  loss_ = new ui::LossPanel(this);
+  sweep_ = new ui::SweepPanel(this);
+  problems_ = new ui::ProblemsPanel(this);
+  addDock("programDock", nc_, Qt::LeftDockWidgetArea, true);
+  addDock("plotsDock", profile_, Qt::BottomDockWidgetArea, false);
+  addDock("tuningDock", tuning_, Qt::RightDockWidgetArea, true);
+  addDock("resultsDock", results_, Qt::RightDockWidgetArea, false);
+  addDock("limitsDock", what_if_, Qt::RightDockWidgetArea, false);
+  addDock("lossDock", loss_, Qt::RightDockWidgetArea, false);
+  addDock("sweepDock", sweep_, Qt::RightDockWidgetArea, false);
+  addDock("problemsDock", problems_, Qt::RightDockWidgetArea, false);
+  arrange();
+  first_layout_ = saveState();
+
+  transport_ = new ui::TransportBar(this);
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->setContentsMargins(0, 0, 0, 0);
+  statusBar()->addWidget(transport_, 1);
+}
+
+QDockWidget* MainWindow::addDock(const char* name, QWidget* content, Qt::DockWidgetArea area, bool titled) {
+  auto* dock = new QDockWidget(this);
+  dock->setObjectName(name);
+  dock->setWidget(content);
+  if (titled) {
+    auto* title = new ui::DockTitle(dock);
+    dock->setTitleBarWidget(title);
+    titles_[name] = title;
+  } else {
+    dock->setTitleBarWidget(new QWidget(dock));  // its tab or its own controls say what it is
+  }
+  addDockWidget(area, dock);
+  docks_[name] = dock;
+  return dock;
+}
+
+void MainWindow::arrange() {
+  const std::vector<QString> tabs = {"limitsDock", "lossDock", "sweepDock", "problemsDock"};
+  splitDockWidget(docks_["tuningDock"], docks_["resultsDock"], Qt::Vertical);
+  for (const auto& tab : tabs) tabifyDockWidget(docks_["resultsDock"], docks_[tab]);
+  docks_["resultsDock"]->raise();
+  resizeDocks({docks_["programDock"], docks_["tuningDock"]}, {kProgramWidth, kRightWidth}, Qt::Horizontal);
+  resizeDocks({docks_["tuningDock"], docks_["resultsDock"]}, {kTuningHeight, kResultHeight}, Qt::Vertical);
+  resizeDocks({docks_["plotsDock"]}, {kPlotHeight}, Qt::Vertical);
+}
+
+void MainWindow::buildMenus() {
+  Actions& a = *actions_;
+  const auto menu = [this](const char* name) {
+    auto* result = menuBar()->addMenu(QString());
+    result->setObjectName(name);
+    return result;
+  };
+  recent_menu_ = new QMenu(this);
+  machine_menu_ = new QMenu(this);
+  export_menu_ = new QMenu(this);
+  language_menu_ = new QMenu(this);
+  panels_menu_ = new QMenu(this);
+  export_menu_->addActions({a.export_setpoints, a.export_picture, a.export_plots, a.export_window});
+  language_menu_->addActions({a.english, a.chinese});
+  connect(recent_menu_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  connect(machine_menu_, &QMenu::aboutToShow, this, &MainWindow::fillMachines);
+
+  file_menu_ = menu("fileMenu");
+  file_menu_->addAction(a.open);
+  file_menu_->addMenu(recent_menu_);
+  file_menu_->addActions({a.open_example, a.reload});
+  file_menu_->addSeparator();
+  file_menu_->addMenu(machine_menu_);
+  file_menu_->addMenu(export_menu_);
+  file_menu_->addSeparator();
+  file_menu_->addAction(a.close_window);
+  edit_menu_ = menu("editMenu");
+  edit_menu_->addActions({a.undo, a.redo});
+  edit_menu_->addSeparator();
+  edit_menu_->addActions({a.find, a.edit_line});
+  plan_menu_ = menu("planMenu");
+  plan_menu_->addActions({a.play, a.previous_line, a.next_line, a.to_start, a.to_end});
+  plan_menu_->addSeparator();
+  plan_menu_->addActions({a.next_problem, a.slowest_place});
+  plan_menu_->addSeparator();
+  plan_menu_->addActions({a.pin, a.swap, a.unpin});
+  plan_menu_->addSeparator();
+  plan_menu_->addActions({a.sweep, a.what_if, a.cancel});
+  view_menu_ = menu("viewMenu");
+  view_menu_->addActions({a.fit, a.view_xy, a.view_xz, a.view_yz, a.view_iso});
+  view_menu_->addSeparator();
+  view_menu_->addActions({a.dark, a.touch, a.inch});
+  view_menu_->addMenu(language_menu_);
+  view_menu_->addSeparator();
+  view_menu_->addMenu(panels_menu_);
+  view_menu_->addAction(a.reset_layout);
+  for (const auto* name : {"programDock", "plotsDock", "tuningDock", "resultsDock", "limitsDock", "lossDock",
+                           "sweepDock", "problemsDock"}) {
+    panels_menu_->addAction(docks_[name]->toggleViewAction());
+  }
+  help_menu_ = menu("helpMenu");
+  help_menu_->addActions({a.show_keys, a.about});
+}
+
+void MainWindow::buildToolBar() {
+  Actions& a = *actions_;
+  tool_bar_ = addToolBar(QString());
+  tool_bar_->setObjectName("toolBar");
+  tool_bar_->setMovable(false);
+  tool_bar_->setIconSize({20, 20});
+  tool_bar_->setContextMenuPolicy(Qt::PreventContextMenu);
+  open_button_ = menu_button("openButton", recent_menu_, tool_bar_);
+  open_button_->setPopupMode(QToolButton::MenuButtonPopup);
+  open_button_->setDefaultAction(a.open);
+  tool_bar_->addAction(a.reload);
+  tool_bar_->addSeparator();
+  unit_button_ = new QToolButton(tool_bar_);
+  unit_button_->setObjectName("unitButton");
+  connect(unit_button_, &QToolButton::clicked, a.inch, &QAction::trigger);
+  tool_bar_->addWidget(unit_button_);
+  tool_bar_->addAction(a.dark);
+  tool_bar_->addSeparator();
+  machine_button_ = menu_button("machineButton", machine_menu_, tool_bar_);
+  tool_bar_->addSeparator();
+  tool_bar_->addActions({a.undo, a.redo});
+  tool_bar_->addSeparator();
+  export_button_ = menu_button("exportButton", export_menu_, tool_bar_);
+}
+
+void MainWindow::fillRecent() {
+  recent_menu_->clear();
+  for (const QString& path : std::as_const(preferences_.recent_programs)) {
+    recent_menu_->addAction(path, this, [this, path] { openProgram(path); });
+  }
+  if (preferences_.recent_programs.isEmpty()) recent_menu_->addAction(tr("nothing opened yet"))->setEnabled(false);
+  recent_menu_->addSeparator();
+  recent_menu_->addAction(actions_->open_example);
+}
+
+void MainWindow::fillMachines() {
+  machine_menu_->clear();
+  for (const auto& machine : built_in_machines()) {
+    machine_menu_->addAction(machine.name, this, [this, path = machine.path] { openMachine(path); });
+  }
+  machine_menu_->addAction(actions_->default_machine);
+  if (!preferences_.recent_machines.isEmpty()) machine_menu_->addSeparator();
+  for (const QString& path : std::as_const(preferences_.recent_machines)) {
+    machine_menu_->addAction(path, this, [this, path] { openMachine(path); });
+  }
+  machine_menu_->addSeparator();
+  machine_menu_->addActions({actions_->open_machine, actions_->save_machine, actions_->save_machine_as});
+}
+
+}  // namespace toolpace::studio

@@ -1,0 +1,56 @@
+#include "preferences.h"
+
+#include <QSettings>
+
+namespace toolpace::studio {
+namespace {
+
+constexpr int kLayoutVersion = 1;  // an older layout does not fit the panels
+constexpr qsizetype kRecent = 10;
+
+QSettings settings() { return QSettings(QSettings::IniFormat, QSettings::UserScope, "toolpace", "studio"); }
+
+}  // namespace
+
+Preferences load_preferences() {
+  const QSettings s = settings();
+  Preferences p;
+  p.dark = s.value("window/dark", false).toBool();
+  p.touch = s.value("window/touch", false).toBool();
+  p.inch = s.value("window/inch", false).toBool();
+  p.language = s.value("window/language").toString();
+  p.colour_map = s.value("window/colour_map", "cividis").toString();
+  if (s.value("window/layout_version").toInt() == kLayoutVersion) {
+    p.geometry = s.value("window/geometry").toByteArray();
+    p.layout = s.value("window/layout").toByteArray();
+  }
+  p.recent_programs = s.value("recent/programs").toStringList();
+  p.recent_machines = s.value("recent/machines").toStringList();
+  p.last_program = s.value("recent/last_program").toString();
+  p.last_machine = s.value("recent/last_machine").toString();
+  return p;
+}
+
+void save_preferences(const Preferences& p) {
+  QSettings s = settings();
+  s.setValue("window/dark", p.dark);
+  s.setValue("window/touch", p.touch);
+  s.setValue("window/inch", p.inch);
+  s.setValue("window/language", p.language);
+  s.setValue("window/colour_map", p.colour_map);
+  s.setValue("window/layout_version", kLayoutVersion);
+  s.setValue("window/geometry", p.geometry);
+  s.setValue("window/layout", p.layout);
+  s.setValue("recent/programs", p.recent_programs);
+  s.setValue("recent/machines", p.recent_machines);
+  s.setValue("recent/last_program", p.last_program);
+  s.setValue("recent/last_machine", p.last_machine);
+}
+
+void remember(QStringList& recent, const QString& path) {
+  recent.removeAll(path);
+  recent.prepend(path);
+  while (recent.size() > kRecent) recent.removeLast();
+}
+
+}  // namespace toolpace::studio

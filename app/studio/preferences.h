@@ -1,0 +1,27 @@
+#pragma once
+/// What the window remembers between two starts. Parameters of planning live in machine files, not here.
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+namespace toolpace::studio {
+
+struct Preferences {
+  bool dark = false;
+  bool touch = false;
+  bool inch = false;
+  QString language;    ///< "en", "zh_CN"; empty = that of the system
+  QString colour_map;  ///< "cividis", "viridis", "turbo"
+  QByteArray geometry, layout;
+  QStringList recent_programs, recent_machines;  ///< latest first
+  QString last_program, last_machine;
+};
+
+Preferences load_preferences();
+void save_preferences(const Preferences& preferences);
+
+/// Puts `path` in front, without doubles, at most ten entries.
+void remember(QStringList& recent, const QString& path);
+
+}  // namespace toolpace::studio

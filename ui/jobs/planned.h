@@ -1,0 +1,21 @@
+#pragma once
+/// A plan with everything that the views draw from it, made ready by the worker.
+
+#include <memory>
+
+#include "models/timeline.h"
+#include "plots/profile_series.h"
+#include "preview/contour_scene.h"
+
+namespace toolpace::ui {
+
+/// All null, or none.
+struct Planned {
+  std::shared_ptr<const Timeline> timeline;
+  std::shared_ptr<const ContourScene> scene;
+  std::shared_ptr<const ProfileSeries> series;
+
+  explicit operator bool() const { return timeline != nullptr; }
+};
+
+}  // namespace toolpace::ui

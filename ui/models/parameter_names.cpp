@@ -1,0 +1,43 @@
+#include "models/parameter_names.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <array>
+
+namespace toolpace::ui {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ParameterNames", text); }
+
+struct Name {
+  const char* key;
+  const char* title;
+};
+
+constexpr std::array kPathNames = {
+    Name{"path.max_speed_mm_s", QT_TRANSLATE_NOOP("ParameterNames", "Top speed of the path")},
+    Name{"path.max_acceleration_mm_s2", QT_TRANSLATE_NOOP("ParameterNames", "Acceleration of the path")},
+    Name{"path.max_deceleration_mm_s2", QT_TRANSLATE_NOOP("ParameterNames", "Deceleration of the path")},
+    Name{"path.max_jerk_mm_s3", QT_TRANSLATE_NOOP("ParameterNames", "Jerk of the path")},
+    Name{"path.max_jerk_deceleration_mm_s3", QT_TRANSLATE_NOOP("ParameterNames", "Jerk, slowing down")},
+    Name{"law.tacc_ms", QT_TRANSLATE_NOOP("ParameterNames", "Acceleration time, shorter")},
+    Name{"law.tdec_ms", QT_TRANSLATE_NOOP("ParameterNames", "Deceleration time, shorter")},
+    Name{"lookahead.tolerance_mm", QT_TRANSLATE_NOOP("ParameterNames", "Tolerance")},
+    Name{"lookahead.junction_deviation_mm", QT_TRANSLATE_NOOP("ParameterNames", "Junction deviation")},
+    Name{"feed_override_percent", QT_TRANSLATE_NOOP("ParameterNames", "Feed override")}};
+
+}  // namespace
+
+QString parameter_name(const std::string& key) {
+  for (const Name& name : kPathNames) {
+    if (key == name.key) return tr(name.title);
+  }
+  const QStringList parts = QString::fromStdString(key).split('.');
+  if (parts.size() != 3 || parts[0] != "axes") return QString::fromStdString(key);
+  if (parts[2].startsWith("max_speed")) return tr("Speed of %1").arg(parts[1]);
+  if (parts[2].startsWith("max_acceleration")) return tr("Acceleration of %1").arg(parts[1]);
+  if (parts[2].startsWith("max_jerk")) return tr("Jerk of %1").arg(parts[1]);
+  return QString::fromStdString(key);
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,105 @@
+#include "panels/axes_grid.h"
+
+#include "panels/form_grid.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr std::array<Quantity, AxesGrid::kLimits> kQuantities = {Quantity::speed, Quantity::acceleration,
+                                                                 Quantity::jerk};
+constexpr std::array<const char*, AxesGrid::kLimits> kIds = {"Speed", "Acceleration", "Jerk"};
+constexpr std::array<const char*, AxesGrid::kLimits> kSymbols = {"v", "a", "j"};
+constexpr int kRotaryHeadRow = 4;
+constexpr double kLeast = 1e-6;  // zero would be no machine at all
+
+double limit_of(const AxisLimits& axis, int limit) {
+  switch (limit) {
+    case AxesGrid::kSpeed: return axis.speed;
+    case AxesGrid::kAcceleration: return axis.acceleration;
+    default: return axis.jerk;
+  }
+}
+
+}  // namespace
+
+AxesGrid::AxesGrid(QWidget* parent) : QWidget(parent) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(4);
+  grid->setVerticalSpacing(4);
+  for (int limit = 0; limit < kLimits; ++limit) {
+    const auto i = static_cast<std::size_t>(limit);
+    heads_[i] = secondary_label({}, this);
+    rotary_heads_[i] = secondary_label({}, this);
+    for (auto* head : {heads_[i], rotary_heads_[i]}) head->setAlignment(Qt::AlignRight);
+    grid->addWidget(heads_[i], 0, limit + 1);
+    grid->addWidget(rotary_heads_[i], kRotaryHeadRow, limit + 1);
+    grid->setColumnStretch(limit + 1, 1);
+  }
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const int row = static_cast<int>(axis) + (is_rotary(axis) ? 2 : 1);
+    names_[axis] = new QLabel(QString(QLatin1Char(kAxisNames[axis])), this);
+    grid->addWidget(names_[axis], row, 0);
+    for (int limit = 0; limit < kLimits; ++limit) {
+      const auto i = static_cast<std::size_t>(limit);
+      const QString name = QString("axis%1%2").arg(QLatin1Char(kAxisNames[axis])).arg(kIds[i]);
+      const Quantity quantity = is_rotary(axis) ? rotary(kQuantities[i]) : kQuantities[i];
+      auto* field = new NumberField(name, {}, quantity, {kLeast, kUnlimited, true}, this);
+      field->setMinimumWidth(56);
+      fields_[axis][i] = field;
+      grid->addWidget(field, row, limit + 1);
+      connect(field, &NumberField::edited, this,
+              [this, axis, limit](double value) { emit edited(static_cast<int>(axis), limit, value); });
+      connect(field, &NumberField::gestureStarted, this, &AxesGrid::gestureStarted);
+      connect(field, &NumberField::gestureFinished, this, &AxesGrid::gestureFinished);
+    }
+  }
+  retranslate();
+  setRotaryVisible(false);
+}
+
+void AxesGrid::setMachine(const Machine& machine) {
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    for (int limit = 0; limit < kLimits; ++limit) {
+      fields_[axis][static_cast<std::size_t>(limit)]->setValue(limit_of(machine.axes[axis], limit));
+    }
+  }
+}
+
+void AxesGrid::setRotaryVisible(bool visible) {
+  for (std::size_t axis = 3; axis < kAxisCount; ++axis) {
+    names_[axis]->setVisible(visible);
+    for (auto* field : fields_[axis]) field->setVisible(visible);
+  }
+  for (auto* head : rotary_heads_) head->setVisible(visible);
+}
+
+void AxesGrid::setLengthUnit(LengthUnit unit) {
+  unit_ = unit;
+  for (auto& row : fields_) {
+    for (auto* field : row) field->setLengthUnit(unit);
+  }
+  show_units();
+}
+
+void AxesGrid::show_units() {
+  for (std::size_t i = 0; i < kLimits; ++i) {
+    const QString symbol = kSymbols[i];
+    heads_[i]->setText(symbol + "  " + display_unit(kQuantities[i], unit_).text);
+    rotary_heads_[i]->setText(symbol + "  " + display_unit(rotary(kQuantities[i]), unit_).text);
+  }
+}
+
+void AxesGrid::retranslate() {
+  const std::array<QString, kLimits> titles = {tr("top speed"), tr("acceleration limit"), tr("jerk limit")};
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    for (std::size_t i = 0; i < kLimits; ++i) {
+      const QString name = tr("Axis %1, %2").arg(QLatin1Char(kAxisNames[axis])).arg(titles[i]);
+      fields_[axis][i]->setAccessibleName(name);
+      fields_[axis][i]->setToolTip(tr("%1; empty = no limit").arg(name));
+    }
+  }
+  show_units();
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,43 @@
+#pragma once
+/// The axes' limits as a table of exact entries: a row an axis, columns speed, acceleration, jerk.
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QWidget>
+#include <array>
+
+#include "panels/number_field.h"
+#include "toolpace/limits/machine.h"
+
+namespace toolpace::ui {
+
+class AxesGrid : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum Limit { kSpeed, kAcceleration, kJerk, kLimits };
+
+  explicit AxesGrid(QWidget* parent = nullptr);
+
+  void setMachine(const Machine& machine);
+  /// Shows only the axes that are used or limited; X, Y, Z always.
+  void setRotaryVisible(bool visible);
+  void setLengthUnit(LengthUnit unit);
+  void retranslate();
+
+ signals:
+  void edited(int axis, int limit, double core_value);
+  void gestureStarted();
+  void gestureFinished();
+
+ private:
+  void show_units();
+
+  std::array<std::array<NumberField*, kLimits>, kAxisCount> fields_ = {};
+  std::array<QLabel*, kAxisCount> names_ = {};
+  std::array<QLabel*, kLimits> heads_ = {};
+  std::array<QLabel*, kLimits> rotary_heads_ = {};
+  LengthUnit unit_ = LengthUnit::mm;
+};
+
+}  // namespace toolpace::ui

@@ -1,0 +1,77 @@
+#include "panels/form_grid.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr int kColumnsPerSide = 4;  // label, field, unit, space
+constexpr int kFieldWidth = 56, kPairLabel = 36, kUnitWidth = 42, kWideLabel = 72, kSpacing = 4;
+
+}  // namespace
+
+QLabel* secondary_label(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("role", "secondary");
+  return label;
+}
+
+FormGrid::FormGrid(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(kSpacing);
+}
+
+QGridLayout* FormGrid::grid(bool wide) {
+  QGridLayout*& current = wide ? wide_ : pairs_;
+  (wide ? pairs_ : wide_) = nullptr;  // rows stay in the order in which they are added
+  if (current) return current;
+  current = new QGridLayout;
+  current->setHorizontalSpacing(kSpacing);
+  current->setVerticalSpacing(kSpacing);
+  column_->addLayout(current);
+  if (wide) {
+    current->setColumnMinimumWidth(0, kWideLabel);
+    current->setColumnStretch(1, 1);
+    return current;
+  }
+  for (int side : {0, 1}) {
+    current->setColumnMinimumWidth(side * kColumnsPerSide, kPairLabel);
+    current->setColumnMinimumWidth(side * kColumnsPerSide + 2, kUnitWidth);
+    current->setColumnStretch(side * kColumnsPerSide + 1, 1);
+  }
+  current->setColumnMinimumWidth(3, kSpacing);
+  return current;
+}
+
+QLabel* FormGrid::add(int row, int side, NumberField* field) {
+  const int column = side * kColumnsPerSide;
+  auto* label = new QLabel(this);
+  label->setBuddy(field);
+  auto* unit = secondary_label(field->unitText(), this);
+  connect(field, &NumberField::unitChanged, unit, [field, unit] { unit->setText(field->unitText()); });
+  field->setMinimumWidth(kFieldWidth);
+  QGridLayout* pairs = grid(false);
+  pairs->addWidget(label, row, column);
+  pairs->addWidget(field, row, column + 1);
+  pairs->addWidget(unit, row, column + 2);
+  parts_.push_back({field, {label, unit}});
+  return label;
+}
+
+QLabel* FormGrid::addWide(int row, QWidget* widget) {
+  auto* label = new QLabel(this);
+  label->setBuddy(widget);
+  QGridLayout* rows = grid(true);
+  rows->addWidget(label, row, 0);
+  rows->addWidget(widget, row, 1);
+  parts_.push_back({widget, {label}});
+  return label;
+}
+
+void FormGrid::setRowVisible(QWidget* field, bool visible) {
+  for (auto& parts : parts_) {
+    if (parts.field != field) continue;
+    field->setVisible(visible);
+    for (auto* other : parts.others) other->setVisible(visible);
+  }
+}
+
+}  // namespace toolpace::ui

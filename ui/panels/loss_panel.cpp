@@ -1,0 +1,74 @@
+#include "panels/loss_panel.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "panels/results_panel.h"
+
+namespace toolpace::ui {
+
+LossPanel::LossPanel(QWidget* parent)
+    : QWidget(parent),
+      model_(new LossModel(this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      table_(new QTableView(this)),
+      total_(new QLabel(this)) {
+  setObjectName("lossPanel");
+  setProperty("role", "surface");
+  setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  total_->setContentsMargins(8, 8, 8, 4);
+  total_->setProperty("role", "secondary");
+  total_->setWordWrap(true);
+  column->addWidget(total_);
+  sorted_->setSourceModel(model_);
+  sorted_->setSortRole(LossModel::kSortRole);
+  table_->setObjectName("lossTable");
+  table_->setModel(sorted_);
+  style_table(table_);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(LossModel::kLoss, Qt::DescendingOrder);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setMinimumSectionSize(40);
+  column->addWidget(table_, 1);
+  const auto go = [this](const QModelIndex& index) {
+    emit lineRequested(index.siblingAtColumn(LossModel::kLine).data(LossModel::kSortRole).toInt());
+  };
+  connect(table_, &QTableView::clicked, this, go);
+  connect(table_, &QTableView::activated, this, go);
+  showTotal();
+}
+
+void LossPanel::setTimeline(std::shared_ptr<const Timeline> timeline) {
+  timeline_ = timeline;
+  model_->setTimeline(std::move(timeline));
+  showTotal();
+}
+
+void LossPanel::setLengthUnit(LengthUnit unit) { model_->setUnit(unit); }
+
+void LossPanel::showTotal() {
+  table_->setAccessibleName(tr("Time lost by each NC line"));
+  if (!timeline_) return total_->clear();
+  double loss = 0;
+  for (std::uint32_t line : timeline_->worst_lines()) loss += timeline_->lines()[line].loss();
+  const double share = timeline_->duration() > 0 ? loss / timeline_->duration() * 100 : 0;
+  total_->setText(tr("%1 s (%2 %) more than at the programmed feed all along, on %n line(s)", nullptr,
+                     static_cast<int>(timeline_->worst_lines().size()))
+                      .arg(loss, 0, 'f', 3)
+                      .arg(share, 0, 'f', 1));
+}
+
+void LossPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    showTotal();
+    emit model_->headerDataChanged(Qt::Horizontal, 0, LossModel::kColumns - 1);
+  }
+  QWidget::changeEvent(event);
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,38 @@
+#pragma once
+/// What each NC line loses against its programmed feed, the worst first.
+
+#include <QLabel>
+#include <QSortFilterProxyModel>
+#include <QTableView>
+#include <QWidget>
+
+#include "models/loss_model.h"
+
+namespace toolpace::ui {
+
+class LossPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LossPanel(QWidget* parent = nullptr);
+
+  void setTimeline(std::shared_ptr<const Timeline> timeline);
+  void setLengthUnit(LengthUnit unit);
+
+ signals:
+  void lineRequested(int line);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void showTotal();
+
+  LossModel* model_;
+  QSortFilterProxyModel* sorted_;
+  QTableView* table_;
+  QLabel* total_;
+  std::shared_ptr<const Timeline> timeline_;
+};
+
+}  // namespace toolpace::ui

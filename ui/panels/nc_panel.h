@@ -1,0 +1,37 @@
+#pragma once
+/// The NC program with a find bar.
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QWidget>
+
+#include "panels/nc_view.h"
+
+namespace toolpace::ui {
+
+class NcPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit NcPanel(QWidget* parent = nullptr);
+
+  NcView& view() { return *view_; }
+  void openFindBar();
+  /// Shows below the text that a program can be dropped here.
+  void setHintVisible(bool visible);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void find(bool backwards);
+  void retranslate();
+
+  NcView* view_;
+  QWidget* bar_;
+  QLineEdit* text_;
+  QLabel *none_, *hint_;
+};
+
+}  // namespace toolpace::ui

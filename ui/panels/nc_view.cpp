@@ -1,0 +1,350 @@
+#include "panels/nc_view.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHelpEvent>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScrollBar>
+#include <QToolTip>
+#include <algorithm>
+
+#include "models/problem_model.h"
+#include "models/units.h"
+#include "panels/nc_syntax.h"
+#include "theme/appearance.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr qreal kFontPoints = 9;
+constexpr int kLeading = 4;  // between lines [px]
+constexpr int kMargin = 8;
+constexpr int kLossWidth = 16;  // of the bar of the worst line
+constexpr int kSpeedWidth = 4;
+
+}  // namespace
+
+NcView::NcView(QWidget* parent) : QAbstractScrollArea(parent), colours_(colour_table(map_, Ground::light)) {
+  setObjectName("ncView");
+  setAccessibleName(tr("NC program"));
+  setFont(monospace_font(kFontPoints));
+  setFocusPolicy(Qt::StrongFocus);
+  setFrameShape(QFrame::NoFrame);
+  viewport()->setCursor(Qt::IBeamCursor);
+}
+
+void NcView::setDocument(std::shared_ptr<const Document> document) {
+  const bool same = document_ && document && document_->path == document->path && document_->name == document->name;
+  finishEdit(false);
+  document_ = std::move(document);
+  if (!same) {
+    current_ = anchor_ = 1;
+    verticalScrollBar()->setValue(0);
+    horizontalScrollBar()->setValue(0);
+  }
+  current_ = std::clamp(current_, 1, std::max(lineCount(), 1));
+  anchor_ = current_;
+  updateScrollBars();
+  viewport()->update();
+}
+
+void NcView::setTimeline(std::shared_ptr<const Timeline> timeline) {
+  timeline_ = std::move(timeline);
+  fastest_ = worst_loss_ = 0;
+  if (timeline_) {
+    for (const auto& stats : timeline_->lines()) {
+      fastest_ = std::max(fastest_, stats.mean_speed());
+      worst_loss_ = std::max(worst_loss_, stats.loss());
+    }
+  }
+  viewport()->update();
+}
+
+void NcView::setProblems(const Diagnostics& problems) {
+  problems_ = problems;
+  std::stable_sort(problems_.begin(), problems_.end(),
+                   [](const auto& a, const auto& b) { return a.where.line < b.where.line; });
+  viewport()->update();
+}
+
+void NcView::setTheme(const Theme& theme) {
+  theme_ = theme;
+  setColourMap(map_);
+}
+
+void NcView::setColourMap(ColourMap map) {
+  map_ = map;
+  colours_ = colour_table(map, theme_.dark ? Ground::dark : Ground::light);
+  viewport()->update();
+}
+
+void NcView::setPlaceholder(const QString& text) {
+  placeholder_ = text;
+  viewport()->update();
+}
+
+int NcView::lineCount() const { return document_ ? static_cast<int>(document_->line_count()) : 0; }
+
+int NcView::lineHeight() const { return fontMetrics().height() + kLeading; }
+
+int NcView::visibleLines() const { return std::max(viewport()->height() / lineHeight(), 1); }
+
+int NcView::lineAt(int y) const {
+  const int line = verticalScrollBar()->value() + y / lineHeight() + 1;
+  return std::clamp(line, 1, std::max(lineCount(), 1));
+}
+
+NcView::Gutter NcView::gutter() const {
+  const auto digits = std::max<qsizetype>(QString::number(lineCount()).size(), 3);
+  Gutter g;
+  g.number_end = kMargin + static_cast<int>(digits) * fontMetrics().horizontalAdvance('0');
+  g.loss_begin = g.number_end + 4;
+  g.loss_end = g.loss_begin + kLossWidth;
+  g.speed_begin = g.loss_end + 2;
+  g.text_begin = g.speed_begin + kSpeedWidth + kMargin;
+  return g;
+}
+
+QRect NcView::lineRect(int line) const {
+  return {0, (line - 1 - verticalScrollBar()->value()) * lineHeight(), viewport()->width(), lineHeight()};
+}
+
+void NcView::updateScrollBars() {
+  verticalScrollBar()->setRange(0, std::max(lineCount() - visibleLines(), 0));
+  verticalScrollBar()->setPageStep(visibleLines());
+  const int width = fontMetrics().horizontalAdvance('0') * 120;
+  horizontalScrollBar()->setRange(0, std::max(width + gutter().text_begin - viewport()->width(), 0));
+  horizontalScrollBar()->setPageStep(viewport()->width());
+  horizontalScrollBar()->setSingleStep(fontMetrics().horizontalAdvance('0') * 4);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+void NcView::setCurrentLine(int line) {
+  line = std::clamp(line, 1, std::max(lineCount(), 1));
+  if (line == current_ && anchor_ == current_) return;
+  current_ = anchor_ = line;
+  const int top = verticalScrollBar()->value() + 1;
+  const int shown = visibleLines();
+  if (line < top || line >= top + shown) verticalScrollBar()->setValue(line - 1 - shown / 3);
+  viewport()->update();
+}
+
+void NcView::activate(int line, bool extend) {
+  line = std::clamp(line, 1, std::max(lineCount(), 1));
+  const int anchor = extend ? anchor_ : line;
+  current_ = line;
+  anchor_ = anchor;
+  const int top = verticalScrollBar()->value() + 1;
+  if (line < top) verticalScrollBar()->setValue(line - 1);
+  if (line >= top + visibleLines()) verticalScrollBar()->setValue(line - visibleLines());
+  viewport()->update();
+  emit lineActivated(line);
+}
+
+bool NcView::findNext(const QString& text, bool backwards) {
+  const int count = lineCount();
+  if (text.isEmpty() || count == 0) return false;
+  for (int i = 1; i <= count; ++i) {
+    const int offset = backwards ? -i : i;
+    const int line = ((current_ - 1 + offset) % count + count) % count + 1;
+    if (!document_->line(line).contains(text, Qt::CaseInsensitive)) continue;
+    setCurrentLine(line);
+    emit lineActivated(line);
+    return true;
+  }
+  return false;
+}
+
+void NcView::copySelection() const {
+  QStringList lines;
+  for (int line = std::min(current_, anchor_); line <= std::max(current_, anchor_); ++line)
+    lines << document_->line(line);
+  QGuiApplication::clipboard()->setText(lines.join('\n') + '\n');
+}
+
+const Diagnostic* NcView::problemOf(int line) const {
+  const auto number = static_cast<std::size_t>(line);
+  const auto at = std::lower_bound(problems_.begin(), problems_.end(), number,
+                                   [](const Diagnostic& d, std::size_t l) { return d.where.line < l; });
+  const Diagnostic* worst = nullptr;
+  for (auto it = at; it != problems_.end() && it->where.line == number; ++it) {
+    if (!worst || it->severity > worst->severity) worst = &*it;
+  }
+  return worst;
+}
+
+void NcView::paintEvent(QPaintEvent*) {
+  QPainter painter(viewport());
+  painter.fillRect(viewport()->rect(), theme_.surface);
+  if (lineCount() == 0) {
+    painter.setPen(theme_.secondary);
+    painter.drawText(viewport()->rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, placeholder_);
+    return;
+  }
+  const Gutter g = gutter();
+  const int first = verticalScrollBar()->value() + 1;
+  const int last = std::min(first + visibleLines() + 1, lineCount());
+  for (int line = first; line <= last; ++line) paintLine(painter, line, g);
+}
+
+void NcView::paintLine(QPainter& painter, int line, const Gutter& g) const {
+  const QRect row = lineRect(line);
+  if (line == current_) {
+    painter.fillRect(row, mixed(theme_.surface, theme_.accent, theme_.dark ? 0.22 : 0.10));
+    painter.fillRect(QRect(0, row.top(), 2, row.height()), theme_.accent);
+  } else if (line >= std::min(current_, anchor_) && line <= std::max(current_, anchor_)) {
+    painter.fillRect(row, mixed(theme_.surface, theme_.accent, theme_.dark ? 0.16 : 0.06));
+  }
+  paintGutter(painter, line, row, g);
+  paintText(painter, line, row, g);
+}
+
+void NcView::paintGutter(QPainter& painter, int line, const QRect& row, const Gutter& g) const {
+  const Diagnostic* problem = problemOf(line);
+  painter.setPen(!problem                                 ? (line == current_ ? theme_.text : theme_.secondary)
+                 : problem->severity == Severity::error   ? theme_.error
+                 : problem->severity == Severity::warning ? theme_.warning
+                                                          : theme_.secondary);
+  painter.drawText(QRect(0, row.top(), g.number_end, row.height()), Qt::AlignRight | Qt::AlignVCenter,
+                   QString::number(line));
+  if (!timeline_ || static_cast<std::size_t>(line) >= timeline_->lines().size()) return;
+  const LineStats& stats = timeline_->lines()[static_cast<std::size_t>(line)];
+  if (stats.begin < 0) return;
+  if (fastest_ > 0) {
+    const auto level = static_cast<std::size_t>(std::clamp(stats.mean_speed() / fastest_, 0.0, 1.0) * 255);
+    painter.fillRect(QRect(g.speed_begin, row.top(), kSpeedWidth, row.height()), QColor(colours_[level]));
+  }
+  if (worst_loss_ > 0 && stats.loss() > 0) {
+    const int width = static_cast<int>(stats.loss() / worst_loss_ * kLossWidth + 0.5);
+    const int height = row.height() / 2;
+    painter.fillRect(QRect(g.loss_end - width, row.top() + (row.height() - height) / 2, width, height),
+                     mixed(theme_.surface, theme_.warning, 0.55));
+  }
+}
+
+void NcView::paintText(QPainter& painter, int line, const QRect& row, const Gutter& g) const {
+  const QString text = document_->line(line);
+  painter.save();
+  painter.setClipRect(QRect(g.text_begin, row.top(), row.width() - g.text_begin, row.height()));
+  const int left = g.text_begin - horizontalScrollBar()->value();
+  const int advance = fontMetrics().horizontalAdvance('0');
+  const int base = row.top() + (row.height() + fontMetrics().ascent() - fontMetrics().descent()) / 2;
+  int x = left;
+  for (const NcSpan& span : nc_spans(text)) {
+    const QString part = text.mid(span.begin, span.length);
+    painter.setPen(span.kind == NcSpanKind::code ? theme_.text : theme_.secondary);
+    painter.drawText(x, base, part);
+    x += fontMetrics().horizontalAdvance(part);
+  }
+  const Diagnostic* problem = problemOf(line);
+  if (problem && problem->where.column > 0) {
+    const auto before = text.left(static_cast<qsizetype>(problem->where.column) - 1);
+    const int from = left + fontMetrics().horizontalAdvance(before);
+    const int width = std::max<int>(advance * static_cast<int>(problem->excerpt.size()), advance * 2);
+    painter.setPen(QPen(problem->severity == Severity::error ? theme_.error : theme_.warning, 2, Qt::DotLine));
+    painter.drawLine(from, row.bottom() - 1, from + width, row.bottom() - 1);
+  }
+  painter.restore();
+}
+
+QString NcView::tipOf(int line) const {
+  QStringList lines;
+  for (const auto& problem : problems_) {
+    if (problem.where.line != static_cast<std::size_t>(line)) continue;
+    lines << message_text(problem.code, problem.message);
+    if (!problem.remedy.empty()) lines << QString::fromStdString(problem.remedy);
+  }
+  if (timeline_ && static_cast<std::size_t>(line) < timeline_->lines().size()) {
+    const auto& stats = timeline_->lines()[static_cast<std::size_t>(line)];
+    if (stats.begin >= 0) {
+      lines << tr("mean %1, programmed %2")
+                   .arg(value_text(stats.mean_speed(), Quantity::speed, LengthUnit::mm, 4),
+                        value_text(stats.asked_speed(), Quantity::speed, LengthUnit::mm, 4));
+      lines << tr("%1 s, of which %2 s lost").arg(stats.time, 0, 'f', 3).arg(stats.loss(), 0, 'f', 3);
+    }
+  }
+  return lines.join('\n');
+}
+
+bool NcView::viewportEvent(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && lineCount() > 0) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QToolTip::showText(help->globalPos(), tipOf(lineAt(help->pos().y())), viewport());
+    return true;
+  }
+  return QAbstractScrollArea::viewportEvent(event);
+}
+
+void NcView::resizeEvent(QResizeEvent*) { updateScrollBars(); }
+
+void NcView::changeEvent(QEvent* event) {
+  QAbstractScrollArea::changeEvent(event);
+  if (event->type() == QEvent::FontChange) updateScrollBars();
+}
+
+void NcView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || lineCount() == 0) return;
+  finishEdit(true);
+  activate(lineAt(static_cast<int>(event->position().y())), event->modifiers() & Qt::ShiftModifier);
+}
+
+void NcView::mouseMoveEvent(QMouseEvent* event) {
+  if (!(event->buttons() & Qt::LeftButton) || lineCount() == 0) return;
+  const int line = lineAt(static_cast<int>(event->position().y()));
+  if (line != current_) activate(line, true);
+}
+
+void NcView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) editCurrentLine();
+}
+
+void NcView::keyPressEvent(QKeyEvent* event) {
+  const bool extend = event->modifiers() & Qt::ShiftModifier;
+  if (event->matches(QKeySequence::Copy)) return document_ ? copySelection() : void();
+  if (event->matches(QKeySequence::Find)) return emit findRequested();
+  switch (event->key()) {
+    case Qt::Key_Up: return activate(current_ - 1, extend);
+    case Qt::Key_Down: return activate(current_ + 1, extend);
+    case Qt::Key_PageUp: return activate(current_ - visibleLines(), extend);
+    case Qt::Key_PageDown: return activate(current_ + visibleLines(), extend);
+    case Qt::Key_Home: return activate(1, extend);
+    case Qt::Key_End: return activate(lineCount(), extend);
+    case Qt::Key_F2:
+    case Qt::Key_Return:
+    case Qt::Key_Enter: return editCurrentLine();
+    default: event->ignore();
+  }
+}
+
+void NcView::editCurrentLine() {
+  if (lineCount() == 0) return;
+  finishEdit(false);
+  editor_ = new QLineEdit(viewport());
+  editor_->setObjectName("ncLineEditor");
+  editor_->setAccessibleName(tr("Text of line %1").arg(current_));
+  editor_->setFont(font());
+  editor_->setText(document_->line(current_));
+  const QRect row = lineRect(current_);
+  const int left = gutter().text_begin - 7;  // border and padding of the field, so that the text stays in place
+  editor_->setGeometry(left, row.top() - 1, viewport()->width() - left, row.height() + 2);
+  editor_->setStyleSheet("min-height: 0; padding: 0 5px;");
+  connect(editor_, &QLineEdit::editingFinished, this, [this] { finishEdit(true); });
+  editor_->show();
+  editor_->setFocus();
+}
+
+void NcView::finishEdit(bool take) {
+  if (!editor_) return;
+  auto* editor = editor_.data();
+  editor_ = nullptr;  // losing the focus must not come back here
+  editor->deleteLater();
+  editor->hide();
+  if (take && editor->isModified() && editor->text() != document_->line(current_)) {
+    emit lineEdited(current_, editor->text());
+  }
+  setFocus();
+}
+
+}  // namespace toolpace::ui

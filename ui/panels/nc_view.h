@@ -1,0 +1,87 @@
+#pragma once
+/// The NC program as text: line numbers, a gutter of speeds and losses, problems, the line under the tool.
+
+#include <QAbstractScrollArea>
+#include <QPointer>
+#include <memory>
+#include <vector>
+
+#include "models/document.h"
+#include "models/timeline.h"
+#include "preview/colour_map.h"
+#include "theme/theme.h"
+
+class QLineEdit;
+
+namespace toolpace::ui {
+
+/// Draws only the lines in sight, so a program of a million lines scrolls like one of ten. A line is edited in place
+/// (double click, F2, Enter).
+class NcView : public QAbstractScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit NcView(QWidget* parent = nullptr);
+
+  void setDocument(std::shared_ptr<const Document> document);
+  void setTimeline(std::shared_ptr<const Timeline> timeline);
+  void setProblems(const Diagnostics& problems);
+  void setTheme(const Theme& theme);
+  void setColourMap(ColourMap map);
+  void setPlaceholder(const QString& text);
+
+  int currentLine() const { return current_; }
+  void setCurrentLine(int line);  ///< scrolls it into sight; emits nothing
+  void editCurrentLine();
+  /// Selects the next line that contains `text`, from the current one on; wraps around. False where there is none.
+  bool findNext(const QString& text, bool backwards = false);
+  void copySelection() const;
+
+ signals:
+  void lineActivated(int line);  ///< a person chose this line
+  void lineEdited(int line, const QString& text);
+  void findRequested();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+
+ private:
+  struct Gutter {
+    int number_end, loss_begin, loss_end, speed_begin, text_begin;
+  };
+
+  int lineCount() const;
+  int lineHeight() const;
+  int visibleLines() const;
+  int lineAt(int y) const;
+  Gutter gutter() const;
+  QRect lineRect(int line) const;
+  void updateScrollBars();
+  void activate(int line, bool extend);
+  void paintLine(QPainter& painter, int line, const Gutter& g) const;
+  void paintGutter(QPainter& painter, int line, const QRect& row, const Gutter& g) const;
+  void paintText(QPainter& painter, int line, const QRect& row, const Gutter& g) const;
+  const Diagnostic* problemOf(int line) const;
+  QString tipOf(int line) const;
+  void finishEdit(bool take);
+
+  std::shared_ptr<const Document> document_;
+  std::shared_ptr<const Timeline> timeline_;
+  Diagnostics problems_;  // sorted by line
+  Theme theme_ = light_theme();
+  ColourMap map_ = ColourMap::cividis;
+  ColourTable colours_;
+  QString placeholder_;
+  double fastest_ = 0, worst_loss_ = 0;
+  int current_ = 1, anchor_ = 1;
+  QPointer<QLineEdit> editor_;
+};
+
+}  // namespace toolpace::ui

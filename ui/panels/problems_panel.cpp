@@ -1,0 +1,62 @@
+#include "panels/problems_panel.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "panels/results_panel.h"
+
+namespace toolpace::ui {
+
+ProblemsPanel::ProblemsPanel(QWidget* parent)
+    : QWidget(parent), model_(new ProblemModel(this)), table_(new QTableView(this)), empty_(new QLabel(this)) {
+  setObjectName("problemsPanel");
+  setProperty("role", "surface");
+  setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  empty_->setProperty("role", "secondary");
+  empty_->setContentsMargins(8, 8, 8, 8);
+  column->addWidget(empty_);
+  column->addWidget(table_, 1);
+  table_->setObjectName("problemTable");
+  table_->setModel(model_);
+  style_table(table_);
+  table_->setWordWrap(true);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kPlace, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kMessage, QHeaderView::Stretch);
+  const auto go = [this](const QModelIndex& index) {
+    const auto line = model_->at(index.row()).where.line;
+    if (line > 0) emit lineRequested(static_cast<int>(line));
+  };
+  connect(table_, &QTableView::clicked, this, go);
+  connect(table_, &QTableView::activated, this, go);
+  showState();
+}
+
+void ProblemsPanel::setProblems(const Diagnostics& problems) {
+  model_->setProblems(problems);
+  showState();
+}
+
+void ProblemsPanel::setTheme(const Theme& theme) { model_->setTheme(theme); }
+
+void ProblemsPanel::showState() {
+  empty_->setText(tr("No errors, no warnings"));
+  empty_->setVisible(model_->rowCount() == 0);
+  table_->setVisible(model_->rowCount() > 0);
+  table_->setAccessibleName(tr("Errors and warnings"));
+}
+
+void ProblemsPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    model_->setProblems(model_->problems());
+    showState();
+  }
+  QWidget::changeEvent(event);
+}
+
+}  // namespace toolpace::ui

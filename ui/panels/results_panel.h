@@ -1,0 +1,46 @@
+#pragma once
+/// Figures of A and B side by side, with pin and swap.
+
+#include <QLabel>
+#include <QTableView>
+#include <QToolButton>
+#include <QWidget>
+
+#include "models/result_model.h"
+
+namespace toolpace::ui {
+
+class ResultsPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ResultsPanel(QWidget* parent = nullptr);
+
+  void setPlans(std::shared_ptr<const Timeline> a, std::shared_ptr<const Timeline> b);
+  void setLengthUnit(LengthUnit unit);
+  void setTheme(const Theme& theme);
+
+ signals:
+  void pinRequested();
+  void unpinRequested();
+  void swapRequested();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void retranslate();
+  void showHeadline();
+
+  ResultModel* model_;
+  QTableView* table_;
+  QLabel *cycle_, *versus_;
+  QToolButton *pin_, *swap_, *unpin_;
+  std::shared_ptr<const Timeline> a_, b_;
+  Theme theme_ = light_theme();
+};
+
+/// Dresses a table the way all tables of the workbench look.
+void style_table(QTableView* table);
+
+}  // namespace toolpace::ui

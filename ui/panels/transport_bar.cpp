@@ -1,0 +1,157 @@
+#include "panels/transport_bar.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+
+#include "preview/cause_style.h"
+#include "theme/icons.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr std::array kRates = {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0};
+constexpr int kRealTime = 3;
+
+QString fixed(double value, int decimals, int width) {
+  return QString::number(value, 'f', decimals).rightJustified(width, QChar(0x2007));  // a space as wide as a digit
+}
+
+}  // namespace
+
+TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
+  setObjectName("transportBar");
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 4);
+  row->setSpacing(4);
+  first_ = addButton("firstButton", "first", &TransportBar::firstRequested);
+  previous_ = addButton("previousButton", "previous", &TransportBar::previousRequested);
+  play_ = addButton("playButton", "play", &TransportBar::playRequested);
+  next_ = addButton("nextButton", "next", &TransportBar::nextRequested);
+  last_ = addButton("lastButton", "last", &TransportBar::lastRequested);
+  rate_ = new QComboBox(this);
+  rate_->setObjectName("rateBox");
+  for (double rate : kRates) rate_->addItem("×" + QString::number(rate), rate);
+  rate_->setCurrentIndex(kRealTime);
+  connect(rate_, &QComboBox::currentIndexChanged, this,
+          [this](int index) { emit rateChanged(rate_->itemData(index).toDouble()); });
+  row->addWidget(rate_);
+  row->addSpacing(12);
+  const auto label = [this, row](const char* name, bool secondary) {
+    auto* result = new QLabel(this);
+    result->setObjectName(name);
+    result->setTextFormat(Qt::PlainText);
+    if (secondary) result->setProperty("role", "secondary");
+    row->addWidget(result);
+    row->addSpacing(12);
+    return result;
+  };
+  time_ = label("timeReadout", false);
+  place_ = label("positionReadout", false);
+  motion_ = label("motionReadout", false);
+  message_ = label("messageReadout", true);
+  row->addStretch(1);
+  busy_ = label("busyLabel", true);
+  progress_ = new QProgressBar(this);
+  progress_->setObjectName("progressBar");
+  progress_->setRange(0, 100);
+  progress_->setTextVisible(false);
+  progress_->setFixedWidth(120);
+  row->addWidget(progress_);
+  cancel_ = addButton("cancelButton", "cancel", &TransportBar::cancelRequested);
+  setTheme(theme_);
+  retranslate();
+  setBusy(false);
+}
+
+QToolButton* TransportBar::addButton(const char* name, const char* icon_name, void (TransportBar::*signal)()) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(name);
+  button->setProperty("icon_name", icon_name);
+  button->setIconSize({20, 20});
+  connect(button, &QToolButton::clicked, this, signal);
+  layout()->addWidget(button);
+  return button;
+}
+
+void TransportBar::setInstant(const std::optional<Instant>& instant) {
+  instant_ = instant;
+  showInstant();
+}
+
+void TransportBar::showInstant() {
+  if (!instant_) {
+    for (auto* label : {time_, place_, motion_}) label->clear();
+    return;
+  }
+  const auto length = display_unit(Quantity::length, unit_);
+  const auto speed = display_unit(Quantity::speed, unit_);
+  const auto acceleration = display_unit(Quantity::acceleration, unit_);
+  const int decimals = unit_ == LengthUnit::inch ? 4 : 3;
+  const auto& p = instant_->position;
+  time_->setText(QString("t %1 s   N%2").arg(fixed(instant_->time, 3, 8)).arg(instant_->line));
+  QString place;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0) place += "   ";
+    place += QLatin1Char(kAxisNames[static_cast<std::size_t>(axis)]) + QString(" ") +
+             fixed(p[axis] * length.factor, decimals, 8);
+  }
+  place_->setText(place + " " + length.text);
+  motion_->setText(QString("v %1 %2   a %3 %4")
+                       .arg(fixed(instant_->state.speed * speed.factor, 2, 7), speed.text,
+                            fixed(instant_->state.acceleration * acceleration.factor, 0, 6), acceleration.text));
+  message_->setText(cause_title(instant_->cause));
+}
+
+void TransportBar::setPlaying(bool playing) {
+  playing_ = playing;
+  play_->setProperty("icon_name", playing ? "pause" : "play");
+  play_->setIcon(icon(playing ? "pause" : "play", theme_));
+  retranslate();
+}
+
+void TransportBar::setBusy(bool busy) {
+  for (auto* widget : std::initializer_list<QWidget*>{busy_, progress_, cancel_}) widget->setVisible(busy);
+  if (busy) setProgress(0);
+}
+
+void TransportBar::setProgress(double fraction) { progress_->setValue(static_cast<int>(fraction * 100)); }
+
+void TransportBar::setMessage(const QString& text) { message_->setText(text); }
+
+void TransportBar::setLengthUnit(LengthUnit unit) {
+  unit_ = unit;
+  showInstant();
+}
+
+void TransportBar::setTheme(const Theme& theme) {
+  theme_ = theme;
+  for (auto* button : {first_, previous_, play_, next_, last_, cancel_}) {
+    button->setIcon(icon(button->property("icon_name").toString(), theme));
+  }
+}
+
+void TransportBar::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+    showInstant();
+  }
+  QWidget::changeEvent(event);
+}
+
+void TransportBar::retranslate() {
+  const auto name = [](QWidget* widget, const QString& text, const QString& key = {}) {
+    widget->setToolTip(key.isEmpty() ? text : text + "  (" + key + ")");
+    widget->setAccessibleName(text);
+  };
+  name(first_, tr("To the start"), "Home");
+  name(previous_, tr("One line back"), "←");
+  name(play_, playing_ ? tr("Pause") : tr("Play"), tr("Space"));
+  name(next_, tr("One line on"), "→");
+  name(last_, tr("To the end"), "End");
+  name(rate_, tr("Playback speed"));
+  name(cancel_, tr("Cancel"), "Esc");
+  busy_->setText(tr("planning"));
+  progress_->setAccessibleName(tr("Progress"));
+}
+
+}  // namespace toolpace::ui

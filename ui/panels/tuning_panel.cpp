@@ -1,0 +1,270 @@
+#include "panels/tuning_panel.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "toolpace/law/law_table.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr double kTiny = 1e-6;  // zero would be no machine at all
+constexpr NumberField::Range kLimit = {kTiny, kUnlimited, true};
+const DisplayUnit kMilliseconds = {1e3, "ms"};
+const DisplayUnit kPercent = {100.0, "%"};
+enum Row {
+  kLawRow,
+  kTimeRow,
+  kAccelerationRow,
+  kJerkRow,
+  kSpeedRow,
+  kLookaheadRow,
+  kRampsRow,
+  kCornerRow,
+  kToleranceRow,
+  kOverrideRow
+};
+
+void select(QComboBox* box, int data) {
+  const QSignalBlocker quiet(box);
+  box->setCurrentIndex(box->findData(data));
+}
+
+QString law_title(const LawRow& row) {
+  switch (row.kind) {
+    case LawKind::trapezoid: return TuningPanel::tr("Trapezoid");
+    case LawKind::five_phase_time: return TuningPanel::tr("Five-phase, by time");
+    case LawKind::five_phase_jerk: return TuningPanel::tr("Five-phase, by jerk");
+    case LawKind::seven_phase: return TuningPanel::tr("Seven-phase");
+    case LawKind::quintic: return TuningPanel::tr("Quintic");
+    case LawKind::time_optimal: return TuningPanel::tr("Time-optimal");
+  }
+  return QString::fromUtf8(row.title.data(), static_cast<qsizetype>(row.title.size()));
+}
+
+QComboBox* combo(const char* name, QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setObjectName(name);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(8);
+  return box;
+}
+
+}  // namespace
+
+TuningPanel::TuningPanel(TuningModel& model, QWidget* parent) : QScrollArea(parent), model_(model) {
+  setObjectName("tuningPanel");
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* body = new QWidget(this);
+  body->setProperty("role", "surface");
+  auto* column = new QVBoxLayout(body);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->setSpacing(8);
+  form_ = new FormGrid(body);
+  column->addWidget(form_);
+  buildLaw();
+  buildLimits();
+  buildCorner();
+  buildJob();
+  auto* rule = new QFrame(body);
+  rule->setProperty("role", "line");
+  column->addWidget(rule);
+  axes_heading_ = new QLabel(body);
+  axes_heading_->setProperty("role", "heading");
+  column->addWidget(axes_heading_);
+  axes_ = new AxesGrid(body);
+  column->addWidget(axes_);
+  column->addStretch(1);
+  setWidget(body);
+
+  connect(axes_, &AxesGrid::gestureStarted, &model_, &TuningModel::beginGesture);
+  connect(axes_, &AxesGrid::gestureFinished, &model_, &TuningModel::endGesture);
+  connect(axes_, &AxesGrid::edited, this, [this](int axis, int limit, double value) {
+    const QString key = QString("axis%1.%2").arg(axis).arg(limit);
+    model_.edit(tr("Axis limit"), key, [=](Tuning& tuning) {
+      auto& limits = tuning.machine.axes[static_cast<std::size_t>(axis)];
+      (limit == AxesGrid::kSpeed          ? limits.speed
+       : limit == AxesGrid::kAcceleration ? limits.acceleration
+                                          : limits.jerk) = value;
+    });
+  });
+  connect(&model_, &TuningModel::changed, this, &TuningPanel::showValues);
+  retranslate();
+  showValues();
+}
+
+NumberField* TuningPanel::addNumber(const char* name, int row, int side, Quantity quantity, NumberField::Range range) {
+  last_ = new NumberField(name, {}, quantity, range, form_);
+  last_label_ = form_->add(row, side, last_);
+  connectGestures(last_);
+  return last_;
+}
+
+void TuningPanel::describe(std::function<double(const Tuning&)> read, std::function<void(Tuning&, double)> write,
+                           std::function<QString()> title, const QString& symbol) {
+  const std::size_t index = entries_.size();
+  entries_.push_back({last_, last_label_, std::move(read), std::move(write), std::move(title), symbol});
+  connect(last_, &NumberField::edited, this, [this, index](double value) {
+    const Entry& entry = entries_[index];
+    model_.edit(entry.title(), entry.field->objectName(), [&](Tuning& tuning) { entry.write(tuning, value); });
+  });
+}
+
+void TuningPanel::connectGestures(NumberField* field) {
+  connect(field, &NumberField::gestureStarted, &model_, &TuningModel::beginGesture);
+  connect(field, &NumberField::gestureFinished, &model_, &TuningModel::endGesture);
+}
+
+void TuningPanel::buildLaw() {
+  law_ = combo("lawBox", form_);
+  law_label_ = form_->addWide(kLawRow, law_);
+  for (const LawRow& row : law_table()) law_->addItem({}, static_cast<int>(row.kind));
+  connect(law_, &QComboBox::activated, this, [this](int index) {
+    const auto kind = static_cast<LawKind>(law_->itemData(index).toInt());
+    model_.edit(tr("Law"), "law", [kind](Tuning& tuning) { tuning.options.law = kind; });
+  });
+  t_acc_ = addNumber("taccEdit", kTimeRow, 0, Quantity::time, {kTiny, 10, false});
+  t_acc_->setUnit(kMilliseconds);
+  describe([](const Tuning& t) { return t.options.t_acc; }, [](Tuning& t, double v) { t.options.t_acc = v; },
+           [] { return tr("Acceleration time"); }, "Tacc");
+  t_dec_ = addNumber("tdecEdit", kTimeRow, 1, Quantity::time, {kTiny, 10, false});
+  t_dec_->setUnit(kMilliseconds);
+  describe([](const Tuning& t) { return t.options.t_dec; }, [](Tuning& t, double v) { t.options.t_dec = v; },
+           [] { return tr("Deceleration time"); }, "Tdec");
+}
+
+void TuningPanel::buildLimits() {
+  addNumber("amEdit", kAccelerationRow, 0, Quantity::acceleration, kLimit);
+  describe([](const Tuning& t) { return t.machine.path.acceleration; },
+           [](Tuning& t, double v) { t.machine.path.acceleration = v; },
+           [] { return tr("Acceleration along the path"); }, "Am");
+  addNumber("dmEdit", kAccelerationRow, 1, Quantity::acceleration, kLimit);
+  describe([](const Tuning& t) { return t.machine.path.deceleration; },
+           [](Tuning& t, double v) { t.machine.path.deceleration = v; },
+           [] { return tr("Deceleration along the path"); }, "Dm");
+  jerk_ = addNumber("jmEdit", kJerkRow, 0, Quantity::jerk, kLimit);
+  describe([](const Tuning& t) { return t.machine.path.jerk; }, [](Tuning& t, double v) { t.machine.path.jerk = v; },
+           [] { return tr("Jerk along the path, speeding up"); }, "Jm");
+  jerk_deceleration_ = addNumber("jdEdit", kJerkRow, 1, Quantity::jerk, kLimit);
+  describe([](const Tuning& t) { return t.machine.path.jerk_deceleration; },
+           [](Tuning& t, double v) { t.machine.path.jerk_deceleration = v; },
+           [] { return tr("Jerk along the path, slowing down"); }, "Jd");
+  addNumber("vmaxEdit", kSpeedRow, 0, Quantity::speed, kLimit);
+  describe([](const Tuning& t) { return t.machine.path.speed; }, [](Tuning& t, double v) { t.machine.path.speed = v; },
+           [] { return tr("Top speed along the path"); }, "Vmax");
+  addNumber("periodEdit", kSpeedRow, 1, Quantity::time, {1e-6, 1.0, false})->setUnit(kMilliseconds);
+  describe([](const Tuning& t) { return t.machine.period; }, [](Tuning& t, double v) { t.machine.period = v; },
+           [] { return tr("Interpolation period"); }, "Ts");
+}
+
+void TuningPanel::buildCorner() {
+  lookahead_ = new LookaheadField(form_);
+  lookahead_label_ = form_->addWide(kLookaheadRow, lookahead_);
+  connect(lookahead_, &LookaheadField::gestureStarted, &model_, &TuningModel::beginGesture);
+  connect(lookahead_, &LookaheadField::gestureFinished, &model_, &TuningModel::endGesture);
+  connect(lookahead_, &LookaheadField::edited, this, [this](std::optional<std::size_t> depth) {
+    model_.edit(tr("Look-ahead"), "lookahead", [depth](Tuning& tuning) { tuning.options.lookahead = depth; });
+  });
+  ramps_ = combo("rampsBox", form_);
+  ramps_label_ = form_->addWide(kRampsRow, ramps_);
+  for (auto ramps : {Ramps::block, Ramps::span}) ramps_->addItem({}, static_cast<int>(ramps));
+  connect(ramps_, &QComboBox::activated, this, [this](int index) {
+    const auto ramps = static_cast<Ramps>(ramps_->itemData(index).toInt());
+    model_.edit(tr("Ramps"), "ramps", [ramps](Tuning& tuning) { tuning.options.ramps = ramps; });
+  });
+  corner_ = combo("cornerBox", form_);
+  corner_label_ = form_->addWide(kCornerRow, corner_);
+  for (auto rule : {CornerRule::stop, CornerRule::servo, CornerRule::junction, CornerRule::blend, CornerRule::smooth}) {
+    corner_->addItem({}, static_cast<int>(rule));
+  }
+  connect(corner_, &QComboBox::activated, this, [this](int index) {
+    const auto rule = static_cast<CornerRule>(corner_->itemData(index).toInt());
+    model_.edit(tr("Corner rule"), "corner", [rule](Tuning& tuning) {
+      tuning.options.corner.rule = rule;
+      tuning.options.corner.step.reset();
+    });
+  });
+}
+
+void TuningPanel::buildJob() {
+  tolerance_ = addNumber("toleranceEdit", kToleranceRow, 0, Quantity::length, {kTiny, 10, false});
+  describe([](const Tuning& t) { return t.options.corner.tolerance; },
+           [](Tuning& t, double v) { t.options.corner.tolerance = v; }, [] { return tr("Tolerance"); });
+  deviation_ = addNumber("deviationEdit", kToleranceRow, 1, Quantity::length, {kTiny, 10, false});
+  describe([](const Tuning& t) { return t.options.corner.junction_deviation; },
+           [](Tuning& t, double v) { t.options.corner.junction_deviation = v; },
+           [] { return tr("Junction deviation"); }, "δ");
+  addNumber("feedOverrideEdit", kOverrideRow, 0, Quantity::time, {0.01, 2.0, false})->setUnit(kPercent);
+  describe([](const Tuning& t) { return t.options.feed_override; },
+           [](Tuning& t, double v) { t.options.feed_override = v; }, [] { return tr("Feed override"); }, "Feed");
+  addNumber("rapidOverrideEdit", kOverrideRow, 1, Quantity::time, {0.01, 1.0, false})->setUnit(kPercent);
+  describe([](const Tuning& t) { return t.options.rapid_override; },
+           [](Tuning& t, double v) { t.options.rapid_override = v; }, [] { return tr("Rapid override"); }, "Rapid");
+}
+
+void TuningPanel::setLengthUnit(LengthUnit unit) {
+  for (auto& entry : entries_) entry.field->setLengthUnit(unit);
+  axes_->setLengthUnit(unit);
+}
+
+void TuningPanel::setBlockCount(std::size_t blocks) { lookahead_->setBlockCount(blocks); }
+
+void TuningPanel::setRotaryVisible(bool visible) { axes_->setRotaryVisible(visible); }
+
+void TuningPanel::showValues() {
+  const Tuning& tuning = model_.value();
+  for (auto& entry : entries_) entry.field->setValue(entry.read(tuning));
+  select(law_, static_cast<int>(tuning.options.law));
+  select(ramps_, static_cast<int>(tuning.options.ramps));
+  select(corner_, static_cast<int>(tuning.options.corner.rule));
+  lookahead_->setValue(tuning.options.lookahead);
+  axes_->setMachine(tuning.machine);
+  showRelevant();
+}
+
+void TuningPanel::showRelevant() {
+  const auto& options = model_.value().options;
+  const LawRow& law = law_row(options.law);
+  for (auto* field : {t_acc_, t_dec_}) form_->setRowVisible(field, law.uses_time);
+  for (auto* field : {jerk_, jerk_deceleration_}) form_->setRowVisible(field, law.bounds_jerk);
+  const auto rule = options.corner.rule;
+  form_->setRowVisible(tolerance_, rule == CornerRule::blend || rule == CornerRule::smooth);
+  form_->setRowVisible(deviation_, rule == CornerRule::junction);
+}
+
+void TuningPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  QScrollArea::changeEvent(event);
+}
+
+void TuningPanel::retranslate() {
+  law_label_->setText(tr("Law"));
+  law_->setAccessibleName(tr("Velocity law"));
+  for (const LawRow& row : law_table()) law_->setItemText(law_->findData(static_cast<int>(row.kind)), law_title(row));
+  lookahead_label_->setText(tr("Look-ahead"));
+  lookahead_->retranslate();
+  ramps_label_->setText(tr("Ramps"));
+  ramps_->setAccessibleName(tr("Ramps"));
+  ramps_->setItemText(0, tr("end inside their block"));
+  ramps_->setItemText(1, tr("run across blocks"));
+  corner_label_->setText(tr("Corners"));
+  corner_->setAccessibleName(tr("Corner rule"));
+  const QStringList rules = {tr("exact stop"), tr("servo step (a·Ts)"), tr("junction deviation"),
+                             tr("blend in tolerance"), tr("smooth in tolerance")};
+  for (int i = 0; i < rules.size(); ++i) corner_->setItemText(i, rules[i]);
+  for (auto& entry : entries_) {
+    entry.label->setText(entry.symbol.isEmpty() ? entry.title()
+                                                : QCoreApplication::translate("symbols", entry.symbol.toUtf8()));
+    entry.label->setToolTip(entry.title());
+    entry.field->setAccessibleName(entry.title());
+  }
+  axes_heading_->setText(tr("Axis limits"));
+  axes_->retranslate();
+  showValues();
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,65 @@
+#pragma once
+/// Everything that decides the plan: law, limits along the path, look-ahead, corners, overrides, axes.
+
+#include <QComboBox>
+#include <QLabel>
+#include <QScrollArea>
+#include <functional>
+#include <vector>
+
+#include "models/tuning_model.h"
+#include "panels/axes_grid.h"
+#include "panels/form_grid.h"
+#include "panels/lookahead_field.h"
+
+namespace toolpace::ui {
+
+class TuningPanel : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit TuningPanel(TuningModel& model, QWidget* parent = nullptr);
+
+  void setLengthUnit(LengthUnit unit);
+  void setBlockCount(std::size_t blocks);
+  void setRotaryVisible(bool visible);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  struct Entry {
+    NumberField* field;
+    QLabel* label;
+    std::function<double(const Tuning&)> read;
+    std::function<void(Tuning&, double)> write;
+    std::function<QString()> title;  ///< full name, for people and undo
+    QString symbol;                  ///< short label; empty = the title
+  };
+
+  NumberField* addNumber(const char* name, int row, int side, Quantity quantity, NumberField::Range range);
+  void describe(std::function<double(const Tuning&)> read, std::function<void(Tuning&, double)> write,
+                std::function<QString()> title, const QString& symbol = {});
+  void buildLaw();
+  void buildLimits();
+  void buildCorner();
+  void buildJob();
+  void connectGestures(NumberField* field);
+  void showValues();
+  void showRelevant();
+  void retranslate();
+
+  TuningModel& model_;
+  FormGrid* form_;
+  std::vector<Entry> entries_;
+  NumberField* last_ = nullptr;
+  QLabel* last_label_ = nullptr;
+  QComboBox *law_, *ramps_, *corner_;
+  QLabel *law_label_ = nullptr, *lookahead_label_ = nullptr, *ramps_label_ = nullptr, *corner_label_ = nullptr;
+  LookaheadField* lookahead_;
+  AxesGrid* axes_;
+  QLabel* axes_heading_;
+  NumberField *t_acc_, *t_dec_, *jerk_, *jerk_deceleration_, *tolerance_, *deviation_;
+};
+
+}  // namespace toolpace::ui

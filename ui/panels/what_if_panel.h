@@ -1,0 +1,47 @@
+#pragma once
+/// Where the time goes, by what holds the speed down, and what raising each limit would save, by planning it.
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "jobs/tune_service.h"
+#include "models/timeline.h"
+#include "theme/theme.h"
+
+namespace toolpace::ui {
+
+class WhatIfPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit WhatIfPanel(QWidget* parent = nullptr);
+
+  void setTimeline(std::shared_ptr<const Timeline> timeline);
+  void setTheme(const Theme& theme);
+  void compute();
+  bool isComputing() const { return service_.isRunning(); }
+
+ signals:
+  void computed();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void showCauses();
+  void showSavings(const std::vector<Saving>& savings);
+  void retranslate();
+
+  TuneService service_;
+  QTableWidget *causes_, *levers_table_;
+  QLabel* hint_;
+  QPushButton* button_;
+  std::shared_ptr<const Timeline> timeline_;
+  Theme theme_ = light_theme();
+};
+
+}  // namespace toolpace::ui
