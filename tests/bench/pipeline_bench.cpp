@@ -18,7 +18,11 @@ using namespace toolpace;
 constexpr std::size_t kBlocks = 1'000'000;
 
 std::shared_ptr<Job> make_job(std::optional<std::size_t> lookahead, Ramps ramps) {
-  static const auto reading = std::make_shared<const Reading>(Reading{bench::smooth_moves(kBlocks), {}, false});
+  static const auto reading = [] {
+    auto made = std::make_shared<Reading>();
+    made->moves = bench::smooth_moves(kBlocks);
+    return std::shared_ptr<const Reading>(std::move(made));
+  }();
   auto job = std::make_shared<Job>();
   const Setup setup = default_setup();
   job->program_name = "smooth";

@@ -6,6 +6,7 @@
 
 #include "toolpace/law/law_table.h"
 #include "toolpace/plan/block_profile.h"
+#include "toolpace/plan/increasing_root.h"
 #include "toolpace/plan/node_speeds.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/span_filter.h"
@@ -29,6 +30,7 @@ struct Span {
   double touched_feed = std::numeric_limits<double>::infinity();  ///< lowest feed that the optimum touches [mm/s]
   double highest_feed = 0.0;                                      ///< [mm/s]
   Dynamics dynamics;
+  MoveTerms terms;
 
   double cap() const { return std::isfinite(touched_feed) ? touched_feed : highest_feed; }
 
@@ -39,6 +41,13 @@ struct Span {
     include(dynamics.up, o.dynamics.up);
     include(dynamics.down, o.dynamics.down);
   }
+
+  template <class Law>
+  void prepare() {
+    terms = move_terms<Law>(dynamics);
+  }
+
+  Drive drive() const { return {dynamics, terms}; }
 
  private:
   static void include(RampLimits& a, const RampLimits& b) {
@@ -140,7 +149,7 @@ class AnchorPlanner {
   void sum_up(Layout& l) const {
     l.time = 0;
     for (std::size_t i = 0; i < l.span.size(); ++i) {
-      l.time += stretch_time<Law>(stretch(0, l.span[i], l.speed[i], l.speed[i + 1]), l.span[i].dynamics);
+      l.time += stretch_time(stretch(0, l.span[i], l.speed[i], l.speed[i + 1]), l.span[i].terms);
     }
   }
 
@@ -160,18 +169,19 @@ class AnchorPlanner {
       length.push_back(s.length);
       if (dynamics.empty() || !(dynamics.back() == s.dynamics)) dynamics.push_back(s.dynamics);
       ramp.push_back(static_cast<std::uint32_t>(dynamics.size() - 1));
+      s.prepare<Law>();
       l.span.push_back(s);
     }
-    l.speed = speeds_of_whole_chain<Law>({length, ramp, dynamics, cap});
+    l.speed = speeds_of_whole_chain<Law>({length, ramp, dynamics, terms_of<Law>(dynamics), cap});
     sum_up(l);
   }
 
   /// Whether the profile of a span stays below the caps of the places under it; the first one that it passes.
-  std::size_t first_broken(const Stretch& s, const Dynamics& dynamics, std::size_t from, std::size_t to) {
+  std::size_t first_broken(const Stretch& s, const Drive& drive, std::size_t from, std::size_t to) {
     if (to <= from + 1) return to;
     phases_.clear();
     PhaseWriter writer(phases_);
-    append_stretch<Law>(s, dynamics, writer);
+    append_stretch<Law>(s, drive, writer);
     std::size_t k = 0;
     for (std::size_t p = from + 1; p < to; ++p) {
       const double at = anchors_.position[p];
@@ -205,6 +215,7 @@ class AnchorPlanner {
       while (r.place.size() > 1 && can_merge(r, last, l.place[i + 1], l.speed[i + 1])) {
         Span merged = r.span.back();
         merged.include(last);
+        merged.prepare<Law>();
         last = merged;
         r.place.pop_back();
         r.speed.pop_back();
@@ -223,13 +234,14 @@ class AnchorPlanner {
     if (to - from > kMostUnderSpan || anchors_.cap[r.place[n - 1]] == 0) return false;
     const double entry = r.speed[n - 2], middle = r.speed[n - 1];
     Span merged = r.span.back();
-    const double before = stretch_time<Law>(stretch(0, merged, entry, middle), merged.dynamics) +
-                          stretch_time<Law>(stretch(0, last, middle, exit), last.dynamics);
+    const double before = stretch_time(stretch(0, merged, entry, middle), merged.terms) +
+                          stretch_time(stretch(0, last, middle, exit), last.terms);
     merged.include(last);
-    if (merged.cap() < std::max(entry, exit) || !fits<Law>(entry, exit, merged.length, merged.dynamics)) return false;
+    merged.prepare<Law>();
+    if (merged.cap() < std::max(entry, exit) || !fits(entry, exit, merged.length, merged.terms)) return false;
     const Stretch s = stretch(anchors_.position[from], merged, entry, exit);
-    if (!(stretch_time<Law>(s, merged.dynamics) <= before * (1 + kTouch))) return false;
-    return first_broken(s, merged.dynamics, from, to) == to;
+    if (!(stretch_time(s, merged.terms) <= before * (1 + kTouch))) return false;
+    return first_broken(s, merged.drive(), from, to) == to;
   }
 
   /// Scans, and brings anchors back whose caps are passed then; false where that has no end.
@@ -240,7 +252,7 @@ class AnchorPlanner {
       for (std::size_t i = 0; i < l.span.size(); ++i) {
         place.push_back(l.place[i]);
         const Stretch s = stretch(anchors_.position[l.place[i]], l.span[i], l.speed[i], l.speed[i + 1]);
-        const std::size_t broken = first_broken(s, l.span[i].dynamics, l.place[i], l.place[i + 1]);
+        const std::size_t broken = first_broken(s, l.span[i].drive(), l.place[i], l.place[i + 1]);
         if (broken < l.place[i + 1]) place.push_back(broken);
       }
       place.push_back(l.place.back());
@@ -262,7 +274,7 @@ MotionPlan write_plan(const Anchors& anchors, const Layout& l) {
   for (std::size_t i = 0; i < l.span.size(); ++i) {
     const double cap = std::max({l.span[i].cap(), l.speed[i], l.speed[i + 1]});
     append_stretch<Law>({anchors.position[l.place[i]], l.span[i].length, cap, l.speed[i], l.speed[i + 1]},
-                        l.span[i].dynamics, writer);
+                        l.span[i].drive(), writer);
   }
   return plan;
 }

@@ -25,7 +25,9 @@ namespace {
 template <class Law>
 MotionPlan plan_with(const SpeedLimits& limits, std::size_t blocks, const Monitor& monitor) {
   const std::vector<double> cap = joined_caps(limits);
-  const std::vector<double> v = node_speeds<Law>({limits.length, limits.ramp, limits.dynamics, cap}, blocks, monitor);
+  const std::vector<MoveTerms> terms = terms_of<Law>(limits.dynamics);
+  const Chain chain{limits.length, limits.ramp, limits.dynamics, terms, cap};
+  const std::vector<double> v = node_speeds<Law>(chain, blocks, monitor);
   MotionPlan plan;
   if (v.empty()) return plan;
   const std::vector<double> position = node_positions(limits);
@@ -33,8 +35,7 @@ MotionPlan plan_with(const SpeedLimits& limits, std::size_t blocks, const Monito
   PhaseWriter writer(plan.phases);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if ((i & 0xFFFF) == 0 && monitor.is_cancelled()) return {};
-    append_stretch<Law>({position[i], limits.length[i], limits.block_cap[i], v[i], v[i + 1]}, limits.dynamics_of(i),
-                        writer);
+    append_stretch<Law>({position[i], limits.length[i], limits.block_cap[i], v[i], v[i + 1]}, chain.drive(i), writer);
   }
   return plan;
 }

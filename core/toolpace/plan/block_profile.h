@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "toolpace/law/law.h"
+#include "toolpace/law/peak_speed.h"
 #include "toolpace/limits/ramp_limits.h"
-#include "toolpace/plan/increasing_root.h"
 #include "toolpace/plan/phase_writer.h"
 
 namespace toolpace::detail {
@@ -14,9 +14,19 @@ namespace toolpace::detail {
 /// Ramps that are longer than their block by no more than this share of it are rounding, not infeasible.
 inline constexpr double kFit = 1e-12;
 
-template <class Law>
-bool fits(double v0, double v1, double length, const Dynamics& dynamics) {
-  return ramp_length<Law>(v0, v1, v1 > v0 ? dynamics.up : dynamics.down) <= length * (1 + kFit);
+/// A block's ramp limits, and the durations that its law gives them.
+struct Drive {
+  const Dynamics& limits;
+  const MoveTerms& terms;
+};
+
+/// Length of the ramp between two speeds [mm].
+inline double ramp_length(double v0, double v1, const MoveTerms& terms) {
+  return (v0 + v1) / 2 * (v1 > v0 ? terms.up.duration(v1 - v0) : terms.down.duration(v0 - v1));
+}
+
+inline bool fits(double v0, double v1, double length, const MoveTerms& terms) {
+  return ramp_length(v0, v1, terms) <= length * (1 + kFit);
 }
 
 /// A block as its profile sees it.
@@ -27,48 +37,41 @@ struct Stretch {
   double entry, exit;  ///< [mm/s] ≤ cap
 };
 
-/// Highest speed of a stretch: the largest vp ≤ cap with d(entry→vp) + d(vp→exit) ≤ length; max(entry, exit) where
-/// not even a small rise fits (the gap of laws whose ramps last a fixed time).
-/// @pre fits<Law>(entry, exit, length)
-/// @source Ning et al. 2014, section 2 (the seven shapes); Zheng et al. 2014, eqs. (27)–(29)
-template <class Law>
-double peak_speed(const Stretch& s, const Dynamics& dynamics) {
-  const double low = std::max(s.entry, s.exit);
-  const auto excess = [&](double peak) {
-    return ramp_length<Law>(s.entry, peak, dynamics.up) + ramp_length<Law>(peak, s.exit, dynamics.down) - s.length;
-  };
-  const double at_cap = excess(s.cap);
-  if (at_cap <= s.length * kFit || s.cap <= low) return std::max(s.cap, low);
-  const double at_low = excess(low);
-  if (at_low >= 0) return low;
-  // Jerk-limited lengths grow with √(vp − low): in that root they are smooth and the search converges fast.
-  const double root =
-      increasing_root(0.0, std::sqrt(s.cap - low), at_low, at_cap, [&](double w) { return excess(low + w * w); });
-  return low + root * root;
+/// Highest speed of a stretch that fits(entry, exit).
+inline double peak_speed(const Stretch& s, const MoveTerms& terms) {
+  return toolpace::peak_speed({s.length * (1 + kFit), s.cap, s.entry, s.exit}, terms);
 }
 
 /// Time of the stretch's fastest profile [s].
-template <class Law>
-double stretch_time(const Stretch& s, const Dynamics& dynamics) {
-  const double peak = peak_speed<Law>(s, dynamics);
-  const double up = Law::duration(peak - s.entry, dynamics.up);
-  const double down = Law::duration(peak - s.exit, dynamics.down);
+inline double stretch_time(const Stretch& s, const MoveTerms& terms) {
+  const double peak = peak_speed(s, terms);
+  const double up = terms.up.duration(peak - s.entry), down = terms.down.duration(peak - s.exit);
   const double rest = s.length - (s.entry + peak) / 2 * up - (peak + s.exit) / 2 * down;
   return up + down + std::max(0.0, rest) / peak;
 }
 
-/// Appends the stretch's fastest profile.
+/// Appends the stretch's fastest profile: one of the seven shapes.
+/// @source Ning et al. 2014, section 2
 template <class Law>
-void append_stretch(const Stretch& s, const Dynamics& dynamics, PhaseWriter& out) {
-  const double peak = peak_speed<Law>(s, dynamics);
-  const double up = ramp_length<Law>(s.entry, peak, dynamics.up);
-  const double down = ramp_length<Law>(peak, s.exit, dynamics.down);
+void append_stretch(const Stretch& s, const Drive& drive, PhaseWriter& out) {
+  const double peak = peak_speed(s, drive.terms);
+  const double up = peak > s.entry ? ramp_length(s.entry, peak, drive.terms) : 0.0;
+  const double down = peak > s.exit ? ramp_length(peak, s.exit, drive.terms) : 0.0;
   // A remainder below the rounding of the ramps' lengths is no cruise.
   double cruise = s.length - up - down;
-  if (!(cruise > s.length * 1e-13)) cruise = 0.0;
-  if (peak > s.entry) out.template push_ramp<Law>(s.entry, peak, dynamics.up, s.begin);
+  if (!(cruise > s.length * 2 * kFit)) cruise = 0.0;
+  if (peak > s.entry) out.template push_ramp<Law>(s.entry, peak, drive.limits.up, s.begin);
   if (cruise > 0) out.push({0, cruise / peak, s.begin + up, peak, 0.0, 0.0, PhaseShape::constant_jerk});
-  if (peak > s.exit) out.template push_ramp<Law>(peak, s.exit, dynamics.down, s.begin + (s.length - down));
+  if (peak > s.exit) out.template push_ramp<Law>(peak, s.exit, drive.limits.down, s.begin + (s.length - down));
+}
+
+/// Durations for each of a list of ramp limits.
+template <class Law>
+std::vector<MoveTerms> terms_of(const std::vector<Dynamics>& dynamics) {
+  std::vector<MoveTerms> terms;
+  terms.reserve(dynamics.size());
+  for (const Dynamics& d : dynamics) terms.push_back(move_terms<Law>(d));
+  return terms;
 }
 
 }  // namespace toolpace::detail

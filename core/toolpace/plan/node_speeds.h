@@ -9,6 +9,7 @@
 #include "toolpace/law/law.h"
 #include "toolpace/limits/speed_limits.h"
 #include "toolpace/plan/block_profile.h"
+#include "toolpace/plan/increasing_root.h"
 
 namespace toolpace::detail {
 
@@ -17,34 +18,34 @@ struct Chain {
   const std::vector<double>& length;       ///< [mm]
   const std::vector<std::uint32_t>& ramp;  ///< index into dynamics
   const std::vector<Dynamics>& dynamics;
-  const std::vector<double>& cap;  ///< of the nodes, no higher than either neighbour's feed [mm/s]
+  const std::vector<MoveTerms>& terms;  ///< one entry for each of the dynamics
+  const std::vector<double>& cap;       ///< of the nodes, no higher than either neighbour's feed [mm/s]
 
   std::size_t size() const { return length.size(); }
-  const Dynamics& dynamics_of(std::size_t block) const { return dynamics[ramp[block]]; }
+  Drive drive(std::size_t block) const { return {dynamics[ramp[block]], terms[ramp[block]]}; }
 };
 
 /// Step of the backward scan: the speed at the block's start from which `exit` can be met.
 /// @source Ning et al. 2014, section 2, step 2
 template <class Law>
-double scan_back(double cap, double exit, double length, const Dynamics& dynamics) {
+double scan_back(double cap, double exit, double length, const Drive& drive) {
   // At or below the exit speed the forward pass decides.
-  if (cap <= exit || ramp_length<Law>(cap, exit, dynamics.down) <= length) return cap;
-  return std::clamp(Law::reach(exit, length, dynamics.down), exit, cap);
+  if (cap <= exit || ramp_length(cap, exit, drive.terms) <= length) return cap;
+  return std::clamp(Law::reach(exit, length, drive.limits.down), exit, cap);
 }
 
 /// Step of the forward pass: the speed that `entry` can be raised to, no higher than `wanted` ≥ entry.
 template <class Law>
-double pass_forward(double entry, double wanted, double length, const Dynamics& dynamics) {
-  if (ramp_length<Law>(entry, wanted, dynamics.up) <= length) return wanted;
-  return std::clamp(Law::reach(entry, length, dynamics.up), entry, wanted);
+double pass_forward(double entry, double wanted, double length, const Drive& drive) {
+  if (ramp_length(entry, wanted, drive.terms) <= length) return wanted;
+  return std::clamp(Law::reach(entry, length, drive.limits.up), entry, wanted);
 }
 
 /// Largest exit speed below `wanted` < entry that a block allows although `wanted` itself does not fit: jerk-limited
 /// ramps get shorter again below a third of their entry speed, and ramps of fixed time get shorter all the way.
 /// @return negative where not even a stop fits
-template <class Law>
-double drop_below(double entry, double wanted, double length, const Dynamics& dynamics) {
-  const auto excess = [&](double exit) { return ramp_length<Law>(entry, exit, dynamics.down) - length; };
+inline double drop_below(double entry, double wanted, double length, const MoveTerms& terms) {
+  const auto excess = [&](double exit) { return ramp_length(entry, exit, terms) - length; };
   const double at_rest = excess(0.0);
   if (at_rest > length * kFit) return -1.0;
   if (at_rest >= 0) return 0.0;
@@ -58,10 +59,9 @@ std::vector<double> speeds_of_whole_chain(const Chain& chain) {
   const std::size_t n = chain.size();
   std::vector<double> v(n + 1);
   v[n] = chain.cap[n];
-  for (std::size_t i = n; i-- > 0;)
-    v[i] = scan_back<Law>(chain.cap[i], v[i + 1], chain.length[i], chain.dynamics_of(i));
+  for (std::size_t i = n; i-- > 0;) v[i] = scan_back<Law>(chain.cap[i], v[i + 1], chain.length[i], chain.drive(i));
   for (std::size_t i = 0; i < n; ++i) {
-    if (v[i] < v[i + 1]) v[i + 1] = pass_forward<Law>(v[i], v[i + 1], chain.length[i], chain.dynamics_of(i));
+    if (v[i] < v[i + 1]) v[i + 1] = pass_forward<Law>(v[i], v[i + 1], chain.length[i], chain.drive(i));
   }
   return v;
 }
@@ -96,7 +96,7 @@ class SlidingWindow {
     scan_[end] = 0.0;
     std::size_t changed = end;
     for (std::size_t i = end; i-- > committed + 1;) {
-      const double v = scan_back<Law>(chain_.cap[i], scan_[i + 1], chain_.length[i], chain_.dynamics_of(i));
+      const double v = scan_back<Law>(chain_.cap[i], scan_[i + 1], chain_.length[i], chain_.drive(i));
       if (v == scan_[i]) break;
       scan_[i] = v;
       changed = i;
@@ -117,13 +117,13 @@ class SlidingWindow {
     double v = plan_[from];
     for (std::size_t i = from; i < end; ++i) {
       const double wanted = scan_[i + 1];
-      const Dynamics& dynamics = chain_.dynamics_of(i);
+      const Drive drive = chain_.drive(i);
       if (v <= wanted) {
-        v = pass_forward<Law>(v, wanted, chain_.length[i], dynamics);
-      } else if (fits<Law>(v, wanted, chain_.length[i], dynamics)) {
+        v = pass_forward<Law>(v, wanted, chain_.length[i], drive);
+      } else if (fits(v, wanted, chain_.length[i], drive.terms)) {
         v = wanted;
       } else {
-        v = drop_below<Law>(v, wanted, chain_.length[i], dynamics);
+        v = drop_below(v, wanted, chain_.length[i], drive.terms);
         if (v < 0) return false;
       }
       candidate_[i + 1] = v;
