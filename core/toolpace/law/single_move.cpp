@@ -141,17 +141,16 @@ std::optional<Error> check_move(LawKind law, const MoveRequest& move, const Dyna
   return unreachable(ramp);
 }
 
-double detail::fitting_peak(const MoveRequest& move, const MoveTerms& terms) {
-  const auto length = [&](double v) {
-    return (move.start + v) / 2 * terms.up.duration(v - move.start) +
-           (v + move.end) / 2 * terms.down.duration(v - move.end);
-  };
+detail::FittedPeak detail::fitting_peak(const MoveRequest& move, const MoveTerms& terms) {
   const double least = std::max(move.start, move.end);
-  double peak = peak_speed(move, terms);
-  for (double ulps = 1.2e-16; peak > least && length(peak) > move.length * (1 + 1e-14); ulps *= 2) {
-    peak = std::max(peak - ulps * peak, least);
+  FittedPeak peak{peak_speed(move, terms), 0.0, 0.0};
+  for (double ulps = 1.2e-16;; ulps *= 2) {
+    peak.up_time = terms.up.duration(peak.speed - move.start);
+    peak.down_time = terms.down.duration(peak.speed - move.end);
+    const double length = (move.start + peak.speed) / 2 * peak.up_time + (peak.speed + move.end) / 2 * peak.down_time;
+    if (length <= move.length * (1 + 1e-14) || peak.speed <= least) return peak;
+    peak.speed = std::max(peak.speed - ulps * peak.speed, least);
   }
-  return peak;
 }
 
 Result<SingleMove> single_move(LawKind law, const MoveRequest& move, const Dynamics& dynamics) {

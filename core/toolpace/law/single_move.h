@@ -51,8 +51,13 @@ std::optional<Error> check_move(LawKind law, const MoveRequest& move, const Dyna
 
 namespace detail {
 
+/// A peak and the durations of the ramps to it and from it.
+struct FittedPeak {
+  double speed, up_time, down_time;
+};
+
 /// peak_speed(), less the last ulp where a ramp that changes the speed by hardly more would be too long with them.
-double fitting_peak(const MoveRequest& move, const MoveTerms& terms);
+FittedPeak fitting_peak(const MoveRequest& move, const MoveTerms& terms);
 
 template <class Law>
 MoveRamp write_move_ramp(const SpeedChange& ramp, const RampLimits& limits, PhaseList& phases) {
@@ -64,12 +69,10 @@ MoveRamp write_move_ramp(const SpeedChange& ramp, const RampLimits& limits, Phas
 template <class Law>
 void fill_move(const MoveRequest& move, const Dynamics& dynamics, SingleMove& result) {
   const MoveTerms terms = move_terms<Law>(dynamics);
-  const double peak = fitting_peak(move, terms);
-  const double down_time = terms.down.duration(peak - move.end);
+  const auto [peak, up_time, down_time] = fitting_peak(move, terms);
   result.peak = peak;
   result.reaches_feed = peak >= move.feed;
-  result.up =
-      write_move_ramp<Law>({move.start, peak, terms.up.duration(peak - move.start)}, dynamics.up, result.phases);
+  result.up = write_move_ramp<Law>({move.start, peak, up_time}, dynamics.up, result.phases);
   const double cruise = move.length - result.up.length - (peak + move.end) / 2 * down_time;
   // Rounding may leave a cruise of either sign where none is meant.
   if (cruise > 1e-14 * move.length && peak > 0) {
@@ -95,9 +98,12 @@ SingleMove make_move(const MoveRequest& move, const Dynamics& dynamics) {
 /// @source Zheng et al. 2014, eqs. (11)–(29); Ning et al. 2014, section 2; the seven-phase text of METHODS.md §5
 template <VelocityLaw Law>
 Result<SingleMove> single_move(const MoveRequest& move, const Dynamics& dynamics) {
-  if (auto error = check_move(Law::kKind, move, dynamics)) return tl::make_unexpected(std::move(*error));
-  Result<SingleMove> result{tl::in_place};
-  detail::fill_move<Law>(move, dynamics, *result);
+  Result<SingleMove> result{tl::in_place};  // the one object that is returned: nothing is copied
+  if (auto error = check_move(Law::kKind, move, dynamics)) {
+    result = tl::make_unexpected(std::move(*error));
+  } else {
+    detail::fill_move<Law>(move, dynamics, *result);
+  }
   return result;
 }
 

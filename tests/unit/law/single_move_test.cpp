@@ -197,6 +197,16 @@ TEST_P(EveryLaw, FindsTheHighestPeakAndTheExactDistanceInEveryCase) {
   }
 }
 
+TEST_P(EveryLaw, ThePeakAloneIsThatOfTheMove) {
+  for (const Case& c : kCases) {
+    const auto move = single_move(GetParam(), c.move, dynamics());
+    const double peak = visit_law(GetParam(), [&](auto law) {
+      return peak_speed<decltype(law)>(c.move.start, c.move.end, c.move.feed, c.move.length, dynamics());
+    });
+    EXPECT_NEAR(peak, move->peak, 1e-14 * c.move.feed) << c.name;
+  }
+}
+
 TEST_P(EveryLaw, ExactlyOneRampWhereTheLengthIsItsOwn) {
   for (const auto& [start, end] : {std::pair{10.0, 60.0}, std::pair{60.0, 10.0}, std::pair{0.0, 35.0}}) {
     MoveRequest move{0, 100, start, end};
