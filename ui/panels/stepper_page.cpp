@@ -1,0 +1,294 @@
+#include "panels/stepper_page.h"
+
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <memory>
+
+#include "models/problem_model.h"
+#include "models/pulse_preview.h"
+#include "models/units.h"
+#include "toolpace/io/pulse_writer.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr int kFormWidth = 300;
+constexpr double kMostSteps = 1e9;
+constexpr double kMillisecondsPerSecond = 1e3;
+constexpr std::size_t kFigures = 6;
+
+void set_role(QLabel* label, const char* role) {
+  label->setProperty("role", role);
+  label->style()->unpolish(label);
+  label->style()->polish(label);
+}
+
+QVector<double> vector(const std::vector<double>& values) { return {values.begin(), values.end()}; }
+
+}  // namespace
+
+StepperPage::StepperPage(QWidget* parent) : QWidget(parent), background_(this) {
+  setObjectName("stepperPage");
+  setProperty("role", "surface");
+  setAttribute(Qt::WA_StyledBackground);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 8, 8, 8);
+  row->setSpacing(16);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(8);
+  buildForm(column);
+  buildExport(column);
+  column->addStretch(1);
+  row->addLayout(column);
+  buildPlot();
+  row->addWidget(plot_, 1);
+  setTheme(theme_);
+  retranslate();
+  showForm();
+  update();
+}
+
+StepperPage::Entry StepperPage::makeEntry(Field field, const char* name, const DisplayUnit& unit,
+                                          const NumberField::Range& range) {
+  auto* entry = new NumberField(name, name, Quantity::time, range, grid_);
+  entry->setUnit(unit);
+  connect(entry, &NumberField::edited, this, [this, field](double value) { take(field, value); });
+  return {entry, grid_->add(static_cast<int>(field), 0, entry)};
+}
+
+void StepperPage::buildForm(QVBoxLayout* column) {
+  grid_ = new FormGrid(this);
+  grid_->setFixedWidth(kFormWidth);
+  entries_[kSteps] = makeEntry(kSteps, "stepperSteps", {1.0, tr("steps")}, {1.0, kMostSteps, false, true});
+  entries_[kSpeed] = makeEntry(kSpeed, "stepperSpeed", {1.0, tr("step/s")}, {1e-6, 1e9});
+  entries_[kAcc] = makeEntry(kAcc, "stepperTacc", {kMillisecondsPerSecond, "ms"}, {1e-9, 1e6});
+  entries_[kDec] = makeEntry(kDec, "stepperTdec", {kMillisecondsPerSecond, "ms"}, {1e-9, 1e6});
+  entries_[kTimer] = makeEntry(kTimer, "stepperTimer", {1.0, "Hz"}, {1.0, 1e12});
+  column->addWidget(grid_);
+  verdict_ = new QLabel(this);
+  verdict_->setObjectName("stepperVerdict");
+  verdict_->setWordWrap(true);
+  column->addWidget(verdict_);
+  auto* figures = new QWidget(this);
+  figures->setFixedWidth(kFormWidth);
+  auto* grid = new QGridLayout(figures);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(1, 1);
+  for (std::size_t i = 0; i < kFigures; ++i) {
+    const Figure figure{secondary_label({}, figures), new QLabel(figures), secondary_label({}, figures)};
+    figure.value->setObjectName(QString("stepperResult%1").arg(i));
+    figure.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    figure.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    grid->addWidget(figure.name, static_cast<int>(i), 0);
+    grid->addWidget(figure.value, static_cast<int>(i), 1);
+    grid->addWidget(figure.unit, static_cast<int>(i), 2);
+    figures_.push_back(figure);
+  }
+  column->addWidget(figures);
+}
+
+void StepperPage::buildExport(QVBoxLayout* column) {
+  export_ = new QPushButton(this);
+  export_->setObjectName("stepperExport");
+  cancel_ = new QPushButton(this);
+  cancel_->setObjectName("stepperCancel");
+  progress_ = new QProgressBar(this);
+  progress_->setObjectName("stepperProgress");
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(export_);
+  row->addWidget(cancel_);
+  row->addWidget(progress_, 1);
+  column->addLayout(row);
+  setBusy(false);
+  connect(export_, &QPushButton::clicked, this, &StepperPage::chooseFile);
+  connect(cancel_, &QPushButton::clicked, this, [this] { background_.cancel(); });
+  connect(&background_, &Background::progressed, this,
+          [this](double fraction) { progress_->setValue(static_cast<int>(fraction * 1000)); });
+  connect(&background_, &Background::finished, this, [this] { setBusy(false); });
+}
+
+void StepperPage::buildPlot() {
+  plot_ = new QCustomPlot(this);
+  plot_->setObjectName("stepperPlot");
+  plot_->setMinimumSize(320, 240);
+  plot_->plotLayout()->clear();
+  auto* margins = new QCPMarginGroup(plot_);
+  int index = 0;
+  for (Row* row : {&rate_, &interval_}) {
+    row->rect = new QCPAxisRect(plot_, true);
+    row->rect->setupFullAxesBox(true);
+    row->rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+    plot_->plotLayout()->addElement(index++, 0, row->rect);
+    row->curve = plot_->addGraph(row->rect->axis(QCPAxis::atBottom), row->rect->axis(QCPAxis::atLeft));
+  }
+  QCPAxis* ticks = interval_.rect->axis(QCPAxis::atLeft);
+  ticks->setScaleType(QCPAxis::stLogarithmic);
+  ticks->setTicker(QSharedPointer<QCPAxisTickerLog>(new QCPAxisTickerLog));
+}
+
+void StepperPage::take(Field field, double value) {
+  switch (field) {
+    case kSteps: move_.steps = static_cast<std::uint64_t>(value); break;
+    case kSpeed: move_.speed = value; break;
+    case kAcc: move_.t_acc = value; break;
+    case kDec: move_.t_dec = value; break;
+    case kTimer: move_.timer_hz = value; break;
+    case kFields: break;
+  }
+  update();
+}
+
+void StepperPage::setMove(const StepperMove& move) {
+  move_ = move;
+  showForm();
+  update();
+}
+
+void StepperPage::showForm() {
+  const std::array<double, kFields> values{static_cast<double>(move_.steps), move_.speed, move_.t_acc, move_.t_dec,
+                                           move_.timer_hz};
+  for (std::size_t i = 0; i < kFields; ++i) entries_[i].field->setValue(values[i]);
+}
+
+void StepperPage::update() {
+  const auto table = PulseTable::create(move_);
+  if (!table) {
+    table_.reset();
+    set_role(verdict_, "error");
+    const QString remedy = QString::fromStdString(table.error().remedy);
+    verdict_->setText(message_text(table.error().code, table.error().message) + "\n" + remedy);
+  } else {
+    table_ = *table;
+    set_role(verdict_, "good");
+    verdict_->setText(table->reaches_speed() ? tr("The top speed is reached.") : tr("The top speed is not reached."));
+  }
+  export_->setEnabled(table_.has_value() && !background_.isBusy());
+  showFigures();
+}
+
+void StepperPage::showFigures() {
+  const PulsePreview preview = table_ ? preview_pulses(*table_) : PulsePreview{};
+  rate_.curve->setData(vector(preview.pulse), vector(preview.rate), true);
+  interval_.curve->setData(vector(preview.pulse), vector(preview.interval), true);
+  std::array<QString, kFigures> texts;
+  texts.fill("–");
+  if (table_) {
+    const auto [low, high] = std::minmax_element(preview.interval.begin(), preview.interval.end());
+    const double last = preview.pulse.back();
+    for (Row* row : {&rate_, &interval_}) row->rect->axis(QCPAxis::atBottom)->setRange(0, last + 1);
+    rate_.rect->axis(QCPAxis::atLeft)->setRange(0, *std::max_element(preview.rate.begin(), preview.rate.end()) * 1.08);
+    interval_.rect->axis(QCPAxis::atLeft)->setRange(*low / 1.5, *high * 1.5);
+    texts = {number_text(table_->peak_speed(), 8),
+             number_text(table_->total_time(), 8),
+             number_text(static_cast<double>(table_->total_ticks()), 15),
+             number_text(preview.interval.front(), 12),
+             number_text(*low, 12),
+             number_text(preview.interval.back(), 12)};
+  }
+  for (std::size_t i = 0; i < kFigures; ++i) figures_[i].value->setText(texts[i]);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void StepperPage::chooseFile() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Export the pulse table"), "pulses.csv",
+                                                    tr("Comma-separated (*.csv);;C header (*.h)"));
+  if (!file.isEmpty()) exportTo(file);
+}
+
+void StepperPage::exportTo(const QString& file) {
+  if (!table_ || background_.isBusy()) return;
+  setBusy(true);
+  const PulseFormat format = file.endsWith(".h", Qt::CaseInsensitive) ? PulseFormat::c_header : PulseFormat::csv;
+  background_.start([this, file, format, table = *table_](const Monitor& monitor) -> Background::Delivery {
+    auto written = std::make_shared<Result<void>>(
+        write_pulses(std::filesystem::path(file.toStdU16String()), table, format, monitor));
+    return [this, file, written] { finishExport(file, *written); };
+  });
+}
+
+void StepperPage::finishExport(const QString& file, const Result<void>& written) {
+  set_role(verdict_, written ? "good" : "error");
+  verdict_->setText(written ? tr("Written: %1").arg(file)
+                            : message_text(written.error().code, written.error().message));
+  emit exported(file, written.has_value());
+}
+
+void StepperPage::setBusy(bool busy) {
+  export_->setEnabled(!busy && table_.has_value());
+  cancel_->setVisible(busy);
+  progress_->setVisible(busy);
+  progress_->setValue(0);
+}
+
+void StepperPage::setTheme(const Theme& theme) {
+  theme_ = theme;
+  plot_->setBackground(theme.surface);
+  for (Row* row : {&rate_, &interval_}) {
+    for (auto* axis : row->rect->axes()) {
+      axis->setBasePen(QPen(theme.line));
+      axis->setTickPen(QPen(theme.line));
+      axis->setSubTicks(false);
+      axis->setTickLength(0, 3);
+      axis->setTickLabelColor(theme.secondary);
+      axis->setLabelColor(theme.secondary);
+      axis->setTickLabelFont(font());
+      axis->setLabelFont(font());
+      axis->setNumberFormat("gbc");
+      axis->setNumberPrecision(6);
+      axis->grid()->setPen(QPen(theme.line, 1, Qt::DotLine));
+    }
+    row->curve->setPen(QPen(theme.accent, 1.5));
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void StepperPage::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+    update();
+  }
+  QWidget::changeEvent(event);
+}
+
+void StepperPage::retranslate() {
+  const std::array labels{tr("Steps"), tr("Top speed"), tr("Tacc"), tr("Tdec"), tr("Timer clock")};
+  const std::array names{tr("Number of steps"), tr("Top speed"), tr("Acceleration time"), tr("Deceleration time"),
+                         tr("Timer clock")};
+  for (std::size_t i = 0; i < kFields; ++i) {
+    entries_[i].label->setText(labels[i]);
+    entries_[i].field->setAccessibleName(names[i]);
+    entries_[i].field->setToolTip(names[i]);
+  }
+  const std::array figures{tr("peak rate"),      tr("total time"),        tr("total ticks"),
+                           tr("first interval"), tr("shortest interval"), tr("last interval")};
+  const std::array units{tr("step/s"), tr("s"), tr("ticks"), tr("ticks"), tr("ticks"), tr("ticks")};
+  for (std::size_t i = 0; i < kFigures; ++i) {
+    figures_[i].name->setText(figures[i]);
+    figures_[i].unit->setText(units[i]);
+    figures_[i].value->setAccessibleName(figures[i]);
+  }
+  export_->setText(tr("Export…"));
+  export_->setToolTip(tr("Write the intervals as CSV or as a C header"));
+  export_->setAccessibleName(export_->toolTip());
+  cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip(tr("Stop the export"));
+  cancel_->setAccessibleName(cancel_->toolTip());
+  progress_->setAccessibleName(tr("Progress of the export"));
+  rate_.rect->axis(QCPAxis::atLeft)->setLabel(tr("step rate  step/s"));
+  interval_.rect->axis(QCPAxis::atLeft)->setLabel(tr("interval  ticks"));
+  interval_.rect->axis(QCPAxis::atBottom)->setLabel(tr("pulse number"));
+  plot_->setAccessibleName(tr("Step rate and pulse interval over the pulse number"));
+  plot_->setToolTip(plot_->accessibleName());
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace toolpace::ui
