@@ -135,6 +135,10 @@ bool BlockReader::read_g(double value, std::size_t column, Block& block) {
     faults_.warn("g-code-ignored", fmt::format("{} has no effect on the path here", code_text('G', code)), "", column);
     return true;
   }
+  if (use->group == GGroup::motion && block.has(GGroup::motion) && (code == 800 || block.g[group] == 800)) {
+    if (code != 800) block.g[group] = code;  // G80 beside another motion code only ends what cycle is on
+    return true;
+  }
   if (block.has(use->group)) {
     return faults_.fail(
         "modal-group-twice",

@@ -12,8 +12,9 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kSamePoint = 1e-9;   // [mm]
-constexpr double kSmallAngle = 1e-6;  // [rad] corners flatter than this are no corners
+constexpr double kSamePoint = 1e-9;  // [mm]
+constexpr double kFlat =
+    0.05;  // [rad] corners flatter than this, and reversals nearer than this to a half turn, as LinuxCNC
 
 struct Frame {
   PlaneAxes plane;
@@ -36,6 +37,10 @@ bool fail_gouge(Context& context, std::string what) {
   return context.faults.fail("compensation-gouge", std::move(what), "use a smaller tool or a rounder corner");
 }
 
+bool runs_outside(const Frame& frame, const OffsetElement& element) {
+  return element.turn != 0 && frame.side * element.turn < 0.0;
+}
+
 void keep_open(State& state, const MoveWriter& out, const OffsetElement& element) {
   Compensation& c = state.compensation;
   c.has_open = true;
@@ -48,13 +53,7 @@ bool move_open_end(Context& context, const Frame& frame, const Point& corner) {
   State& state = context.state;
   Compensation& c = state.compensation;
   OffsetElement& open = c.open;
-  if (open.turn == 0) {
-    if (dot(corner - open.start, open.end - open.start) <= 0.0) {
-      return fail_gouge(context, "the tool cannot reach this inside corner without gouging");
-    }
-  } else if (!keeps_sense(open, corner)) {
-    return fail_gouge(context, "the arc before this inside corner is too short for the tool");
-  }
+  if (!lies_on(open, corner)) return fail_gouge(context, "the tool cannot reach this inside corner without gouging");
   open.end = corner;
   state.position = frame.at(state.position, corner);
   if (!c.open_row) return true;
@@ -84,15 +83,22 @@ bool join(Context& context, const Frame& frame, OffsetElement& element, const Fe
   const Point before = turned(tool - corner, -frame.side);
   const Point after = direction_at_start(element);
   double outside = -frame.side * angle_between(before, after);
-  if (outside < -std::numbers::pi + kSmallAngle) outside = std::numbers::pi;  // straight back: once around the corner
-  if (outside < -kSmallAngle && c.has_open) {
+  if (std::fabs(outside) > std::numbers::pi - kFlat) {
+    // Straight back: once around the corner, unless that would cut into an arc that the tool runs outside of.
+    const bool cuts = element.turn != 0 ? runs_outside(frame, element) : c.has_open && runs_outside(frame, c.open);
+    if (cuts)
+      outside = -std::numbers::pi;
+    else if (outside < 0.0)
+      outside += 2.0 * std::numbers::pi;
+  }
+  if (outside < -kFlat && c.has_open) {
     const auto meeting = intersect(c.open, element, corner);
     if (!meeting) return fail_gouge(context, "the tool does not fit into this inside corner");
     if (!move_open_end(context, frame, *meeting)) return false;
     element.start = *meeting;
     return true;
   }
-  if (outside > kSmallAngle) {
+  if (outside > kFlat) {
     PlaneArc around;
     around.start = {tool.x, tool.y};
     around.end = {element.start.x, element.start.y};
@@ -101,6 +107,8 @@ bool join(Context& context, const Frame& frame, OffsetElement& element, const Fe
     const Position end = frame.at(state.position, element.start);
     write_arc(context, around, state.position, end, feed.linear);
     state.position = end;
+  } else if (element.turn != 0) {
+    element.start = tool;  // nearly tangent: the arc begins where the tool stands
   }
   return true;
 }
@@ -176,6 +184,10 @@ bool find_radius(Context& context, const Block& block, double& radius, int& orie
     if (!block.has('d')) {
       return context.faults.fail("compensation-without-d", fmt::format("{} without a diameter", code_text('G', code)),
                                  "give the diameter with D", block.column_of(GGroup::compensation));
+    }
+    if (block.of('l', 0.0) != 0.0 && state.modal.plane != 180) {
+      return context.faults.fail("compensation-orientation", "a tool orientation L outside the XZ plane", "use G18",
+                                 block.column_of('l'));
     }
     radius = length_of(state, block, 'd') / 2.0;
     orientation = static_cast<int>(block.of('l', 0.0));

@@ -183,8 +183,6 @@ bool run_cycle(Context& context, const Block& block, Code code) {
   if (!memory.initial_level) memory.initial_level = level;
   const bool incremental = state.modal.incremental();
   Hole hole{plane, target[plane.first], target[plane.second], memory.r, memory.bottom, 0.0};
-  const double step_first = incremental ? target[plane.first] - state.position[plane.first] : 0.0;
-  const double step_second = incremental ? target[plane.second] - state.position[plane.second] : 0.0;
   if (incremental) {
     hole.retract = memory.r + level;
     hole.bottom = memory.bottom + hole.retract;
@@ -196,15 +194,18 @@ bool run_cycle(Context& context, const Block& block, Code code) {
                 "give a larger Q");
   }
   hole.clear = state.modal.retract == 980 ? std::max(*memory.initial_level, hole.retract) : hole.retract;
-  context.out.set_mode(state.modal, true);
   CycleRun run(context, plane, feed);
   if (level < hole.retract) run.rapid(hole.retract);
+  context.out.set_mode(state.modal, true);
   for (int i = 0; i < repeats && !context.out.is_full(); ++i) {
+    if (incremental && i > 0) {  // the words count again from where the tool is now
+      if (!find_end(context, block, target)) return false;
+      hole.first = target[plane.first];
+      hole.second = target[plane.second];
+    }
     run.rapid_to(hole.first, hole.second);
     if (run.level() != hole.retract) run.rapid(hole.retract);
     drill(run, hole, code, memory);
-    hole.first += step_first;
-    hole.second += step_second;
   }
   context.out.set_mode(state.modal);
   return true;

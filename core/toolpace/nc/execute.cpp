@@ -274,10 +274,6 @@ bool Interpreter::set_plane(const Block& block) {
 }
 
 bool Interpreter::set_units(const Block& block) {
-  if (state_.modal.compensation != 400) {
-    return faults_.fail("units-with-compensation", "a change of units while cutter radius compensation is on",
-                        "end it with G40 first", block.column_of(GGroup::units));
-  }
   state_.modal.units = block.code(GGroup::units);
   return true;
 }

@@ -72,13 +72,20 @@ std::optional<Point> intersect(const OffsetElement& a, const OffsetElement& b, P
     found = circle_with_circle(a, b);
   }
   if (!found[0] || !found[1]) return found[0];
+  const bool first_on = lies_on(a, *found[0]), second_on = lies_on(a, *found[1]);
+  if (first_on != second_on) return first_on ? found[0] : found[1];
   return norm(*found[0] - near) <= norm(*found[1] - near) ? found[0] : found[1];
 }
 
-bool keeps_sense(const OffsetElement& arc, Point corner) {
-  double whole = swept(arc, arc.start, arc.end);
-  if (whole < 1e-9) whole = kTwoPi;
-  return swept(arc, arc.start, corner) <= whole + 1e-9;
+bool lies_on(const OffsetElement& element, Point p) {
+  if (element.turn != 0) {
+    double whole = swept(element, element.start, element.end);
+    if (whole < kTouching) whole = kTwoPi;
+    return swept(element, element.start, p) <= whole + kTouching;
+  }
+  const Point along = element.end - element.start;
+  const double t = dot(p - element.start, along);
+  return t > 0.0 && t <= dot(along, along) * (1.0 + kTouching);
 }
 
 }  // namespace toolpace::nc

@@ -27,10 +27,10 @@ struct OffsetElement {
 
 Point direction_at_start(const OffsetElement& element);
 
-/// Where two elements, each prolonged, meet nearest to `near`. None if they do not.
+/// Where two elements, each prolonged, meet: on `a` itself if they do so at one place there, else nearest to `near`.
 std::optional<Point> intersect(const OffsetElement& a, const OffsetElement& b, Point near);
 
-/// True if an arc that is made to end at `corner` is a shortened arc, not one that goes the long way round.
-bool keeps_sense(const OffsetElement& arc, Point corner);
+/// True if the element passes through `p`, a point on its prolongation, after its start.
+bool lies_on(const OffsetElement& element, Point p);
 
 }  // namespace toolpace::nc
