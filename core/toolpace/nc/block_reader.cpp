@@ -86,6 +86,9 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
   if (letter == 'g') return read_g(value, column, block);
   if (letter == 'm') return read_m(value, column, block) && skip_printer_text(text, block);
   if (letter == 'n') {
+    if (dialect_ == Dialect::linuxcnc) {
+      return faults_.fail("bad-line-number", "a line number within a block", "N stands at the beginning of the line", column);
+    }
     if (value >= 0.0) return true;
     return faults_.fail("bad-line-number", "a line number below 0", "write N and a number from 0", column);
   }
@@ -196,6 +199,9 @@ bool BlockReader::read_assignment(Scanner& text) {
     return faults_.fail("equals-missing", "'=' is missing after the parameter", "write #number = value", text.column());
   }
   text.take();
+  // A name begins to exist, with value 0, as soon as an assignment mentions it.
+  const auto& target = assignment.target;
+  if (target.index < 0 && !parameters_.named(target.name)) parameters_.set_named(target.name, 0.0);
   if (!expressions_.read_assigned(text, assignment.value)) return false;
   assignments_.push_back(std::move(assignment));
   return true;

@@ -51,6 +51,9 @@ bool set_system_origin(Context& context, const Block& block, bool from_position)
   State& state = context.state;
   int system = 0;
   if (!take_system_number(context, block, system)) return false;
+  if (from_position && block.has('r')) {
+    return context.faults.fail("g10-rotation", "R with G10 L20", "set the rotation with G10 L2", block.column_of('r'));
+  }
   const int first = first_parameter(system);
   Parameters& parameters = context.parameters;
   if (block.has('r') && !from_position) parameters.set_numbered(first + kRotationWithinSystem, block.of('r'));

@@ -29,15 +29,17 @@ class CycleRun {
 
   void rapid(double level) { move(MoveKind::rapid, level); }
   void feed(double level) { move(MoveKind::feed, level); }
-  void rapid_to(double first, double second) {
+  void rapid_to(double first, double second) { rapid_to(first, second, context_.state.position[plane_.normal]); }
+  void rapid_to(double first, double second, double at_level) {
     Position end = context_.state.position;
+    end[plane_.normal] = at_level;
     end[plane_.first] = first;
     end[plane_.second] = second;
     context_.out.line(MoveKind::rapid, context_.state.offsets, end);
     context_.state.position = end;
   }
   void dwell(double seconds) { context_.out.dwell(seconds); }
-  double level() const { return context_.state.position[plane_.normal]; }
+
 
  private:
   void move(MoveKind kind, double level) {
@@ -62,20 +64,53 @@ void peck(CycleRun& run, const Hole& hole, double step, bool full_retract) {
   run.rapid(hole.clear);
 }
 
-void drill(CycleRun& run, const Hole& hole, Code code, const CycleMemory& memory) {
+bool fail(Context& context, const Block& block, const char* code, std::string what, const char* remedy) {
+  return context.faults.fail(code, std::move(what), remedy, block.column_of(GGroup::motion));
+}
+
+bool check_spindle(Context& context, const Block& block, Code code) {
+  const int direction = context.state.modal.spindle_direction;
+  const bool needs_any = code == 860 || code == 870 || code == 880;
+  const int wanted = code == 740 ? -1 : code == 840 ? 1 : 0;
+  if (needs_any && direction == 0 && context.dialect == Dialect::linuxcnc) {
+    return fail(context, block, "spindle-stopped", code_text('G', code) + " while the spindle stands still",
+                "start it with M3 or M4");
+  }
+  if (wanted == 0 || wanted == direction || context.dialect != Dialect::linuxcnc) return true;
+  return fail(context, block, "spindle-direction",
+              fmt::format("{} while the spindle does not turn that way", code_text('G', code)),
+              wanted > 0 ? "start it with M3 before G84" : "start it with M4 before G74");
+}
+
+// Back boring: down beside the hole, sideways into it, up to `top` with the tool, and all of it back.
+void back_bore(CycleRun& run, const Hole& hole, const CycleMemory& memory, double top) {
+  const double beside_first = hole.first + memory.i, beside_second = hole.second + memory.j;
+  run.rapid_to(beside_first, beside_second);
+  run.rapid(hole.bottom);
+  run.rapid_to(hole.first, hole.second);
+  run.feed(top);
+  run.feed(hole.bottom);
+  run.rapid_to(beside_first, beside_second);
+  run.rapid(hole.clear);
+  run.rapid_to(hole.first, hole.second);
+}
+
+bool drill(Context& context, CycleRun& run, const Block& block, const Hole& hole, Code code) {
+  const CycleMemory& memory = context.state.cycle;
+  if (!check_spindle(context, block, code)) return false;
+  const bool incremental = context.state.modal.incremental();
   switch (code) {
-    case 730: peck(run, hole, memory.peck, false); return;
-    case 830: peck(run, hole, memory.peck, true); return;
-    case 740:
-    case 840:  // tapping: the spindle turns round at the bottom
+    case 730:
+    case 830: peck(run, hole, memory.peck, code == 830); return true;
+    case 870: back_bore(run, hole, memory, memory.k + (incremental ? hole.bottom : 0.0)); return true;
+    case 880:  // the operator retracts by hand
       run.feed(hole.bottom);
-      if (memory.dwell > 0.0) run.dwell(memory.dwell);
-      run.feed(hole.retract);
-      break;
+      run.dwell(memory.dwell);
+      context.out.note(MoveKind::stop, "M0");
+      return true;
     case 810: run.feed(hole.bottom); break;
     case 820:
     case 860:
-    case 880:
       run.feed(hole.bottom);
       run.dwell(memory.dwell);
       break;
@@ -83,6 +118,8 @@ void drill(CycleRun& run, const Hole& hole, Code code, const CycleMemory& memory
       run.feed(hole.bottom);
       run.feed(hole.retract);
       break;
+    case 740:
+    case 840:  // tapping: the spindle turns round at the bottom
     case 890:
       run.feed(hole.bottom);
       run.dwell(memory.dwell);
@@ -91,17 +128,36 @@ void drill(CycleRun& run, const Hole& hole, Code code, const CycleMemory& memory
     default: break;
   }
   run.rapid(hole.clear);
+  return true;
 }
 
-bool fail(Context& context, const Block& block, const char* code, std::string what, const char* remedy) {
-  return context.faults.fail(code, std::move(what), remedy, block.column_of(GGroup::motion));
+bool remember_back_boring(Context& context, const Block& block, bool same_series) {
+  CycleMemory& memory = context.state.cycle;
+  for (const char letter : {'i', 'j', 'k'}) {
+    if (block.has(letter) || same_series) continue;
+    return fail(context, block, "cycle-words", fmt::format("G87 without {}", static_cast<char>(letter - 32)),
+                "G87 needs I J K");
+  }
+  if (block.has('i')) memory.i = length_of(context.state, block, 'i');
+  if (block.has('j')) memory.j = length_of(context.state, block, 'j');
+  if (block.has('k')) memory.k = length_of(context.state, block, 'k');
+  return true;
+}
+
+// A cycle that begins forgets the words of the one before, but not its dwell and the level that the series began at.
+void begin_cycle(CycleMemory& memory, Code code) {
+  CycleMemory fresh;
+  fresh.initial_level = memory.initial_level;
+  fresh.dwell = memory.dwell;
+  memory = fresh;
+  memory.code = code;
 }
 
 // Takes the words that stick from hole to hole.
 bool remember(Context& context, const Block& block, Code code, bool same_series) {
   State& state = context.state;
   CycleMemory& memory = state.cycle;
-  if (!same_series) memory = CycleMemory{};
+  if (!same_series) begin_cycle(memory, code);
   const PlaneAxes plane = plane_axes(state.modal.plane);
   const char depth_word = kAxisLetters[plane.normal];
   if (block.has('r')) {
@@ -130,6 +186,7 @@ bool remember(Context& context, const Block& block, Code code, bool same_series)
       return fail(context, block, "cycle-without-dwell", name + " without P", "give the dwell in s with P");
     memory.dwell = 0.0;
   }
+  if (code == 870 && !remember_back_boring(context, block, same_series)) return false;
   if (memory.dwell < 0.0) return fail(context, block, "dwell-negative", "a dwell below 0 s", "give a positive P");
   return true;
 }
@@ -145,10 +202,8 @@ bool find_repeats(Context& context, const Block& block, int& repeats) {
   return true;
 }
 
-bool check_cycle(Context& context, const Block& block, Code code) {
+bool check_cycle(Context& context, const Block& block) {
   const Modal& modal = context.state.modal;
-  if (code == 870)
-    return fail(context, block, "cycle-unsupported", "G87 (back boring) is not supported", "write the moves out");
   if (context.state.compensation.radius > 0.0) {
     return fail(context, block, "cycle-with-compensation", "a canned cycle while cutter radius compensation is on",
                 "end it with G40 first");
@@ -159,9 +214,6 @@ bool check_cycle(Context& context, const Block& block, Code code) {
     return fail(context, block, "cycle-inverse-time", "a canned cycle in inverse-time mode", "use G94");
   if (block.has_any(kRotaryBits))
     return fail(context, block, "cycle-rotary", "a rotary axis in a canned cycle", "turn it in a block before");
-  if ((code == 740 || code == 840) && modal.spindle_speed == 0.0) {
-    return fail(context, block, "spindle-stopped", "tapping without a spindle speed", "give S before");
-  }
   return true;
 }
 
@@ -169,8 +221,9 @@ bool check_cycle(Context& context, const Block& block, Code code) {
 
 bool run_cycle(Context& context, const Block& block, Code code) {
   State& state = context.state;
-  const bool same_series = state.cycle.initial_level.has_value();
-  if (!check_cycle(context, block, code) || !remember(context, block, code, same_series)) return false;
+  const bool first_of_series = !state.cycle.initial_level.has_value();
+  const bool same_series = !first_of_series && state.cycle.code == code;
+  if (!check_cycle(context, block) || !remember(context, block, code, same_series)) return false;
   const PlaneAxes plane = plane_axes(state.modal.plane);
   int repeats = 1;
   Feedrate feed;
@@ -179,12 +232,12 @@ bool run_cycle(Context& context, const Block& block, Code code) {
   if (!find_end(context, block, target)) return false;
 
   CycleMemory& memory = state.cycle;
-  double level = state.position[plane.normal];
-  if (!memory.initial_level) memory.initial_level = level;
+  if (first_of_series) memory.initial_level = state.position[plane.normal];
+  const double initial = *memory.initial_level;
   const bool incremental = state.modal.incremental();
   Hole hole{plane, target[plane.first], target[plane.second], memory.r, memory.bottom, 0.0};
   if (incremental) {
-    hole.retract = memory.r + level;
+    hole.retract = memory.r + initial;
     hole.bottom = memory.bottom + hole.retract;
   }
   if (hole.retract < hole.bottom)
@@ -193,19 +246,23 @@ bool run_cycle(Context& context, const Block& block, Code code) {
     return fail(context, block, "cycle-peck", fmt::format("more than {:g} pecks in one hole", kMostPecks),
                 "give a larger Q");
   }
-  hole.clear = state.modal.retract == 980 ? std::max(*memory.initial_level, hole.retract) : hole.retract;
+  hole.clear = state.modal.retract == 980 ? std::max(initial, hole.retract) : hole.retract;
   CycleRun run(context, plane, feed);
-  if (level < hole.retract) run.rapid(hole.retract);
+  if (initial < hole.retract) run.rapid(hole.retract);
   context.out.set_mode(state.modal, true);
+  // Holes are reached without going down, under G98 at the initial level at least.
+  const double here = std::max(state.position[plane.normal], hole.retract);
+  double approach = state.modal.retract == 980 ? std::max(initial, here) : here;
   for (int i = 0; i < repeats && !context.out.is_full(); ++i) {
     if (incremental && i > 0) {  // the words count again from where the tool is now
       if (!find_end(context, block, target)) return false;
       hole.first = target[plane.first];
       hole.second = target[plane.second];
     }
-    run.rapid_to(hole.first, hole.second);
-    if (run.level() != hole.retract) run.rapid(hole.retract);
-    drill(run, hole, code, memory);
+    run.rapid_to(hole.first, hole.second, approach);
+    if (approach != hole.retract) run.rapid(hole.retract);
+    if (!drill(context, run, block, hole, code)) return false;
+    approach = hole.clear;
   }
   context.out.set_mode(state.modal);
   return true;

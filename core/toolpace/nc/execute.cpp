@@ -287,8 +287,10 @@ bool Interpreter::set_path_control(const Block& block) {
   modal.path_tolerance = has_p ? length_of(state_, block, 'p') : 0.0;
   modal.naive_tolerance = block.has('q') ? length_of(state_, block, 'q') : modal.path_tolerance;
   if (modal.path_tolerance < 0.0 || modal.naive_tolerance < 0.0) {
-    return faults_.fail("tolerance-negative", "a tolerance below 0", "P and Q of G64 are not below 0",
-                        block.column_of(GGroup::path_control));
+    faults_.warn("tolerance-negative", "a tolerance below 0 counts as none", "P and Q of G64 are not below 0",
+                 block.column_of(GGroup::path_control));
+    modal.tolerance_given = false;
+    modal.path_tolerance = modal.naive_tolerance = 0.0;
   }
   return true;
 }

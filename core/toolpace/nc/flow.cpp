@@ -30,6 +30,15 @@ bool Flow::lose(const char* code, std::string what, std::string remedy, std::siz
   return faults_.fail(code, std::move(what), std::move(remedy), column);
 }
 
+bool Flow::jump_after_end(int at) {
+  const int tail = index().at(at).tail;
+  if (tail == kNoMatch) {
+    return lose("o-word-unmatched", fmt::format("O{} is not closed", index().at(at).label), "close it under the same label");
+  }
+  jump_after(tail);
+  return true;
+}
+
 void Flow::jump(std::size_t offset, std::size_t line) {
   here_.offset = offset;
   here_.line = line;
@@ -113,6 +122,11 @@ bool Flow::run_control(Control control, const std::string& label, Scanner& text,
                 "and repeat is closed under the same label",
                 column);
   };
+  if (line != nullptr && line->duplicate) {
+    return lose("o-word-duplicate", fmt::format("label O{} is used a second time", label),
+                "give each sub, if, while, do and repeat a label of its own", column);
+  }
+  const bool opened = line != nullptr && line->head != kNoMatch;
   switch (control) {
     case Control::none: return true;  // an O number: a program's head, or a sub-program that is run into
     case Control::call: return call_label(label, text, column);
@@ -124,14 +138,14 @@ bool Flow::run_control(Control control, const std::string& label, Scanner& text,
       return end_of_line(text);
     case Control::break_:
     case Control::continue_: return at != kNoMatch && end_of_line(text) && leave_or_continue(control, label, at);
-    case Control::if_: return matched ? run_if(at, text) : unmatched();
+    case Control::if_: return opened ? run_if(at, text) : unmatched();
     case Control::elseif:
     case Control::else_:
       if (!matched) return unmatched();
       jump_after(line->tail);  // the branch before has been run
       return true;
     case Control::endif: return matched ? end_of_line(text) : unmatched();
-    default: return matched ? run_loop(control, at, text) : unmatched();
+    default: return opened ? run_loop(control, at, text) : unmatched();
   }
 }
 
@@ -140,7 +154,8 @@ bool Flow::run_if(int at, Scanner& text) {
   bool holds = false;
   if (!read_condition(text, holds) || !end_of_line(text)) return false;
   while (!holds) {
-    at = flow.at(at).after == kNoMatch ? flow.at(at).tail : flow.at(at).after;
+    if (flow.at(at).after == kNoMatch) return jump_after_end(at);
+    at = flow.at(at).after;
     const ControlLine& branch = flow.at(at);
     jump_after(at);
     if (branch.control != Control::elseif) return true;
@@ -170,8 +185,7 @@ bool Flow::run_loop(Control control, int at, Scanner& text) {
         jump_after(line.head);
         return count_turn();
       }
-      if (!holds) jump_after(line.tail);
-      return true;
+      return holds || jump_after_end(at);
     case Control::endwhile: jump_to(line.head); return end_of_line(text) && count_turn();
     case Control::repeat: return run_repeat(at, text);
     case Control::endrepeat: {
@@ -197,10 +211,9 @@ bool Flow::run_repeat(int at, Scanner& text) {
   if (!(count < 1e9)) return lose("too-many-turns", fmt::format("{:g} repeats", count), "give a smaller count", column);
   const int turns = static_cast<int>(std::round(count));
   if (turns <= 0) {
-    jump_after(index().at(at).tail);
-  } else {
-    counters()[at] = turns;
+    return jump_after_end(at);
   }
+  counters()[at] = turns;
   return true;
 }
 
@@ -212,12 +225,12 @@ bool Flow::leave_or_continue(Control control, const std::string& label, int at) 
                 "name the loop around this line");
   }
   const int tail = flow.at(head).tail;
-  if (control == Control::break_) {
-    jump_after(tail);
-  } else if (flow.at(head).control == Control::while_) {
+  if (control == Control::break_) return jump_after_end(head);
+  if (flow.at(head).control == Control::while_) {
     jump_to(head);
     return count_turn();
   } else {
+    if (tail == kNoMatch) return jump_after_end(head);
     jump_to(tail);
   }
   return true;
@@ -268,6 +281,10 @@ bool Flow::enter(const std::string& label, std::size_t column, int repeats, bool
     }
     file = *found;
     at = files_.at(file).flow(fanuc).find_sub(label);
+  }
+  if (at != kNoMatch && !fanuc && (files_.at(file).flow(fanuc).at(at).control == Control::sub) == is_numbered) {
+    return lose("sub-program-kind", is_numbered ? fmt::format("M98 calls O{}, which is a sub", label) : fmt::format("a call of O{}, which is no sub", label),
+                "call a sub with O… call, an O number with M98", column);
   }
   calls_.push_back(std::move(call));
   here_.file = file;

@@ -69,6 +69,7 @@ class Flow {
   void jump(std::size_t offset, std::size_t line);
   void jump_after(int index) { jump(this->index().at(index).next, this->index().at(index).line); }
   void jump_to(int index) { jump(this->index().at(index).begin, this->index().at(index).line - 1); }
+  bool jump_after_end(int at);
   bool count_turn();
   bool read_condition(Scanner& text, bool& holds);
   bool end_of_line(Scanner& text);

@@ -145,7 +145,7 @@ void FlowIndex::scan_line(std::string_view line, std::size_t begin, std::size_t 
 }
 
 void FlowIndex::match() {
-  std::unordered_map<std::string, std::vector<int>> open;
+  std::unordered_map<std::string, Label> labels;
   std::string scope;
   for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
     ControlLine& line = lines_[static_cast<std::size_t>(i)];
@@ -153,16 +153,22 @@ void FlowIndex::match() {
       scope = line.label;
       if (!line.label.empty()) subs_.emplace(line.label, i);
     }
-    match_line(i, open, scope);
+    match_line(i, labels, scope);
     if (line.control == Control::endsub) scope.clear();
   }
 }
 
-void FlowIndex::match_line(int index, std::unordered_map<std::string, std::vector<int>>& open,
-                           const std::string& scope) {
+void FlowIndex::match_line(int index, std::unordered_map<std::string, Label>& labels, const std::string& scope) {
   ControlLine& line = lines_[static_cast<std::size_t>(index)];
-  std::vector<int>& stack = open[scope + '\n' + line.label];
+  Label& label = labels[scope + '\n' + line.label];
+  std::vector<int>& stack = label.open;
   const auto entry = [&](int i) -> ControlLine& { return lines_[static_cast<std::size_t>(i)]; };
+  const auto open = [&](ControlLine& opener) {
+    opener.head = index;
+    opener.duplicate = label.used && opener.control != Control::fanuc_while;
+    label.used = true;
+    stack.push_back(index);
+  };
   const auto close = [&](std::initializer_list<Control> openers) {
     if (stack.empty() || std::find(openers.begin(), openers.end(), entry(stack.back()).control) == openers.end())
       return;
@@ -178,16 +184,14 @@ void FlowIndex::match_line(int index, std::unordered_map<std::string, std::vecto
     case Control::if_:
     case Control::repeat:
     case Control::fanuc_while:
-      line.head = index;
-      stack.push_back(index);
+      open(line);
       break;
     case Control::while_:
       if (!stack.empty() && entry(stack.back()).control == Control::do_) {
         line.closes_do = true;
         close({Control::do_});
       } else {
-        line.head = index;
-        stack.push_back(index);
+        open(line);
       }
       break;
     case Control::elseif:
@@ -222,9 +226,8 @@ int FlowIndex::find_sub(const std::string& label) const {
 int FlowIndex::find_enclosing(const std::string& label, int index) const {
   for (int i = index; i >= 0; --i) {
     const ControlLine& line = at(i);
-    const bool loop =
-        line.control == Control::while_ || line.control == Control::do_ || line.control == Control::repeat;
-    if (loop && !line.closes_do && line.label == label && line.tail >= index) return i;
+    const bool loop = line.control == Control::while_ || line.control == Control::do_;
+    if (loop && !line.closes_do && line.label == label && (line.tail >= index || line.tail == kNoMatch)) return i;
     if (line.control == Control::sub || line.control == Control::endsub) break;
   }
   return kNoMatch;

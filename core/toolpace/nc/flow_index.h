@@ -41,6 +41,7 @@ struct ControlLine {
   std::size_t line = 0;   ///< from 1
   Control control = Control::none;
   bool closes_do = false;  ///< a `while` that ends a `do`
+  bool duplicate = false;  ///< opens a structure under a label that was used before in the same sub-program
   std::string label;
   int head = kNoMatch;   ///< index of the word that opens the structure
   int after = kNoMatch;  ///< of the next word in an if … elseif … else … endif
@@ -72,7 +73,11 @@ class FlowIndex {
   void scan();
   void scan_line(std::string_view line, std::size_t begin, std::size_t next, std::size_t number);
   void match();
-  void match_line(int index, std::unordered_map<std::string, std::vector<int>>& open, const std::string& scope);
+  struct Label {
+    std::vector<int> open;
+    bool used = false;
+  };
+  void match_line(int index, std::unordered_map<std::string, Label>& labels, const std::string& scope);
   void index_numbers();
 
   std::string_view text_;

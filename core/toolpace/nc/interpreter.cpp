@@ -138,7 +138,9 @@ bool Interpreter::run_line(std::string_view line) {
   anything_read_ = anything_read_ || (c != '(' && c != ';' && c != '\0');
   if (c == 'o' || (c == ':' && dialect_ == Dialect::fanuc)) {
     text.take();
-    return flow_.run_o_word(text);
+    const bool good = flow_.run_o_word(text);
+    if (const auto modal = flow_.take_restored()) restore(*modal);
+    return good;
   }
   if (dialect_ == Dialect::fanuc && (c == 'i' || c == 'w' || c == 'd' || c == 'e' || c == 'g')) {
     bool good = true;

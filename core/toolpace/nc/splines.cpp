@@ -49,20 +49,16 @@ bool check_spline(Context& context, const Block& block) {
   return true;
 }
 
-// The feedrate of a curve; inverse time would need its length, which LinuxCNC does not allow either.
-bool spline_feedrate(Context& context, const Block& block, Feedrate& feed) {
-  if (context.state.modal.feed_mode == 930) {
-    return context.faults.fail("spline-inverse-time", "a spline in inverse-time mode (G93)", "use G94 for splines",
-                               block.column_of(GGroup::motion));
-  }
-  return find_feedrate(context, block, 0.0, 0.0, feed);
+// The feedrate of a curve. In inverse-time mode the length of the control polygon stands for that of the curve.
+bool spline_feedrate(Context& context, const Block& block, const std::vector<Eigen::Vector3d>& polygon, Feedrate& feed) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < polygon.size(); ++i) length += (polygon[i] - polygon[i - 1]).norm();
+  return find_feedrate(context, block, length, 0.0, feed);
 }
 
 bool write_bezier(Context& context, const Block& block, const std::vector<std::array<double, 2>>& inner,
                   const Position& end) {
   State& state = context.state;
-  Feedrate feed;
-  if (!spline_feedrate(context, block, feed)) return false;
   SplineDetail spline;
   spline.degree = static_cast<int>(inner.size()) + 1;
   spline.points.push_back(machine_vector(state.offsets, state.position).head<3>());
@@ -70,8 +66,11 @@ bool write_bezier(Context& context, const Block& block, const std::vector<std::a
   spline.points.push_back(machine_vector(state.offsets, end).head<3>());
   spline.weights.assign(spline.points.size(), 1.0);
   spline.knots = clamped_knots(spline.points.size(), spline.degree + 1);
+  Feedrate feed;
+  if (!spline_feedrate(context, block, spline.points, feed)) return false;
   context.out.spline(state.offsets, end, std::move(spline), feed.linear);
   state.position = end;
+  state.modal.motion = 800;  // each of these curves is named in its block
   return true;
 }
 
@@ -88,14 +87,10 @@ bool run_cubic_spline(Context& context, const Block& block) {
     return context.faults.fail("spline-words", "G5 with only one of I and J",
                                "give both, or none to mirror the last handle", column);
   }
-  if (!block.has('i') && !state.spline.after_cubic) {
-    return context.faults.fail("spline-words", "the first G5 of a series without I and J",
-                               "give the first handle with I and J", column);
-  }
   Position end;
   if (!find_end(context, block, end)) return false;
   const Position& start = state.position;
-  std::array<double, 2> handle = state.spline.last_handle;
+  std::array<double, 2> handle = state.spline.after_cubic ? state.spline.last_handle : std::array<double, 2>{};
   if (block.has('i')) handle = {length_of(state, block, 'i'), length_of(state, block, 'j')};
   const std::array<double, 2> back = {length_of(state, block, 'p'), length_of(state, block, 'q')};
   const std::array<double, 2> first = {start[0] + handle[0], start[1] + handle[1]};
@@ -109,7 +104,7 @@ bool run_cubic_spline(Context& context, const Block& block) {
 bool run_quadratic_spline(Context& context, const Block& block) {
   State& state = context.state;
   if (!check_spline(context, block)) return false;
-  if (!block.has('i') && !block.has('j')) {
+  if (!block.has('i') || !block.has('j')) {
     return context.faults.fail("spline-words", "G5.1 without I and J", "give the handle with I and J",
                                block.column_of(GGroup::motion));
   }
@@ -125,10 +120,10 @@ bool collect_nurbs(Context& context, const Block& block) {
   State& state = context.state;
   SplineMemory& spline = state.spline;
   if (!check_spline(context, block)) return false;
-  const double weight = block.of('p', 1.0);
+  const double weight = block.of('p', 0.0);
   if (!(weight > 0.0)) {
-    return context.faults.fail("spline-weight", fmt::format("weight P{:g} of a control point", weight),
-                               "weights are positive", block.column_of('p'));
+    return context.faults.fail("spline-weight", "a control point without a positive weight", "give its weight with P",
+block.column_of('p'));
   }
   const bool opens = !spline.collecting;
   if (opens) {
@@ -169,8 +164,6 @@ bool finish_nurbs(Context& context, const Block& block) {
         fmt::format("a spline of order {} with {} control points", memory.order, memory.points.size()),
         "give at least as many control points as the order", column);
   }
-  Feedrate feed;
-  if (!spline_feedrate(context, block, feed)) return false;
   SplineDetail spline;
   spline.degree = memory.order - 1;
   for (const auto& p : memory.points) {
@@ -181,6 +174,8 @@ bool finish_nurbs(Context& context, const Block& block) {
   Position end = state.position;
   end[0] = memory.points.back()[0];
   end[1] = memory.points.back()[1];
+  Feedrate feed;
+  if (!spline_feedrate(context, block, spline.points, feed)) return false;
   context.out.spline(state.offsets, end, std::move(spline), feed.linear);
   state.position = end;
   return true;

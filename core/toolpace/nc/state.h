@@ -76,7 +76,8 @@ struct Tool {
 
 /// Sticky words of canned cycles.
 struct CycleMemory {
-  double r = 0.0, bottom = 0.0, dwell = 0.0, peck = 0.0;
+  Code code = kNoCode;  ///< words stick only while the same cycle goes on
+  double r = 0.0, bottom = 0.0, dwell = 0.0, peck = 0.0, i = 0.0, j = 0.0, k = 0.0;
   bool has_r = false, has_bottom = false;
   std::optional<double> initial_level;  ///< level before the first cycle of a series, in the plane's normal axis
 };

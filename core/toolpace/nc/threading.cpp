@@ -35,11 +35,11 @@ bool find_pitch(Context& context, const Block& block, char letter, Feedrate& fee
 // A threading cycle, X and Z of a lathe.
 struct Thread {
   Position start;
-  Feedrate feed;
+  Feedrate feed, taper_feed;
   double side;          // +1: the crest lies towards smaller X (outside threads), −1: inside
   double crest_offset;  // |I|
   double first_cut, full_depth, degression, angle;
-  double end_z, pitch, taper_length;
+  double end_z, taper_length;
   bool taper_entry, taper_exit;
   int spring_passes;
 };
@@ -55,35 +55,36 @@ class ThreadRun {
                  z1 = thread_.end_z + (thread_.full_depth - cut_depth) * slide;
     const double target = thread_.start[0] - thread_.side * depth;
     const double safe = target + thread_.side * whole;
-    const double taper_top = target + thread_.side * cut_depth;
-    const double direction = thread_.end_z < thread_.start[2] ? -1.0 : 1.0;
+    // A taper climbs from the full depth of thread to its crest over the taper's length, at its own pitch.
+    const double taper_top = target + thread_.side * thread_.full_depth;
+    const double taper = thread_.taper_length;
     go(MoveKind::rapid, safe, z0);
     if (thread_.taper_entry) {
-      go(MoveKind::rapid, taper_top, z0 - direction * thread_.taper_length);
-      cut(target, z0);
+      cut(taper_top, z0, thread_.taper_feed);
+      cut(target, z0 - taper, thread_.taper_feed);
     } else {
       go(MoveKind::rapid, target, z0);
     }
     if (thread_.taper_exit) {
-      cut(target, z1 - direction * thread_.taper_length);
-      cut(taper_top, z1);
+      cut(target, z1 + taper, thread_.feed);
+      cut(taper_top, z1, thread_.taper_feed);
     } else {
-      cut(target, z1);
+      cut(target, z1, thread_.feed);
     }
     go(MoveKind::rapid, safe, z1);
   }
-  void go(MoveKind kind, double x, double z) {
+  void go(MoveKind kind, double x, double z, const Feedrate& feed = {}) {
     Position end = context_.state.position;
     end[0] = x;
     end[2] = z;
-    context_.out.line(kind, context_.state.offsets, end, thread_.feed);
+    context_.out.line(kind, context_.state.offsets, end, feed);
     context_.state.position = end;
   }
 
  private:
-  void cut(double x, double z) {
+  void cut(double x, double z, const Feedrate& feed) {
     context_.out.set_mode(context_.state.modal, false, true);
-    go(MoveKind::feed, x, z);
+    go(MoveKind::feed, x, z, feed);
     context_.out.set_mode(context_.state.modal);
   }
 
@@ -108,7 +109,6 @@ bool read_thread(Context& context, const Block& block, Thread& thread) {
   if (!find_end(context, block, end)) return false;
   thread.start = state.position;
   thread.end_z = end[2];
-  thread.pitch = length_of(state, block, 'p');
   const double i = length_of(state, block, 'i');
   thread.side = i > 0.0 ? -1.0 : 1.0;
   thread.crest_offset = std::fabs(i);
@@ -139,6 +139,10 @@ bool read_thread(Context& context, const Block& block, Thread& thread) {
   thread.taper_entry = (tapers & 1) != 0;
   thread.taper_exit = (tapers & 2) != 0;
   thread.taper_length = block.has('e') ? length_of(state, block, 'e') : 0.0;
+  if (!(thread.taper_length > 0.0)) thread.taper_entry = thread.taper_exit = false;
+  if (thread.taper_entry || thread.taper_exit) {
+    thread.taper_feed.linear = thread.feed.linear * std::hypot(thread.taper_length, thread.full_depth) / thread.taper_length;
+  }
   return true;
 }
 

@@ -155,20 +155,13 @@ bool set_tool_length(Context& context, const Block& block) {
     if (block.has('h')) {
       if (!take_tool_number(context, block, 'h', number) || !find_tool(context, number, block.column_of('h'), tool))
         return false;
-      if (number == 0) tool = Tool{};
-    } else if (code == 432 && !block.has_any(kLinearBits | kRotaryBits)) {
+      if (number == 0) tool = state.loaded;  // pocket 0 is the spindle
+    } else if (code == 432) {
       return context.faults.fail("g43.2-without-h", "G43.2 without a tool", "name the tool with H", column);
     }
     offset = tool.offset;
     if (code == 432) {
-      offset = state.offsets.tool_length;
-      for (std::size_t i = 0; i < kAxisCount; ++i) {
-        const char letter = kAxisLetters[i];
-        if (block.has('h'))
-          offset[i] += tool.offset[i];
-        else if (block.has(letter))
-          offset[i] += is_rotary(i) ? block.of(letter) : length_of(state, block, letter);
-      }
+      for (std::size_t i = 0; i < kAxisCount; ++i) offset[i] += state.offsets.tool_length[i];
     }
   }
   set_length_offset(context, offset);
