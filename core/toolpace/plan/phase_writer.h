@@ -25,6 +25,18 @@ class PhaseWriter {
     phases_.push_back(phase);
   }
 
+  /// Appends phases whose times count from 0. May take their storage.
+  void splice(std::vector<Phase>& phases) {
+    const double end = phases.empty() ? 0.0 : phases.back().begin + phases.back().duration;
+    if (phases_.empty() && time_ == 0) {
+      phases_.swap(phases);
+    } else {
+      for (Phase& p : phases) p.begin += time_;
+      phases_.insert(phases_.end(), phases.begin(), phases.end());
+    }
+    advance(end);
+  }
+
   /// Appends a cruise from one place to another, joined with the cruise before it where that had the same speed.
   void push_cruise(double from, double to, double speed) {
     if (!(to > from)) return;

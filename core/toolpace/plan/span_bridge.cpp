@@ -3,122 +3,117 @@
 #include <algorithm>
 #include <cmath>
 
-#include "toolpace/plan/span_ramp.h"
-
 namespace toolpace::detail {
 namespace {
 
 /// Where Newton's steps are smaller than this share of the unknown the next one would be below rounding.
 constexpr double kSettled = 1e-8;
 constexpr int kMaxSteps = 60;
-/// Accelerations that agree to this share differ by rounding only.
-constexpr double kSteeper = 1 - 1e-9;
 
-/// Peak over two bottoms, as the rise above the higher one [mm/s]: length(low side) + length(high side) = gap, the
-/// unknown being the root w of the rise above the higher bottom, in which the lengths are smooth and convex: Newton's
-/// steps from above cannot miss.
-double solve_peak(const SpanRamp& low, double low_bottom, const SpanRamp& high, double high_bottom, double gap) {
-  const double step = high_bottom - low_bottom;
-  // From above: what acceleration alone would allow, and what the high side alone would at full jerk.
-  const double a = low.top, d = high.top;
-  const double square = (2 * a * d * gap + d * (low_bottom * low_bottom) + a * (high_bottom * high_bottom)) / (a + d);
-  const double above = std::max(square - high_bottom * high_bottom, 0.0) / (std::sqrt(square) + high_bottom);
-  double w = std::sqrt(above / high.half);
-  if (high_bottom > 0) w = std::min(w, std::max(gap / (high_bottom * 2 * high.half), 0.0));
-  // A start below the root costs one step: the next one is above it.
-  for (int i = 0; i < kMaxSteps; ++i) {
-    if (!(w > 0)) return 0.0;
-    const double dv = high.half * w * w;
-    const SpanRamp::Slope there = high.slope(high_bottom, dv);
-    const SpanRamp::Slope here = low.slope(low_bottom, step + dv);
-    const double excess = here.length + there.length - gap;
-    const double next = w - excess / ((here.per_dv + there.per_dv) * 2 * high.half * w);
+/// What a peak has to fit over.
+struct Gap {
+  const SpanRamp& low;   ///< on the side of the lower bottom
+  const SpanRamp& high;  ///< on the side of the higher one
+  double low_bottom, high_bottom;
+  double length;       ///< [mm]
+  double step_length;  ///< of the ramp from the lower bottom to the higher speed, ≤ length
+};
+
+/// Upper bound of the peak's root w: what acceleration alone would allow, and what is left of the gap behind the ramp to the
+/// higher speed, at full jerk on the high side.
+double bound_root(const Gap& g) {
+  const double a = g.low.top, d = g.high.top;
+  const double high_square = g.high_bottom * g.high_bottom;
+  const double square = (2 * a * d * g.length + d * (g.low_bottom * g.low_bottom) + a * high_square) / (a + d);
+  double w = std::sqrt(std::max(square - high_square, 0.0) / (std::sqrt(square) + g.high_bottom) * g.high.jerk);
+  if (g.high_bottom > 0) {
+    w = std::min(w, std::max(g.length - g.step_length, 0.0) * g.high.jerk / (2 * g.high_bottom));
+  }
+  return w;
+}
+
+/// Peak over two bottoms, as the rise w²/J above the higher one [mm/s]: length(low side) + length(high side) = gap. In w
+/// the lengths are smooth and convex: Newton's steps from above cannot miss.
+double solve_peak(const Gap& g) {
+  const double step = g.high_bottom - g.low_bottom;
+  const double u = g.high.slack;
+  double w = bound_root(g);
+  for (int i = 0; i < kMaxSteps && w > 0; ++i) {
+    const double dv = w * w * u;
+    const double gain = 2 * w * u;  // of dv by w
+    double length, slope;
+    if (w < g.high.top) {
+      length = w * u * (2 * g.high_bottom + dv);
+      slope = u * (2 * g.high_bottom + 3 * dv);
+    } else {
+      const double time = dv * g.high.slope + g.high.top * u;
+      length = (g.high_bottom + dv / 2) * time;
+      slope = gain * (time / 2 + (g.high_bottom + dv / 2) * g.high.slope);
+    }
+    const SpanRamp::Slope low = g.low.differentiate(g.low_bottom, step + dv);
+    const double next = w - (length + low.length - g.length) / (slope + low.per_dv * gain);
     const double change = std::abs(next - w);
     w = next;
     if (change <= kSettled * w) break;
   }
-  return high.half * w * w;
+  return w > 0 ? w * w * u : 0.0;
 }
 
-/// What is left of a flank's length when it meets the high kernel (reciprocal jerk `own`) with acceleration y.
-struct Flank {
-  const SpanRamp& ramp;
-  double low_bottom, high_bottom, own, gap;
-
-  double rise(double y) const { return (own + ramp.high) / 2 * (y * y); }
-
-  SpanRamp::Slope excess(double y) const {
-    const double dv = rise(y), to = high_bottom + dv, dto = (own + ramp.high) * y;
-    const SpanRamp::Slope r = ramp.slope(low_bottom, high_bottom - low_bottom + dv);
-    const double skew = (ramp.high * ramp.high - own * own) / 6;
-    return {r.length - y * (to * ramp.high + high_bottom * own - skew * (y * y)) - gap,
-            r.per_dv * dto - to * ramp.high - y * dto * ramp.high - high_bottom * own + 3 * skew * (y * y)};
+/// Acceleration y left over when a ramp from `low_bottom` meets the kernel at `high_bottom`, which is too near to be met with
+/// none: in (0, top), negative where even the full acceleration does not get there.
+double solve_flank(const SpanRamp& ramp, double low_bottom, double high_bottom, double gap) {
+  const double u = ramp.slack, step = high_bottom - low_bottom;
+  const auto excess = [&](double y) {
+    const double dv = y * y * u;
+    const SpanRamp::Slope r = ramp.differentiate(low_bottom, step + dv);
+    return SpanRamp::Slope{r.length - y * u * (2 * high_bottom + dv) - gap,
+                           r.per_dv * (2 * y * u) - u * (2 * high_bottom + 3 * dv)};
+  };
+  if (!(excess(ramp.top).length <= 0)) return -1.0;
+  double low = 0, high = ramp.top;
+  double y = std::clamp((ramp.length(low_bottom, step) - gap) * ramp.jerk / (2 * high_bottom), 1e-12 * high, high);
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const SpanRamp::Slope f = excess(y);
+    (f.length > 0 ? low : high) = y;
+    double next = y - f.length / f.per_dv;
+    if (!(next >= low && next <= high)) next = (low + high) / 2;
+    const double change = std::abs(next - y);
+    y = next;
+    if (change <= kSettled * y) break;
   }
-
-  /// The acceleration left over, in (0, top); negative where there is none.
-  double solve() const {
-    if (!(excess(ramp.top).length <= 0)) return -1.0;
-    double low = 0, high = ramp.top, y = ramp.top / 2;
-    if (high_bottom > 0) {
-      const double first = ramp.extent(low_bottom, high_bottom - low_bottom).length - gap;
-      y = std::clamp(first / (high_bottom * (own + ramp.high)), 1e-12 * high, high);
-    }
-    for (int i = 0; i < kMaxSteps; ++i) {
-      const SpanRamp::Slope f = excess(y);
-      (f.length > 0 ? low : high) = y;
-      double next = y - f.length / f.per_dv;
-      if (!(next >= low && next <= high)) next = (low + high) / 2;
-      const double change = std::abs(next - y);
-      y = next;
-      if (change <= kSettled * y) break;
-    }
-    return y;
-  }
-};
-
-Bridge over_peak(const Kernel& near, const Kernel& far, const SpanLimits& limits, double gap) {
-  const SpanRamp up(near.up_jerk, limits.up_jerk, limits.up);
-  const SpanRamp down(far.down_jerk, limits.down_jerk, limits.down);
-  Bridge b{BridgeKind::peak, 0, 0, near.right, far.left, 0, limits};
-  const double step = far.bottom - near.bottom;
-  const double rise = step >= 0 ? solve_peak(up, near.bottom, down, far.bottom, gap)
-                                : solve_peak(down, far.bottom, up, near.bottom, gap);
-  b.peak = std::max(near.bottom, far.bottom) + rise;
-  b.leave = std::min(up.top, std::sqrt((rise + std::max(step, 0.0)) / up.half));
-  b.meet = -std::min(down.top, std::sqrt((rise + std::max(-step, 0.0)) / down.half));
-  return b;
+  return y;
 }
 
 Bridge upwards(const Kernel& near, const Kernel& far, const SpanLimits& limits) {
-  const SpanRamp up(near.up_jerk, limits.up_jerk, limits.up);
-  const auto ramp = up.extent(near.bottom, far.bottom - near.bottom);
-  if (ramp.length < far.left - near.right) return over_peak(near, far, limits, far.left - near.right);
-  const double at = near.right + ramp.length;
-  if (at <= far.right) return {BridgeKind::rise, ramp.peak, 0.0, near.right, at, far.bottom, limits};
-  const Flank flank{up, near.bottom, far.bottom, 1 / far.up_jerk, far.right - near.right};
-  const double y = flank.solve();
+  const SpanRamp& up = limits.up;
+  const double step = far.bottom - near.bottom;
+  const double ramp = up.length(near.bottom, step), gap = far.left - near.right;
+  if (ramp < gap) {
+    const double rise = solve_peak({up, limits.down, near.bottom, far.bottom, gap, ramp});
+    return {up.peak(step + rise), -limits.down.peak(rise), near.right, far.left, far.bottom + rise, BridgeKind::peak};
+  }
+  const double at = near.right + ramp;
+  if (at <= far.right) return {up.peak(step), 0.0, near.right, at, far.bottom, BridgeKind::rise};
+  const double y = solve_flank(up, near.bottom, far.bottom, far.right - near.right);
   if (y < 0) return {};
-  Bridge b{BridgeKind::rising_flank, 0, y, near.right, far.right, far.bottom + flank.rise(y), limits};
-  b.leave = std::min(up.top, std::sqrt((far.bottom - near.bottom + flank.rise(y)) / up.half));
-  // With unequal jerks the near kernel may be the flatter one: then its curve stays below the far one.
-  if (b.leave < y * kSteeper) return {};
-  b.leave = std::max(b.leave, y);
-  return b;
+  const double rise = y * y * up.slack;
+  return {std::max(y, up.peak(step + rise)), y, near.right, far.right, far.bottom + rise, BridgeKind::rising_flank};
 }
 
 Bridge downwards(const Kernel& near, const Kernel& far, const SpanLimits& limits) {
-  const SpanRamp down(far.down_jerk, limits.down_jerk, limits.down);
-  const auto ramp = down.extent(far.bottom, near.bottom - far.bottom);
-  if (ramp.length < far.left - near.right) return over_peak(near, far, limits, far.left - near.right);
-  const double at = far.left - ramp.length;
-  if (at >= near.left) return {BridgeKind::fall, 0.0, -ramp.peak, at, far.left, near.bottom, limits};
-  const Flank flank{down, far.bottom, near.bottom, 1 / near.down_jerk, far.left - near.left};
-  const double x = flank.solve();
-  Bridge b{BridgeKind::near_is_idle, 0, 0, 0, 0, 0, limits};
-  if (x < 0) return b;
-  const double meet = std::min(down.top, std::sqrt((near.bottom - far.bottom + flank.rise(x)) / down.half));
-  if (meet < x * kSteeper) return b;
-  return {BridgeKind::falling_flank, -x, -std::max(meet, x), near.left, far.left, near.bottom + flank.rise(x), limits};
+  const SpanRamp& down = limits.down;
+  const double step = near.bottom - far.bottom;
+  const double ramp = down.length(far.bottom, step), gap = far.left - near.right;
+  if (ramp < gap) {
+    const double rise = solve_peak({down, limits.up, far.bottom, near.bottom, gap, ramp});
+    return {limits.up.peak(rise), -down.peak(step + rise), near.right, far.left, near.bottom + rise, BridgeKind::peak};
+  }
+  const double at = far.left - ramp;
+  if (at >= near.left) return {0.0, -down.peak(step), at, far.left, near.bottom, BridgeKind::fall};
+  const double x = solve_flank(down, far.bottom, near.bottom, far.left - near.left);
+  if (x < 0) return {0, 0, 0, 0, 0, BridgeKind::near_is_idle};
+  const double rise = x * x * down.slack;
+  return {-x, -std::max(x, down.peak(step + rise)), near.left, far.left, near.bottom + rise, BridgeKind::falling_flank};
 }
 
 }  // namespace

@@ -18,19 +18,18 @@ enum class BridgeKind : std::uint8_t {
 };
 
 struct Bridge {
-  BridgeKind kind = BridgeKind::far_is_idle;
   double leave = 0.0;                    ///< acceleration on leaving the near kernel [mm/s²]
   double meet = 0.0;                     ///< acceleration on meeting the far one [mm/s²]
   double leave_at = 0.0, meet_at = 0.0;  ///< ends of the bottoms' parts that are used [mm]
   double peak = 0.0;                     ///< speed in which both ramps end [mm/s]; of flanks the one they would end in
-  SpanLimits limits = {};
+  BridgeKind kind = BridgeKind::far_is_idle;
 };
 
 /// Bridge between two kernels, `far` behind `near`.
 ///
-/// With U the peak acceleration of a ramp of dv, R its length: R_up(m_i, vp) + R_down(m_k, vp) = gap gives the peak; a
-/// flank solves R(m_i, vp) − (length still to the ramp's end, and from the kernel's bottom) = gap for the acceleration
-/// left. Bounded Newton steps from above, or within a bracket; lengths are met to about 1e-15 of the gap.
+/// With U the peak acceleration of a ramp of dv, R its length: R_up(m_i, vp) + R_down(m_k, vp) = gap gives the peak; a flank
+/// solves R(m_i, vp) − (m_k + vp)·y/J = gap, vp = m_k + y²/J, for the acceleration y left over when it meets the kernel.
+/// Bounded Newton steps from above, or within a bracket; lengths are met to about 1e-15 of the gap.
 Bridge bridge(const Kernel& near, const Kernel& far, const SpanLimits& limits);
 
 }  // namespace toolpace::detail

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "toolpace/plan/span_ramp.h"
-
 namespace toolpace::detail {
 namespace {
 
@@ -13,103 +11,95 @@ struct Place {
   double distance, speed, acceleration;
 };
 
-/// Place on the kernel where the acceleration is `a`.
-Place on_kernel(const Kernel& k, double a) {
-  const double time = a / (a > 0 ? k.up_jerk : k.down_jerk);
-  return {(a > 0 ? k.right : k.left) + time * (k.bottom + time * a / 6), k.bottom + time * a / 2, a};
-}
-
-void push(const Place& from, double duration, double jerk, PhaseWriter& out) {
-  out.push({0, duration, from.distance, from.speed, from.acceleration, jerk, kJerk});
-}
-
-void emit_kernel(const Kernel& k, const Bridge& met, const Bridge& left, PhaseWriter& out) {
-  if (met.meet < 0 && left.leave > 0 && !k.is_plateau() && k.up_jerk == k.down_jerk) {
-    push(on_kernel(k, met.meet), (left.leave - met.meet) / k.up_jerk, k.up_jerk, out);
-    return;
-  }
-  if (met.meet < 0) {
-    push(on_kernel(k, met.meet), (std::min(left.leave, 0.0) - met.meet) / k.down_jerk, k.down_jerk, out);
-  }
-  if (k.is_plateau()) out.push_cruise(met.meet_at, left.leave_at, k.bottom);
-  if (left.leave > 0) {
-    const double from = std::max(met.meet, 0.0);
-    Place at = on_kernel(k, from);
-    if (from == 0) at.distance = k.right;
-    push(at, (left.leave - from) / k.up_jerk, k.up_jerk, out);
-  }
-}
-
-/// From the place where the near kernel is left to the place where the far one is met.
-class BridgeWriter {
+class HullWriter {
  public:
-  BridgeWriter(const Kernel& near, const Kernel& far, const Bridge& b, PhaseWriter& out)
-      : near_(near), far_(far), b_(b), out_(out) {}
+  HullWriter(const SpanLimits& limits, PhaseWriter& out) : up_(limits.up), down_(limits.down), out_(out) {}
 
-  void run() {
-    const Place start = hold_up();
-    turn(start);
-    hold_down();
+  void write_kernel(const Kernel& k, const Bridge& met, const Bridge& left) {
+    if (met.meet < 0 && left.leave > 0 && !k.is_plateau() && up_.jerk == down_.jerk) {
+      push(place(k, met.meet), (left.leave - met.meet) * up_.slack, up_.jerk);
+      return;
+    }
+    if (met.meet < 0) {
+      push(place(k, met.meet), (std::min(left.leave, 0.0) - met.meet) * down_.slack, down_.jerk);
+    }
+    if (k.is_plateau()) out_.push_cruise(met.meet_at, left.leave_at, k.bottom);
+    if (left.leave > 0) {
+      const double from = std::max(met.meet, 0.0);
+      push(place(k, from), (left.leave - from) * up_.slack, up_.jerk);
+    }
+  }
+
+  void write_bridge(const Kernel& near, const Kernel& far, const Bridge& b) {
+    turn(b, hold_up(near, b));
+    hold_down(far, b);
   }
 
  private:
-  Place hold_up() {
-    if (!(b_.leave > 0)) {
-      Place at = on_kernel(near_, b_.leave);
-      if (b_.leave == 0) at.distance = b_.leave_at;
-      return at;
+  void push(const Place& from, double duration, double jerk) {
+    out_.push({0, duration, from.distance, from.speed, from.acceleration, jerk, kJerk});
+  }
+
+  /// Place on the kernel where the acceleration is `a`; for 0 the right end of its bottom.
+  Place place(const Kernel& k, double a) const {
+    const double time = a * (a < 0 ? down_.slack : up_.slack);
+    return {(a < 0 ? k.left : k.right) + time * (k.bottom + time * a / 6), k.bottom + time * a / 2, a};
+  }
+
+  /// @return where the acceleration begins to fall
+  Place hold_up(const Kernel& near, const Bridge& b) {
+    Place at = place(near, b.leave);
+    if (b.leave == 0) at.distance = b.leave_at;
+    if (b.leave < up_.top) return at;
+    const double hold = up_.hold(b.peak - near.bottom);
+    push(at, hold, 0.0);
+    if (hold > 0) {
+      at.distance += hold * (at.speed + hold * b.leave / 2);
+      at.speed += hold * b.leave;
     }
-    Place at = on_kernel(near_, b_.leave);
-    const SpanRamp ramp(near_.up_jerk, b_.limits.up_jerk, b_.limits.up);
-    const double hold = ramp.extent(near_.bottom, b_.peak - near_.bottom).hold;
-    if (b_.leave < ramp.top || !(hold > 0)) return at;
-    push(at, hold, 0.0, out_);
-    at.distance += hold * (at.speed + hold * b_.leave / 2);
-    at.speed += hold * b_.leave;
     return at;
   }
 
   /// The acceleration falls from what the near kernel is left with to what the far one is met with.
-  void turn(const Place& start) {
-    const double up = b_.limits.up_jerk, down = b_.limits.down_jerk;
-    const double x = b_.leave, y = b_.meet;
-    if (x <= 0 || y >= 0 || up == down) {
-      const double jerk = x <= 0 && y < 0 ? down : up;
-      push(start, (x - y) / jerk, -jerk, out_);
+  void turn(const Bridge& b, const Place& start) {
+    const double x = b.leave, y = b.meet;
+    if (x <= 0 || y >= 0 || up_.jerk == down_.jerk) {
+      const SpanRamp& side = x <= 0 && y < 0 ? down_ : up_;
+      push(start, (x - y) * side.slack, -side.jerk);
       return;
     }
-    const double time = x / up;
-    push(start, time, -up, out_);
+    const double time = x * up_.slack;
+    push(start, time, -up_.jerk);
     const Place top{start.distance + time * (start.speed + time * x / 3), start.speed + time * x / 2, 0.0};
-    push(top, -y / down, -down, out_);
+    push(top, -y * down_.slack, -down_.jerk);
   }
 
-  void hold_down() {
-    if (!(b_.meet < 0)) return;
-    const SpanRamp ramp(far_.down_jerk, b_.limits.down_jerk, b_.limits.down);
-    const double hold = ramp.extent(far_.bottom, b_.peak - far_.bottom).hold;
-    if (-b_.meet < ramp.top || !(hold > 0)) return;
-    Place at = on_kernel(far_, b_.meet);
-    at.distance -= hold * (at.speed - hold * b_.meet / 2);
-    at.speed -= hold * b_.meet;
-    push(at, hold, 0.0, out_);
+  void hold_down(const Kernel& far, const Bridge& b) {
+    if (-b.meet < down_.top) return;
+    const double hold = down_.hold(b.peak - far.bottom);
+    if (!(hold > 0)) return;
+    Place at = place(far, b.meet);
+    at.distance -= hold * (at.speed - hold * b.meet / 2);
+    at.speed -= hold * b.meet;
+    push(at, hold, 0.0);
   }
 
-  const Kernel& near_;
-  const Kernel& far_;
-  const Bridge& b_;
+  const SpanRamp& up_;
+  const SpanRamp& down_;
   PhaseWriter& out_;
 };
 
 }  // namespace
 
-void emit_hull(const std::vector<Kernel>& kernels, const std::vector<HullEntry>& hull, PhaseWriter& out) {
+void emit_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits, const std::vector<HullEntry>& hull,
+               PhaseWriter& out) {
   const Bridge rest;
+  HullWriter writer(limits, out);
   for (std::size_t e = 0; e < hull.size(); ++e) {
     const Kernel& k = kernels[hull[e].kernel];
     const Bridge& left = e + 1 < hull.size() ? hull[e + 1].bridge : rest;
-    emit_kernel(k, hull[e].bridge, left, out);
-    if (e + 1 < hull.size()) BridgeWriter(k, kernels[hull[e + 1].kernel], left, out).run();
+    writer.write_kernel(k, hull[e].bridge, left);
+    if (e + 1 < hull.size()) writer.write_bridge(k, kernels[hull[e + 1].kernel], left);
   }
 }
 

@@ -11,6 +11,7 @@ namespace toolpace::detail {
 
 /// Writes the motion along the hull: each kernel from the acceleration at which it is met to that at which it is left,
 /// then the bridge. Every kernel is an anchor for position and speed, so that rounding does not add up.
-void emit_hull(const std::vector<Kernel>& kernels, const std::vector<HullEntry>& hull, PhaseWriter& out);
+void emit_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits, const std::vector<HullEntry>& hull,
+               PhaseWriter& out);
 
 }  // namespace toolpace::detail

@@ -19,11 +19,7 @@ class Selector {
     push_node(chain_.first);
     for (std::size_t i = chain_.first; i < chain_.last; ++i) {
       if (i > chain_.first && is_touched_node(i)) push_node(i);
-      if (touches_feed(i)) {
-        push_plateau(i);
-      } else if (!chain_.uniform) {
-        between_.include(SpanLimits::of(limits_.dynamics_of(i)));
-      }
+      if (touches_feed(i)) push_plateau(i);
     }
     push_node(chain_.last);
   }
@@ -42,41 +38,28 @@ class Selector {
     return here + up / (up + down) * (next - here + 2 * down * limits_.length[i]) >= f * f * (1 - kTouch);
   }
 
-  Kernel& push(double position, double speed, std::size_t first, std::size_t last) {
-    const SpanLimits near = SpanLimits::of(limits_.dynamics_of(std::min(first, chain_.last - 1)));
-    Kernel k{};
-    k.left = k.right = k.position = position;
-    k.bottom = k.cap = speed;
-    k.up_jerk = near.up_jerk;
-    k.down_jerk = near.down_jerk;
-    k.first_node = static_cast<std::uint32_t>(first);
-    k.last_node = static_cast<std::uint32_t>(last);
-    k.before = between_;
-    between_ = SpanLimits{};
-    out_.push_back(k);
-    return out_.back();
+  void push_node(std::size_t i) {
+    const auto node = static_cast<std::uint32_t>(i);
+    const double at = chain_.position[i], speed = chain_.cap[i];
+    out_.push_back({at, at, speed, at, speed, 0.0, node, node});
   }
 
-  void push_node(std::size_t i) { push(chain_.position[i], chain_.cap[i], i, i); }
-
   void push_plateau(std::size_t i) {
-    const double speed = limits_.block_cap[i];
+    const double speed = limits_.block_cap[i], end = chain_.position[i + 1];
+    const auto node = static_cast<std::uint32_t>(i);
     Kernel& last = out_.back();
-    const bool same_limits = chain_.uniform || i == chain_.first || limits_.ramp[i] == limits_.ramp[i - 1];
-    if (last.is_plateau() && last.last_node == i && last.bottom == speed && same_limits) {
-      last.right = chain_.position[i + 1];
-      last.last_node = static_cast<std::uint32_t>(i + 1);
+    if (last.is_plateau() && last.last_node == node && last.bottom == speed) {
+      last.right = end;
+      last.last_node = node + 1;
       return;
     }
-    Kernel& k = push(chain_.position[i], speed, i, i + 1);
-    k.right = chain_.position[i + 1];
-    if (!chain_.uniform) k.own = SpanLimits::of(limits_.dynamics_of(i));
+    const double begin = chain_.position[i];
+    out_.push_back({begin, end, speed, begin, speed, 0.0, node, node + 1});
   }
 
   const SpanChain& chain_;
   const SpeedLimits& limits_;
   std::vector<Kernel>& out_;
-  SpanLimits between_;
 };
 
 }  // namespace

@@ -15,14 +15,13 @@ namespace toolpace::detail {
 /// @source the two-pass scan of time-optimal path following, Bobrow et al. 1985, in q = v²
 std::vector<double> fastest_squares(const SpeedLimits& limits, const std::vector<double>& cap);
 
-/// Nodes [first, last] of a chain that rests at both and nowhere between, as arrays that share one index.
+/// Nodes [first, last] of a chain that rests nowhere between, as arrays that share one index.
 struct SpanChain {
   const SpeedLimits& limits;
   const std::vector<double>& cap;       ///< [mm/s]
   const std::vector<double>& square;    ///< of fastest_squares [mm²/s²]
   const std::vector<double>& position;  ///< of the nodes [mm]
   std::size_t first, last;
-  bool uniform;  ///< all blocks have the same ramp limits
 };
 
 /// Caps that can matter, in order: the start, nodes and plateaus that the optimum touches, the end. Tilts are 0.

@@ -11,24 +11,26 @@ namespace toolpace::detail {
 
 /// A touched cap and the bridge that leads to it. The first one is the start and has no bridge.
 struct HullEntry {
-  std::uint32_t kernel;
   Bridge bridge;
+  std::uint32_t kernel;
 };
 
 /// Goes through the kernels once; each is bridged to from the last touched one. A kernel that cannot be reached is
 /// skipped; a touched one that would have to be left before it is met is dropped again. Linear: at most two bridges a
 /// kernel, amortised.
-/// @param kernels  sorted by `left`; the first and last have bottom 0
-/// @param uniform  limits that hold everywhere; nothing = each bridge takes the smallest limits of the blocks under it
-void build_hull(const std::vector<Kernel>& kernels, const SpanLimits* uniform, std::vector<HullEntry>& hull);
+/// @param kernels  sorted by `left`
+/// @return false where the start cannot be left fast enough or the end not be reached, which never happens from rest
+///         to rest
+bool build_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits, std::vector<HullEntry>& hull);
 
 /// Brings a hull up to date after some kernels were changed: goes anew only from each changed kernel on until the new hull
 /// has joined the old one again.
 /// @param changed  ascending
-void rebuild_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits,
+/// @return as build_hull()
+bool rebuild_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits,
                   const std::vector<std::uint32_t>& changed, std::vector<HullEntry>& hull);
 
 /// Time along the hull [s].
-double hull_time(const std::vector<Kernel>& kernels, const std::vector<HullEntry>& hull);
+double hull_time(const std::vector<Kernel>& kernels, const SpanLimits& limits, const std::vector<HullEntry>& hull);
 
 }  // namespace toolpace::detail

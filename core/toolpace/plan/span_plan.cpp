@@ -20,77 +20,78 @@ constexpr int kShortPasses = 3;
 
 /// Limits that hold in all blocks of [first, last).
 SpanLimits smallest_limits(const SpeedLimits& limits, std::size_t first, std::size_t last) {
-  SpanLimits all = SpanLimits::of(limits.dynamics_of(first));
-  if (limits.dynamics.size() == 1) return all;
-  for (std::size_t i = first + 1; i < last; ++i) {
-    if (limits.ramp[i] != limits.ramp[i - 1]) all.include(SpanLimits::of(limits.dynamics_of(i)));
+  Dynamics all = limits.dynamics_of(first);
+  const auto include = [](RampLimits& a, const RampLimits& b) {
+    a.acceleration = std::min(a.acceleration, b.acceleration);
+    a.jerk = std::min(a.jerk, b.jerk);
+  };
+  for (std::size_t i = first + 1; i < last && limits.dynamics.size() > 1; ++i) {
+    if (limits.ramp[i] == limits.ramp[i - 1]) continue;
+    include(all.up, limits.dynamics_of(i).up);
+    include(all.down, limits.dynamics_of(i).down);
   }
-  return all;
+  return {{all.up.acceleration, all.up.jerk}, {all.down.acceleration, all.down.jerk}};
 }
 
 /// Plans the stretches from one rest to the next; keeps its buffers between them.
 class StretchPlanner {
  public:
-  StretchPlanner(int passes, MotionPlan& plan) : passes_(passes), plan_(plan), writer_(plan.phases) {}
+  StretchPlanner(int passes, std::vector<Phase>& phases) : passes_(passes), writer_(phases) {}
 
   void add(const SpanChain& chain) {
     const SpanLimits limits = smallest_limits(chain.limits, chain.first, chain.last);
     select_kernels(chain, kernels_);
-    for (Kernel& k : kernels_) {
-      k.up_jerk = limits.up_jerk;
-      k.down_jerk = limits.down_jerk;
-    }
-    build_hull(kernels_, &limits, best_);
-    best_kernels_ = nullptr;
-    if (best_.size() > 2) improve(limits);
-    plan_.phases.reserve(std::max(plan_.phases.size() + 4 * best_.size(), plan_.phases.capacity()));
-    emit_hull(best_kernels_ != nullptr ? *best_kernels_ : kernels_, best_, writer_);
+    build_hull(kernels_, limits, hull_);
+    best_.clear();
+    if (hull_.size() > 2) improve(limits);
+    if (best_.empty()) emit(limits, best_);
+    writer_.splice(best_);
   }
 
  private:
-  /// Tilts the touched nodes, pass after pass, as long as that saves time.
-  void improve(const SpanLimits& limits) {
-    double best_time = hull_time(kernels_, best_);
-    tilted_ = kernels_;
-    next_ = best_;
-    const int passes = kernels_.size() <= kShortStretch ? std::max(passes_, kShortPasses) : passes_;
-    for (int pass = 0; pass < passes; ++pass) {
-      tilt_kernels(next_, limits, tilted_);
-      build_hull(tilted_, &limits, next_);
-      if (!repair(limits)) return;
-      const double time = hull_time(tilted_, next_);
-      if (!(time < best_time)) return;
-      best_time = time;
-      best_.swap(next_);
-      next_ = best_;
-      chosen_ = tilted_;
-      best_kernels_ = &chosen_;
-    }
+  double emit(const SpanLimits& limits, std::vector<Phase>& phases) const {
+    phases.clear();
+    PhaseWriter writer(phases);
+    emit_hull(kernels_, limits, hull_, writer);
+    return writer.time();
   }
 
-  /// Takes tilts away around caps that the hull passes; false where caps are still broken in the end.
-  bool repair(const SpanLimits& limits) {
-    for (std::size_t round = 0; round < kMostRepairs; ++round) {
-      trial_.clear();
-      PhaseWriter writer(trial_);
-      emit_hull(tilted_, next_, writer);
-      const auto broken = find_broken(tilted_, limits, trial_.data(), trial_.data() + trial_.size());
-      if (broken.empty()) return true;
-      drop_tilts(next_, broken, 1 + 2 * round, tilted_, changed_);
-      if (changed_.empty()) return false;
-      rebuild_hull(tilted_, limits, changed_, next_);
+  /// Tilts the touched nodes, pass after pass, as long as that saves time.
+  void improve(const SpanLimits& limits) {
+    double best_time = hull_time(kernels_, limits, hull_);
+    const int passes = kernels_.size() <= kShortStretch ? std::max(passes_, kShortPasses) : passes_;
+    for (int pass = 0; pass < passes; ++pass) {
+      if (pass == 0) plain_ = hull_;
+      tilt_kernels(hull_, limits, kernels_);
+      const double time = build_hull(kernels_, limits, hull_) ? emit_within_caps(limits) : -1.0;
+      if (time < 0 || !(time < best_time)) break;
+      best_time = time;
+      best_.swap(trial_);
     }
-    return false;
+    if (!best_.empty()) return;
+    for (Kernel& k : kernels_) {
+      if (k.tilt != 0) set_tilt(k, 0.0, limits);
+    }
+    hull_.swap(plain_);
+  }
+
+  /// Writes the hull; takes tilts away around caps that it passes. Negative where caps are still broken in the end.
+  double emit_within_caps(const SpanLimits& limits) {
+    for (std::size_t round = 0; round < kMostRepairs; ++round) {
+      const double time = emit(limits, trial_);
+      Broken broken{find_broken(kernels_, limits, hull_, trial_), 1 + 2 * round};
+      if (broken.kernels.empty()) return time;
+      const auto changed = drop_tilts(hull_, limits, broken, kernels_);
+      if (changed.empty() || !rebuild_hull(kernels_, limits, changed, hull_)) return -1.0;
+    }
+    return -1.0;
   }
 
   int passes_;
-  MotionPlan& plan_;
   PhaseWriter writer_;
-  std::vector<Kernel> kernels_, tilted_, chosen_;
-  const std::vector<Kernel>* best_kernels_ = nullptr;
-  std::vector<HullEntry> best_, next_;
-  std::vector<Phase> trial_;
-  std::vector<std::uint32_t> changed_;
+  std::vector<Kernel> kernels_;
+  std::vector<HullEntry> hull_, plain_;
+  std::vector<Phase> trial_, best_;
 };
 
 }  // namespace
@@ -100,11 +101,11 @@ MotionPlan plan_span_ramps(const SpeedLimits& limits, const std::vector<double>&
   const std::vector<double> square = fastest_squares(limits, cap);
   const std::vector<double> position = node_positions(limits);
   MotionPlan plan;
-  StretchPlanner planner(passes, plan);
+  StretchPlanner planner(passes, plan.phases);
   for (std::size_t first = 0; first < limits.size();) {
     std::size_t last = first + 1;
     while (cap[last] > 0) ++last;
-    planner.add({limits, cap, square, position, first, last, true});
+    planner.add({limits, cap, square, position, first, last});
     if (monitor.is_cancelled()) return {};
     first = last;
   }

@@ -5,56 +5,45 @@
 
 namespace toolpace::detail {
 
-/// Speeds up from a low end to a high end, both with zero acceleration (or slows down, seen backwards). The jerk at the
-/// low end belongs to the kernel there, that at the high end to the bridge; with equal jerks this is the seven-phase
-/// ramp.
+/// The seven-phase ramp between a low and a high speed, with its derivatives; slowing down is the same seen backwards.
 struct SpanRamp {
-  double low;   ///< reciprocal jerk at the low end [s³/mm]
-  double high;  ///< reciprocal jerk at the high end [s³/mm]
-  double top;   ///< largest acceleration [mm/s²]
-  double half;  ///< mean of low and high: Δ = half · x² for a peak acceleration x < top
-  double skew;  ///< (low² − high²)/6, 0 for equal jerks
+  double slack;  ///< reciprocal jerk [s³/mm]
+  double top;    ///< largest acceleration [mm/s²]
+  double knee;   ///< change of speed from which the acceleration is held [mm/s]
+  double slope;  ///< reciprocal of top
+  double jerk;   ///< [mm/s³]
 
-  SpanRamp(double jerk_low, double jerk_high, double acceleration)
-      : low(1 / jerk_low),
-        high(1 / jerk_high),
+  SpanRamp(double acceleration, double jerk_limit)
+      : slack(1 / jerk_limit),
         top(acceleration),
-        half((low + high) / 2),
-        skew((low - high) * (low + high) / 6) {}
+        knee(acceleration * acceleration * slack),
+        slope(1 / acceleration),
+        jerk(jerk_limit) {}
 
-  /// What a ramp by dv takes.
-  struct Extent {
-    double peak;    ///< acceleration held [mm/s²]
-    double hold;    ///< time of constant acceleration [s]
-    double length;  ///< [mm]
-  };
+  /// Peak acceleration of a ramp by dv.
+  double peak(double dv) const { return dv < knee ? std::sqrt(dv * jerk) : top; }
 
-  Extent extent(double from, double dv) const {
-    const double peak = std::sqrt(dv / half);
-    const double to = from + dv;
-    if (peak <= top) return {peak, 0.0, peak * (from * low + to * high + skew * (peak * peak))};
-    const double hold = (dv - half * (top * top)) / top;
-    const double means = from + to + (top * top) * (low - high) / 2;
-    return {top, hold, top * (from * low + to * high + skew * (top * top)) + means / 2 * hold};
+  /// Time of constant acceleration in it.
+  double hold(double dv) const { return dv < knee ? 0.0 : dv * slope - top * slack; }
+
+  double length(double from, double dv) const {
+    const double time = dv < knee ? 2 * std::sqrt(dv * slack) : dv * slope + top * slack;
+    return (from + dv / 2) * time;
   }
 
-  /// Length of a ramp whose high end is dv above `from`, and its derivative after dv.
+  /// Length of a ramp whose high end is dv > 0 above `from`, and its derivative after dv.
   struct Slope {
     double length, per_dv;
   };
 
-  Slope slope(double from, double dv) const {
-    const double peak = std::sqrt(dv / half);
-    const double to = from + dv;
-    if (peak <= top) {
-      const double weight = from * low + to * high;
-      return {peak * (weight + skew * (peak * peak)),
-              (weight + 3 * skew * (peak * peak)) / (2 * half * peak) + peak * high};
+  Slope differentiate(double from, double dv) const {
+    const double mean = from + dv / 2;
+    if (dv < knee) {
+      const double root = std::sqrt(dv * slack);
+      return {2 * mean * root, root + mean * slack / root};
     }
-    const double hold = (dv - half * (top * top)) / top;
-    const double means = from + to + (top * top) * (low - high) / 2;
-    return {top * (from * low + to * high + skew * (top * top)) + means / 2 * hold,
-            top * high + hold / 2 + means / (2 * top)};
+    const double time = dv * slope + top * slack;
+    return {mean * time, time / 2 + mean * slope};
   }
 };
 

@@ -13,23 +13,23 @@ constexpr double kPlaceRounding = 1e-15;
 /// What a curve must pass to be broken: at low speeds a rounding of the place is more than one of the speed.
 double tolerated(const Kernel& k, const SpanLimits& limits) {
   const double place = kPlaceRounding * std::abs(k.position);
-  return k.cap * (1 + kRounding) + std::max(limits.up, limits.down) * place / k.cap;
+  return k.cap * (1 + kRounding) + std::max(limits.up.top, limits.down.top) * place / k.cap;
 }
 
 double wanted_tilt(const Kernel& k, double meet, double leave, const SpanLimits& limits) {
   const double steepest = std::max(meet * meet, leave * leave);
   if (!(steepest > 0)) return k.tilt;
-  const double jerk = std::min(k.up_jerk, k.down_jerk);
+  const double jerk = std::min(limits.up.jerk, limits.down.jerk);
   const double weight = std::min(1.0, 2 * jerk * k.cap / steepest);
   const double tilt = k.tilt + weight * ((leave + meet) / 2 - k.tilt);
   const double most = std::sqrt(jerk * k.cap / 2);
-  return std::clamp(tilt, -std::min(most, limits.down), std::min(most, limits.up));
+  return std::clamp(tilt, -std::min(most, limits.down.top), std::min(most, limits.up.top));
 }
 
 /// Takes tilts back until the bottoms stand in order: first by halves, in the end altogether.
 class Orderer {
  public:
-  explicit Orderer(std::vector<Kernel>& kernels) : kernels_(kernels) {}
+  Orderer(const SpanLimits& limits, std::vector<Kernel>& kernels) : limits_(limits), kernels_(kernels) {}
 
   void run() {
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -61,9 +61,10 @@ class Orderer {
   }
 
   void shrink(std::size_t i, double share) {
-    if (kernels_[i].tilt != 0) set_tilt(kernels_[i], share * kernels_[i].tilt);
+    if (kernels_[i].tilt != 0) set_tilt(kernels_[i], share * kernels_[i].tilt, limits_);
   }
 
+  const SpanLimits& limits_;
   std::vector<Kernel>& kernels_;
 };
 
@@ -126,33 +127,37 @@ void tilt_kernels(const std::vector<HullEntry>& hull, const SpanLimits& limits, 
     const std::uint32_t index = hull[e].kernel;
     Kernel& k = kernels[index];
     if (k.is_plateau()) continue;
-    set_tilt(k, wanted_tilt(k, hull[e].bridge.meet, hull[e + 1].bridge.leave, limits));
+    set_tilt(k, wanted_tilt(k, hull[e].bridge.meet, hull[e + 1].bridge.leave, limits), limits);
   }
-  Orderer(kernels).run();
+  Orderer(limits, kernels).run();
 }
 
-void drop_tilts(const std::vector<HullEntry>& hull, const std::vector<std::uint32_t>& broken, std::size_t radius,
-                std::vector<Kernel>& kernels, std::vector<std::uint32_t>& changed) {
-  changed.clear();
+std::vector<std::uint32_t> drop_tilts(const std::vector<HullEntry>& hull, const SpanLimits& limits,
+                                      const Broken& broken, std::vector<Kernel>& kernels) {
+  std::vector<std::uint32_t> changed;
   std::size_t e = 0, done = 0;
-  for (const std::uint32_t k : broken) {
+  for (const std::uint32_t k : broken.kernels) {
     while (e + 1 < hull.size() && hull[e].kernel < k) ++e;
-    const std::size_t first = std::max(done, e > radius ? e - radius : 0);
-    for (done = first; done < std::min(hull.size(), e + radius + 1); ++done) {
+    done = std::max(done, e > broken.radius ? e - broken.radius : 0);
+    for (; done < std::min(hull.size(), e + broken.radius + 1); ++done) {
       Kernel& near = kernels[hull[done].kernel];
       if (near.tilt == 0) continue;
-      set_tilt(near, 0.0);
+      set_tilt(near, 0.0, limits);
       changed.push_back(hull[done].kernel);
     }
   }
+  return changed;
 }
 
-std::vector<std::uint32_t> find_broken(const std::vector<Kernel>& kernels, const SpanLimits& limits, const Phase* begin,
-                                       const Phase* end) {
+std::vector<std::uint32_t> find_broken(const std::vector<Kernel>& kernels, const SpanLimits& limits,
+                                       const std::vector<HullEntry>& hull, const std::vector<Phase>& phases) {
   std::vector<std::uint32_t> broken;
-  Walker walker(begin, end);
+  Walker walker(phases.data(), phases.data() + phases.size());
+  std::size_t e = 0;
   for (std::uint32_t i = 1; i + 1 < kernels.size(); ++i) {
     const Kernel& k = kernels[i];
+    while (e < hull.size() && hull[e].kernel < i) ++e;
+    if (e < hull.size() && hull[e].kernel == i && !k.is_plateau()) continue;
     const double cap = tolerated(k, limits);
     const double to = k.is_plateau() ? k.right : k.position;
     if (walker.highest_in(k.position, to, cap) > cap) broken.push_back(i);

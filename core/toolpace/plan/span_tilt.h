@@ -17,16 +17,21 @@ namespace toolpace::detail {
 /// that would put the bottom past a neighbour's is halved, then dropped.
 void tilt_kernels(const std::vector<HullEntry>& hull, const SpanLimits& limits, std::vector<Kernel>& kernels);
 
+/// Kernels whose caps are passed.
+struct Broken {
+  std::vector<std::uint32_t> kernels;  ///< ascending
+  std::size_t radius;                  ///< entries on either side that may be to blame
+};
+
 /// Takes the tilts away from the kernels of hull entries around each of the broken ones.
-/// @param broken,changed  indices of kernels, ascending
-/// @param radius  entries on either side
-void drop_tilts(const std::vector<HullEntry>& hull, const std::vector<std::uint32_t>& broken, std::size_t radius,
-                std::vector<Kernel>& kernels, std::vector<std::uint32_t>& changed);
+/// @return the kernels that were changed, ascending
+std::vector<std::uint32_t> drop_tilts(const std::vector<HullEntry>& hull, const SpanLimits& limits,
+                                      const Broken& broken, std::vector<Kernel>& kernels);
 
 /// Kernels whose cap the phases pass, ascending. With tilts the order of bottoms is not quite that of the caps, so a
-/// hull may pass a cap that it does not touch.
+/// hull may pass a cap that it does not touch. (A touched node is crossed at its cap by construction.)
 /// @param phases  from the first kernel to the last one, exact polynomials
-std::vector<std::uint32_t> find_broken(const std::vector<Kernel>& kernels, const SpanLimits& limits, const Phase* begin,
-                                       const Phase* end);
+std::vector<std::uint32_t> find_broken(const std::vector<Kernel>& kernels, const SpanLimits& limits,
+                                       const std::vector<HullEntry>& hull, const std::vector<Phase>& phases);
 
 }  // namespace toolpace::detail

@@ -49,10 +49,48 @@ TEST_P(SpanPlanOfTheButterfly, ComesCloseToTheProvenBound) {
   EXPECT_GE(t, f.bound);
 }
 
-INSTANTIATE_TEST_SUITE_P(Figures, SpanPlanOfTheButterfly,
-                         ::testing::Values(ButterflyFigure{1e9, 1e6, 3.218, 3.217},
-                                           ButterflyFigure{1e9, 3e4, 3.228, 3.226},
-                                           ButterflyFigure{1e9, 1e4, 3.248, 3.244}));
+INSTANTIATE_TEST_SUITE_P(
+    Figures, SpanPlanOfTheButterfly,
+    ::testing::Values(ButterflyFigure{1e9, 1e6, 3.218, 3.217}, ButterflyFigure{1e9, 3e4, 3.228, 3.226},
+                      ButterflyFigure{1e9, 1e4, 3.248, 3.244}, ButterflyFigure{0.739, 1e6, 9.459, 9.424},
+                      ButterflyFigure{0.739, 3e4, 10.09, 9.781}, ButterflyFigure{0.739, 1e4, 10.37, 9.612}));
+
+TEST(SpanPlan, OfTheQuinticCostsLessThanItsBlockRamps) {
+  test::PolylineRules rules{symmetric(294.2, 3e4)};
+  rules.corner_step = 0.739;
+  const auto limits = test::read_polyline("curves/butterfly588.csv", rules);
+  if (!limits) GTEST_SKIP() << "no shared curves here";
+  EXPECT_LE(cycle_time(*limits, LawKind::quintic), 10.70);  // 10.98 in blocks
+}
+
+// v·a/J + a³/3J² until the acceleration is gone, then the law's own stop from v + a²/2J, within the next N − 1 blocks.
+TEST(SpanPlan, CanStopInsideItsWindowAtEveryNode) {
+  const double deceleration = 500, jerk = 2e4;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SpeedLimits limits = test::random_chain(seed, 80);
+    limits.dynamics = {symmetric(deceleration, jerk)};
+    const auto position = node_positions(limits);
+    for (const std::size_t blocks : {1u, 2u, 3u, 6u, 15u}) {
+      PlanOptions options;
+      options.law = LawKind::seven_phase;
+      options.ramps = Ramps::span;
+      options.lookahead = blocks;
+      const auto plan = plan_motion(limits, options);
+      const auto time = node_times(limits, *plan);
+      std::size_t k = 0;
+      for (std::size_t i = 1; i + blocks - 1 < limits.size(); ++i) {
+        while (k + 1 < plan->phases.size() && plan->phases[k + 1].begin <= time[i]) ++k;
+        const PhaseState there = evaluate(plan->phases[k], time[i] - plan->phases[k].begin);
+        const double a = std::max(0.0, there.acceleration), v = there.speed + a * a / (2 * jerk);
+        const double ramp =
+            v * jerk > deceleration * deceleration ? v / deceleration + deceleration / jerk : 2 * std::sqrt(v / jerk);
+        const double stop = there.speed * a / jerk + a * a * a / (3 * jerk * jerk) + v / 2 * ramp;
+        EXPECT_LE(stop, (position[i + blocks - 1] - position[i]) * (1 + 1e-6) + 1e-6)
+            << "seed " << seed << " node " << i;
+      }
+    }
+  }
+}
 
 TEST(SpanPlan, RunsLineAndCircleAsTheLimitsAllow) {
   test::PolylineRules rules{symmetric(INFINITY, INFINITY)};
