@@ -1,0 +1,16 @@
+/// Machine files: whatever the text, an error or a setup that can be written and read back.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "toolpace/pipeline/setup.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto setup = toolpace::parse_setup(text, "fuzz.toml");
+  if (!setup) return 0;
+  if (!toolpace::parse_setup(toolpace::format_setup(*setup), "again.toml")) std::abort();
+  return 0;
+}
