@@ -1,8 +1,8 @@
 #include "toolpace/plan/smooth/plan_tube.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <mutex>
 
 #include "toolpace/plan/smooth/exact_motion.h"
 #include "toolpace/plan/smooth/first_motion.h"
@@ -19,20 +19,23 @@ constexpr std::size_t kWindow = 3000;  ///< control points of a first motion tha
 constexpr std::size_t kBatch = 64;     ///< windows that are worked on at a time
 constexpr std::size_t kMostSegments = 4096;
 
-/// Counts finished tasks from any thread and reports them in order.
+/// Counts finished tasks from any thread and reports them in order, one at a time; who finds another one reporting does
+/// not wait.
 class Progress {
  public:
   Progress(const Monitor& monitor, std::size_t whole) : monitor_(monitor), whole_(whole) {}
   void add(std::size_t amount) {
-    const std::lock_guard lock(mutex_);
     done_ += amount;
-    monitor_.report(std::min(1.0, static_cast<double>(done_) / static_cast<double>(whole_)));
+    if (reporting_.test_and_set()) return;
+    monitor_.report(std::min(1.0, static_cast<double>(done_.load()) / static_cast<double>(whole_)));
+    reporting_.clear();
   }
 
  private:
   const Monitor& monitor_;
-  std::size_t whole_, done_ = 0;
-  std::mutex mutex_;
+  std::size_t whole_;
+  std::atomic<std::size_t> done_ = 0;
+  std::atomic_flag reporting_;
 };
 
 template <int D>
