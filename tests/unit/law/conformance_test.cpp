@@ -108,6 +108,40 @@ TEST_P(LawConformance, RampIsSymmetricAboutItsMiddle) {
   }
 }
 
+TEST_P(LawConformance, TheRampBackIsTheRampReversedInTime) {
+  for (const RampCase& c : testing::ramp_cases()) {
+    const auto forth = ramp(c), back = ramp({c.v1, c.v0, c.limits});
+    ASSERT_EQ(forth.size(), back.size()) << text(c);
+    const double steepest = law().peak_acceleration(std::abs(c.v1 - c.v0), c.limits);
+    for (std::size_t i = 0; i < forth.size(); ++i) {
+      const Phase &p = forth[i], &q = back[back.size() - 1 - i];
+      EXPECT_NEAR(p.duration, q.duration, 1e-14 * p.duration) << text(c);
+      for (const double u : {0.0, 0.3, 0.8}) {
+        const PhaseState a = evaluate(p, u * p.duration), b = evaluate(q, (1 - u) * q.duration);
+        EXPECT_NEAR(a.speed, b.speed, 1e-13 * std::max(c.v0, c.v1)) << text(c);
+        EXPECT_NEAR(a.acceleration, -b.acceleration, 1e-13 * steepest) << text(c);
+      }
+    }
+  }
+}
+
+/// Powers of two change no digit, so the scaled ramp is the same but for the rounding of roots.
+TEST_P(LawConformance, UnitsOfLengthAndTimeDoNotMatter) {
+  constexpr double kLength = 1024, kTime = 1.0 / 64;
+  for (const RampCase& c : testing::ramp_cases()) {
+    const double dv = std::abs(c.v1 - c.v0);
+    const RampLimits scaled{c.limits.acceleration * kLength / kTime / kTime,
+                            c.limits.jerk * kLength / kTime / kTime / kTime, c.limits.time * kTime};
+    const double expected = law().duration(dv, c.limits) * kTime;
+    EXPECT_NEAR(law().duration(dv * kLength / kTime, scaled), expected, 1e-15 * expected) << text(c);
+    for (const double length : {1e-3, 7.0}) {
+      const double reached = law().reach(c.v0, length, c.limits) * kLength / kTime;
+      const double other = law().reach(c.v0 * kLength / kTime, length * kLength, scaled);
+      EXPECT_TRUE(other == reached || std::abs(other - reached) <= 1e-14 * reached) << text(c);  // both may be infinite
+    }
+  }
+}
+
 TEST_P(LawConformance, ReachInvertsTheRampLength) {
   for (const RampCase& c : testing::ramp_cases()) {
     if (c.v1 < c.v0 || duration(c) == 0) continue;

@@ -26,6 +26,14 @@ TEST(Quintic, LongRampsReachBySquares) {
   EXPECT_NEAR(Quintic::reach(20, 2, {3000, kInf, 0}), std::sqrt(6800.0), 1e-12);
 }
 
+TEST(Quintic, JerkIsZeroAtBothEndsAndInTheMiddle) {
+  std::vector<Phase> phases;
+  Quintic::append_ramp(10, 60, {3000, 1e6, 0}, phases);
+  ASSERT_EQ(phases.size(), 1u);
+  const double time = phases[0].duration;
+  for (const double u : {0.0, 0.5, 1.0}) EXPECT_NEAR(evaluate(phases[0], u * time).jerk, 0.0, 1e-8);
+}
+
 TEST(Trapezoid, ReachIsTheTextbookSquareRoot) {
   EXPECT_DOUBLE_EQ(Trapezoid::reach(3, 2, {4, kInf, 0}), 5.0);  // √(9 + 2·4·2)
 }
