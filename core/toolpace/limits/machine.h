@@ -6,6 +6,7 @@
 #include <string>
 
 #include "toolpace/base/axes.h"
+#include "toolpace/limits/servo_axis.h"
 
 namespace toolpace {
 
@@ -35,6 +36,7 @@ struct Machine {
   double tool_change = 0.0;  ///< [s]
   PathLimits path;
   std::array<AxisLimits, kAxisCount> axes;
+  std::array<ServoAxis, kAxisCount> servo;  ///< how the drives follow; does not change the plan
 };
 
 }  // namespace toolpace

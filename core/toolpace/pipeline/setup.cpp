@@ -33,7 +33,9 @@ class SetupReader {
   Result<Setup> read(const toml::table& root) {
     for (auto&& [key, node] : root) {
       const std::string section(key.str());
-      const bool ok = section == "axes" ? read_axes(node) : read_named(section, key, node);
+      const bool ok = section == "axes"    ? read_axes(node)
+                      : section == "servo" ? read_servo(node)
+                                           : read_named(section, key, node);
       if (!ok) return tl::unexpected(*error_);
     }
     PathLimits& path = setup_.machine.path;
@@ -64,9 +66,40 @@ class SetupReader {
     return true;
   }
 
+  /// [servo] holds for every axis that knows the key, [servo.X] for one axis and over [servo].
+  bool read_servo(const toml::node& node) {
+    const toml::table* servo = node.as_table();
+    if (!servo) return fail("machine-value", "'servo' must be a table", "write [servo] or [servo.X]", node.source());
+    for (auto&& [key, value] : *servo) {
+      if (!value.is_table() && !read_for_all_axes(key, value)) return false;
+    }
+    for (auto&& [key, value] : *servo) {
+      if (!value.is_table()) continue;
+      const SetupSection* section = find("servo." + std::string(key.str()));
+      if (!section) return unknown("axis", key, {"X", "Y", "Z", "A", "B", "C"});
+      if (!read_section(*section, value)) return false;
+    }
+    return true;
+  }
+
+  bool read_for_all_axes(const toml::key& key, const toml::node& value) {
+    bool is_known = false;
+    std::vector<std::string> known;
+    for (const SetupSection& section : sections_) {
+      if (section.name.rfind("servo.", 0) != 0) continue;
+      for (const NumberKey& number : section.numbers) {
+        known.push_back(number.name);
+        if (number.name != key.str()) continue;
+        if (!read_number(number, value)) return false;
+        is_known = true;
+      }
+    }
+    return is_known || unknown("key", key, known);
+  }
+
   bool read_named(const std::string& section, const toml::key& key, const toml::node& node) {
     if (const SetupSection* found = find(section)) return read_section(*found, node);
-    return unknown("section", key, {"machine", "path", "axes", "law", "lookahead"});
+    return unknown("section", key, {"machine", "path", "axes", "servo", "law", "lookahead"});
   }
 
   const SetupSection* find(const std::string& name) const {
@@ -204,6 +237,17 @@ std::string file_number(double value, double unit) {
   return to_text(in_file);
 }
 
+/// A section with those of its numbers that are not the usual ones.
+std::string format_differences(const SetupSection& section, const SetupSection& usual) {
+  std::string body;
+  for (std::size_t i = 0; i < section.numbers.size(); ++i) {
+    const NumberKey& key = section.numbers[i];
+    if (*key.value != *usual.numbers[i].value)
+      body += fmt::format("{} = {}\n", key.name, file_number(*key.value, key.unit));
+  }
+  return body.empty() ? body : fmt::format("\n[{}]\n{}", section.name, body);
+}
+
 Error bad_limit(std::string what, std::string remedy) {
   return {ErrorKind::usage, "bad-limit", std::move(what), std::move(remedy), {}, {}};
 }
@@ -247,8 +291,16 @@ Result<Setup> read_setup(const std::filesystem::path& file) {
 std::string format_setup(const Setup& setup) {
   Setup copy = setup;
   std::string text;
+  Setup plain;
+  const auto defaults = setup_sections(plain);
+  std::size_t index = 0;
   for (const SetupSection& section : setup_sections(copy)) {
+    const SetupSection& usual = defaults[index++];
     std::string body = format_words(section.name, setup);
+    if (section.name.rfind("servo.", 0) == 0) {
+      text += format_differences(section, usual);
+      continue;
+    }
     for (const NumberKey& key : section.numbers) {
       const bool is_default = !std::isfinite(*key.value) || (*key.value == 0 && key.name != "tool_change_s");
       if (!is_default) body += fmt::format("{} = {}\n", key.name, file_number(*key.value, key.unit));

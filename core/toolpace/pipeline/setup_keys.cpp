@@ -19,6 +19,22 @@ SetupSection axis_section(AxisLimits& axis, std::size_t k) {
           {}};
 }
 
+SetupSection servo_section(ServoAxis& servo, std::size_t k) {
+  const bool rotary = is_rotary(k);
+  return {std::string("servo.") + kAxisNames[k],
+          {{"kv_1_s", &servo.position_gain, 1.0, KeyRange::positive},
+           {"velocity_feed_forward", &servo.velocity_feed_forward, 1.0, KeyRange::not_negative},
+           {"acceleration_feed_forward", &servo.acceleration_feed_forward, 1.0, KeyRange::not_negative},
+           {"bandwidth_hz", &servo.bandwidth, 1.0, KeyRange::positive},
+           {"damping", &servo.damping, 1.0, KeyRange::positive},
+           {rotary ? "backlash_deg" : "backlash_mm", &servo.backlash, rotary ? kRadiansPerDegree : 1.0,
+            KeyRange::not_negative},
+           {"resonance_hz", &servo.resonance, 1.0, KeyRange::not_negative},
+           {"resonance_damping", &servo.resonance_damping, 1.0, KeyRange::positive}},
+          {},
+          {}};
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0u);
@@ -79,6 +95,7 @@ std::vector<SetupSection> setup_sections(Setup& s) {
        {},
        {"blocks", "ramps", "corner"}}};
   for (std::size_t k = 0; k < kAxisCount; ++k) sections.push_back(axis_section(s.machine.axes[k], k));
+  for (std::size_t k = 0; k < kAxisCount; ++k) sections.push_back(servo_section(s.machine.servo[k], k));
   return sections;
 }
 

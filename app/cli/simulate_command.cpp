@@ -1,0 +1,152 @@
+/// toolpace simulate: where the machine really goes.
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "commands.h"
+#include "interrupt.h"
+#include "job_flags.h"
+#include "planned_program.h"
+#include "report.h"
+#include "servo_json.h"
+#include "toolpace/base/numbers.h"
+#include "toolpace/io/output_file.h"
+#include "toolpace/io/setpoint_table.h"
+#include "toolpace/pipeline/follow.h"
+
+namespace toolpace::cli {
+namespace {
+
+struct SimulateFlags {
+  ReadingFlags reading;
+  JobFlags job;
+  std::optional<double> kv, velocity_feed_forward, acceleration_feed_forward;
+  std::string trace;
+  bool json = false;
+};
+
+/// The commanded and the actual path as a table, row by row.
+class TraceFile {
+ public:
+  static Result<TraceFile> create(const std::string& name) {
+    auto file = OutputFile::create(name);
+    if (!file) return tl::unexpected(file.error());
+    return TraceFile(std::move(*file));
+  }
+
+  Result<void> write(const Setpoints& commanded, const ServoTrace& trace, std::size_t rows) {
+    constexpr std::string_view kAxes = "xyzabc";
+    const RowClock clock(commanded.period);
+    std::string text;
+    if (commanded.first_row == 0) {
+      text = "t_s";
+      for (const char* kind : {"", "_actual"}) {
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+          if (commanded.position[axis].empty()) continue;
+          text += "," + std::string(1, kAxes[axis]) + kind + (is_rotary(axis) ? "_deg" : "_mm");
+        }
+      }
+      text += ",lag_mm,contour_error_mm,line\n";
+    }
+    for (std::size_t k = 0; k < rows; ++k) {
+      append_text(text, clock.time(commanded.first_row + k));
+      for (const auto* columns : {&commanded.position, &trace.actual}) {
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+          if ((*columns)[axis].empty()) continue;
+          text += ',';
+          append_text(text, (*columns)[axis][k] / (is_rotary(axis) ? kRadiansPerDegree : 1.0));
+        }
+      }
+      text += ',';
+      append_text(text, trace.lag[k]);
+      text += ',';
+      append_text(text, trace.contour_error[k]);
+      text += ',' + std::to_string(commanded.line[k]) + '\n';
+    }
+    return file_.write(text);
+  }
+
+  Result<void> finish() { return file_.commit(); }
+
+ private:
+  explicit TraceFile(OutputFile file) : file_(std::move(file)) {}
+  OutputFile file_;
+};
+
+Result<ServoSummary> simulate(const Outcome& outcome, const SimulateFlags& flags) {
+  if (flags.trace.empty()) return follow(outcome, {}, terminal_monitor("simulating"));
+  auto file = TraceFile::create(flags.trace);
+  if (!file) return tl::unexpected(file.error());
+  const auto write = [&](const Setpoints& s, const ServoTrace& t, std::size_t rows) { return file->write(s, t, rows); };
+  auto summary = follow(outcome, write, terminal_monitor("simulating"));
+  if (!summary) return summary;
+  if (auto done = file->finish(); !done) return tl::unexpected(done.error());
+  return summary;
+}
+
+void set_all(std::array<ServoAxis, kAxisCount>& servo, double ServoAxis::*value, const std::optional<double>& flag) {
+  for (auto& axis : servo) axis.*value = flag.value_or(axis.*value);
+}
+
+void print(const Outcome& outcome, const ServoSummary& s) {
+  fmt::print("{}\n  cycle time      {:.4f} s\n", outcome.job->program_name, outcome.summary.cycle_time);
+  fmt::print("  contour error   {:.6f} mm at most, at {:.3f} s, line {}; {:.6f} mm RMS\n", s.max_contour_error, s.worst_time,
+             s.worst_line, s.rms_contour_error);
+  fmt::print("  lag             {:.6f} mm at most; {:.6f} mm RMS\n", s.max_lag, s.rms_lag);
+  fmt::print("  settled         {:.3f} s after the last setpoint\n", s.settling_time);
+}
+
+int run_simulate(const SimulateFlags& flags) {
+  if (flags.json && flags.trace == "-") {
+    return report(Error{ErrorKind::usage, "two-outputs", "--json and --trace - both want standard output", "write the trace to a file", {}, {}});
+  }
+  auto setup = flags.job.setup();
+  if (!setup) return report(setup.error());
+  set_all(setup->machine.servo, &ServoAxis::position_gain, flags.kv);
+  set_all(setup->machine.servo, &ServoAxis::velocity_feed_forward, flags.velocity_feed_forward);
+  set_all(setup->machine.servo, &ServoAxis::acceleration_feed_forward, flags.acceleration_feed_forward);
+  const auto outcome = plan_program(flags.reading, *setup);
+  if (!outcome) return report(outcome.error());
+  const auto summary = simulate(*outcome, flags);
+  end_progress();
+  if (!summary) return report(summary.error());
+  if (flags.json) {
+    const nlohmann::ordered_json json = {{"program", flags.reading.program},
+                                         {"cycle_time_s", outcome->summary.cycle_time},
+                                         {"period_ms", setup->machine.period * 1e3},
+                                         {"servo", servo_json(*summary)}};
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else if (flags.trace != "-") {
+    print(*outcome, *summary);
+  }
+  return kFine;
+}
+
+}  // namespace
+
+nlohmann::ordered_json servo_json(const ServoSummary& s) {
+  return {{"max_contour_error_mm", s.max_contour_error},
+          {"rms_contour_error_mm", s.rms_contour_error},
+          {"worst_t_s", s.worst_time},
+          {"worst_line", s.worst_line},
+          {"max_lag_mm", s.max_lag},
+          {"rms_lag_mm", s.rms_lag},
+          {"settling_time_s", s.settling_time},
+          {"rows", s.rows}};
+}
+
+void add_simulate_command(CLI::App& app, Action& action) {
+  auto flags = std::make_shared<SimulateFlags>();
+  CLI::App* const command = app.add_subcommand("simulate", "Simulate the drives: lag and contour error of a program");
+  flags->reading.add_to(*command);
+  flags->job.add_to(*command);
+  command->add_option("--kv-1-s", flags->kv, "Position gain of every axis [1/s]");
+  command->add_option("--velocity-feed-forward", flags->velocity_feed_forward, "Share of the speed fed forward, 0 … 1");
+  command->add_option("--acceleration-feed-forward", flags->acceleration_feed_forward, "Share of the drive's lag made up, 0 … 1");
+  command->add_option("--trace", flags->trace, "Write commanded and actual positions, lag, contour error (.csv)");
+  command->add_flag("--json", flags->json, "Print one JSON object");
+  command->callback([flags, &action] { action = [flags] { return run_simulate(*flags); }; });
+}
+
+}  // namespace toolpace::cli
