@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   add_move_command(app, action);
   add_steps_command(app, action);
   add_verify_command(app, action);
+  add_simulate_command(app, action);
   catch_interrupts();
 
   try {

@@ -9,8 +9,12 @@ Result<Outcome> plan_program(const ReadingFlags& reading_flags, const Setup& set
   auto reading = reading_flags.read();
   if (!reading) return tl::unexpected(reading.error());
   if (reading->refused) {
-    return tl::unexpected(Error{ErrorKind::input, "program-refused", "the program has errors and is not planned", "correct it first",
-                                {reading_flags.program, 0, 0}, {}});
+    return tl::unexpected(Error{ErrorKind::input,
+                                "program-refused",
+                                "the program has errors and is not planned",
+                                "correct it first",
+                                {reading_flags.program, 0, 0},
+                                {}});
   }
   auto job = std::make_shared<Job>();
   job->program_name = reading_flags.program;

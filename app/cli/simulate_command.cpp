@@ -91,15 +91,20 @@ void set_all(std::array<ServoAxis, kAxisCount>& servo, double ServoAxis::*value,
 
 void print(const Outcome& outcome, const ServoSummary& s) {
   fmt::print("{}\n  cycle time      {:.4f} s\n", outcome.job->program_name, outcome.summary.cycle_time);
-  fmt::print("  contour error   {:.6f} mm at most, at {:.3f} s, line {}; {:.6f} mm RMS\n", s.max_contour_error, s.worst_time,
-             s.worst_line, s.rms_contour_error);
+  fmt::print("  contour error   {:.6f} mm at most, at {:.3f} s, line {}; {:.6f} mm RMS\n", s.max_contour_error,
+             s.worst_time, s.worst_line, s.rms_contour_error);
   fmt::print("  lag             {:.6f} mm at most; {:.6f} mm RMS\n", s.max_lag, s.rms_lag);
   fmt::print("  settled         {:.3f} s after the last setpoint\n", s.settling_time);
 }
 
 int run_simulate(const SimulateFlags& flags) {
   if (flags.json && flags.trace == "-") {
-    return report(Error{ErrorKind::usage, "two-outputs", "--json and --trace - both want standard output", "write the trace to a file", {}, {}});
+    return report(Error{ErrorKind::usage,
+                        "two-outputs",
+                        "--json and --trace - both want standard output",
+                        "write the trace to a file",
+                        {},
+                        {}});
   }
   auto setup = flags.job.setup();
   if (!setup) return report(setup.error());
@@ -143,7 +148,8 @@ void add_simulate_command(CLI::App& app, Action& action) {
   flags->job.add_to(*command);
   command->add_option("--kv-1-s", flags->kv, "Position gain of every axis [1/s]");
   command->add_option("--velocity-feed-forward", flags->velocity_feed_forward, "Share of the speed fed forward, 0 … 1");
-  command->add_option("--acceleration-feed-forward", flags->acceleration_feed_forward, "Share of the drive's lag made up, 0 … 1");
+  command->add_option("--acceleration-feed-forward", flags->acceleration_feed_forward,
+                      "Share of the drive's lag made up, 0 … 1");
   command->add_option("--trace", flags->trace, "Write commanded and actual positions, lag, contour error (.csv)");
   command->add_flag("--json", flags->json, "Print one JSON object");
   command->callback([flags, &action] { action = [flags] { return run_simulate(*flags); }; });

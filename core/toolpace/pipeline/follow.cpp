@@ -39,7 +39,8 @@ struct Waiting {
       drop(commanded.position[axis], rows);
       drop(trace.actual[axis], rows);
     }
-    for (auto* column : {&commanded.speed, &commanded.acceleration, &commanded.jerk, &trace.lag, &trace.contour_error}) {
+    for (auto* column :
+         {&commanded.speed, &commanded.acceleration, &commanded.jerk, &trace.lag, &trace.contour_error}) {
       drop(*column, rows);
     }
     drop(commanded.line, rows);

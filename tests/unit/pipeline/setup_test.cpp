@@ -65,6 +65,20 @@ TEST(Setup, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(second->machine.period, first->machine.period);
 }
 
+TEST(Setup, ServoHoldsForAllAxesAndServoXForOne) {
+  const auto setup = parse_setup(
+      "[servo.Y]\nkv_1_s = 30\n[servo]\nkv_1_s = 40\nbacklash_mm = 0.01\n[servo.A]\nbacklash_deg = 90\n", "m.toml");
+  ASSERT_TRUE(setup) << setup.error().message;
+  EXPECT_EQ(setup->machine.servo[0].position_gain, 40);
+  EXPECT_EQ(setup->machine.servo[1].position_gain, 30);
+  EXPECT_EQ(setup->machine.servo[2].backlash, 0.01);
+  EXPECT_EQ(setup->machine.servo[3].backlash, 90 * kRadiansPerDegree);
+  EXPECT_EQ(setup->machine.servo[4].backlash, 0.0);
+  EXPECT_EQ(parse_setup(format_setup(*setup), "m.toml")->machine.servo, setup->machine.servo);
+  EXPECT_EQ(parse_setup("[servo]\nkw_1_s = 40\n", "m.toml").error().code, "machine-key");
+  EXPECT_EQ(parse_setup("[servo.Q]\nkv_1_s = 40\n", "m.toml").error().code, "machine-key");
+}
+
 TEST(Setup, AnUnknownKeyNamesTheNearestOneAndItsPlace) {
   const auto setup = parse_setup("[path]\nmax_speed_mms = 3\n", "m.toml");
   ASSERT_FALSE(setup);
