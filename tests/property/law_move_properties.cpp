@@ -173,6 +173,27 @@ TEST_P(MoveProperties, TimeReversalSwapsTheRamps) {
   EXPECT_TRUE(held);
 }
 
+/// Far beyond any machine: every number anywhere in the range that is accepted at all.
+TEST_P(MoveProperties, NumbersOfAnySizeGiveAMoveOrAnError) {
+  const bool held = rc::check([law = GetParam()] {
+    const auto bits = *rc::gen::container<std::array<std::uint32_t, 10>>(
+        rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()));
+    const auto any = [&](std::size_t i) { return spread(bits[i], 1e-30, 1e30); };
+    const MoveRequest move{any(0), any(1), std::min(any(2), any(1)), std::min(any(3), any(1))};
+    const auto result = single_move(law, move, {{any(4), any(5), any(6)}, {any(7), any(8), any(9)}});
+    if (!result) {
+      RC_ASSERT(result.error().kind == ErrorKind::infeasible);
+      RC_ASSERT(result.error().attainable.value() >= 0 && std::isfinite(*result.error().attainable));
+      return;
+    }
+    check_numbers(*result);
+    RC_ASSERT(result->peak <= move.feed && result->peak >= std::max(move.start, move.end));
+    const double length = result->up.length + result->cruise_time * result->peak + result->down.length;
+    RC_ASSERT(is_near(length, move.length, 1e-12 * move.length));
+  });
+  EXPECT_TRUE(held);
+}
+
 /// Lengths times s, times times t: speeds s/t, accelerations s/t², jerks s/t³.
 TEST_P(MoveProperties, AChangeOfUnitsChangesNothing) {
   const bool held = rc::check([law = GetParam()] {

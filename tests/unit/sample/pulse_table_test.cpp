@@ -2,51 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/multiprecision/cpp_dec_float.hpp>
 #include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
 
+#include "exact_stepper.h"
+
 namespace toolpace {
 namespace {
 
-using Exact = boost::multiprecision::cpp_dec_float_50;
-
-/// The exact time of each pulse by bisection on the definition, with 50 digits.
-class ExactMove {
- public:
-  explicit ExactMove(const StepperMove& m) : steps_(m.steps), t_acc_(m.t_acc), t_dec_(m.t_dec), peak_(m.speed) {
-    const Exact highest = 2 * steps_ / (t_acc_ + t_dec_);
-    if (highest < peak_) peak_ = highest;
-    cruise_ = (steps_ - peak_ * (t_acc_ + t_dec_) / 2) / peak_;
-  }
-  Exact total() const { return t_acc_ + cruise_ + t_dec_; }
-
-  Exact time(std::uint64_t pulse) const {
-    const Exact k = pulse;
-    const Exact up = peak_ * t_acc_ / 2, down = peak_ * t_dec_ / 2;
-    if (k < up) return on_ramp(k, t_acc_);
-    if (steps_ - k < down) return total() - on_ramp(steps_ - k, t_dec_);
-    return t_acc_ + (k - up) / peak_;
-  }
-
- private:
-  /// v = 2·peak·τ², then mirrored: s = T·peak·(2τ³/3), s(1) − s = T·peak·((1−τ) − 2(1−τ)³/3)
-  Exact on_ramp(const Exact& distance, const Exact& time) const {
-    const Exact wanted = distance / (time * peak_);
-    Exact low = 0, high = 1;
-    for (int i = 0; i < 150; ++i) {
-      const Exact middle = (low + high) / 2, rest = 1 - middle;
-      const Exact covered = middle < Exact(1) / 2 ? Exact(2 * middle * middle * middle / 3)
-                                                  : Exact(Exact(1) / 2 - (rest - 2 * rest * rest * rest / 3));
-      (covered < wanted ? low : high) = middle;
-    }
-    return low * time;
-  }
-
-  Exact steps_, t_acc_, t_dec_, peak_, cruise_;
-};
+using test::Exact;
+using test::ExactStepper;
 
 std::vector<std::uint32_t> all_ticks(const PulseTable& table) {
   std::vector<std::uint32_t> ticks(table.move().steps);
@@ -69,7 +36,7 @@ TEST(PulseTable, EveryPulseLiesWithinHalfATickOfItsExactTime) {
   for (const StepperMove& move : kMoves) {
     const auto table = PulseTable::create(move);
     ASSERT_TRUE(table) << table.error().message;
-    const ExactMove exact(move);
+    const ExactStepper exact(move);
     const auto ticks = all_ticks(*table);
     std::uint64_t sum = 0;
     for (std::uint64_t k = 1; k <= move.steps; ++k) {
@@ -85,7 +52,7 @@ TEST(PulseTable, TimesAreExactToFourteenDigitsOfTheMove) {
   for (const StepperMove& move : kMoves) {
     const auto table = PulseTable::create(move);
     ASSERT_TRUE(table);
-    const ExactMove exact(move);
+    const ExactStepper exact(move);
     for (std::uint64_t k = 0; k <= move.steps; ++k) {
       EXPECT_NEAR(table->time(k), static_cast<double>(exact.time(k)), 1e-14 * table->total_time()) << k;
     }
@@ -119,7 +86,7 @@ TEST(PulseTable, TenMillionStepsStayExactToTheLast) {
   const StepperMove move{10'000'000, 1e6, 5.0, 3.0, 100e6};
   const auto table = PulseTable::create(move);
   ASSERT_TRUE(table);
-  const ExactMove exact(move);
+  const ExactStepper exact(move);
   std::vector<std::uint32_t> ticks(100'000);
   std::uint64_t sum = 0;
   for (std::uint64_t first = 0; first < move.steps; first += ticks.size()) {
