@@ -51,6 +51,7 @@ def main():
         table += [(name, ns, rate, unit, ns / reference if ns and reference else None) for name, ns, rate, unit in rows]
     arguments.write.write_text(json.dumps(joined, indent=1) + "\n")
 
+    table.sort(key=lambda row: not row[0].startswith(REFERENCE))
     width = max(len(name) for name, *_ in table)
     print(f"{'benchmark':{width}}  {'ns an item':>12}  {'items a second':>24}  {'reference steps':>15}")
     for name, ns, rate, unit, ratio in table:
