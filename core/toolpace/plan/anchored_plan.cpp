@@ -60,6 +60,7 @@ struct Span {
 /// Every place that may be an anchor, and the spans between neighbours.
 struct Anchors {
   std::vector<double> position, cap;  ///< one a place
+  std::vector<std::size_t> node;      ///< one a place
   std::vector<Span> span;             ///< from place i to i + 1
 };
 
@@ -85,6 +86,7 @@ Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap, 
   const auto add = [&](std::size_t node) {
     a.position.push_back(position[node]);
     a.cap.push_back(cap[node]);
+    a.node.push_back(node);
   };
   add(0);
   for (std::size_t i = 0; i < limits.size(); ++i) {
@@ -121,10 +123,16 @@ class AnchorPlanner {
  public:
   AnchorPlanner(const Anchors& anchors, const Monitor& monitor) : anchors_(anchors), monitor_(monitor) {}
 
+  /// With every anchor that there may be.
+  Layout run_once() {
+    Layout all;
+    for (std::size_t i = 0; i < anchors_.position.size(); ++i) all.place.push_back(i);
+    settle(all);
+    return all;
+  }
+
   Layout run() {
-    Layout best;
-    for (std::size_t i = 0; i < anchors_.position.size(); ++i) best.place.push_back(i);
-    settle(best);
+    Layout best = run_once();
     for (int sweep = 0; sweep < kSweeps && !monitor_.is_cancelled(); ++sweep) {
       Layout next = remove_some(best);
       if (next.place.size() == best.place.size()) break;
@@ -299,6 +307,18 @@ MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<doub
     }
     return plan;
   });
+}
+
+std::vector<double> settle_where_limits_change(const SpeedLimits& limits, const std::vector<double>& cap) {
+  const Monitor monitor;
+  const Anchors anchors = find_anchors(limits, cap, AnchorSites::touched_changed);
+  const Layout l = AnchorPlanner<SevenPhase>(anchors, monitor).run_once();
+  std::vector<double> settled = cap;
+  for (std::size_t p = 0; p < l.place.size(); ++p) {
+    const std::size_t node = anchors.node[l.place[p]];
+    if (node > 0 && node < limits.size() && limits.ramp[node] != limits.ramp[node - 1]) settled[node] = l.speed[p];
+  }
+  return settled;
 }
 
 }  // namespace toolpace::detail

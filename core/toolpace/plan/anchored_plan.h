@@ -19,4 +19,8 @@ namespace toolpace::detail {
 MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, LawKind law,
                                const Monitor& monitor);
 
+/// Caps under which the nodes where the ramp limits change can all be crossed at their cap with zero acceleration: the
+/// speeds that seven-phase ramps between anchors give them. The other caps stay.
+std::vector<double> settle_where_limits_change(const SpeedLimits& limits, const std::vector<double>& cap);
+
 }  // namespace toolpace::detail

@@ -17,17 +17,37 @@ constexpr int kNewtonRounds = 8, kSafeRounds = 24;
 /// Shorter windows whose plans are rivals of the wanted one's, and how many blocks may be planned for them in all.
 constexpr std::size_t kRivals = 6, kRivalBlocks = 200000;
 constexpr int kPasses = 1, kPassesForOptimum = 8;
+/// By how much ramp limits may differ inside a zone; each ratio is tried for chains that are short enough.
+constexpr double kZoneRatios[] = {1.3, 1.1, 1.8};
+constexpr std::size_t kShortChain = 20000;
 
 bool is_jerk_hull(LawKind law) { return law == LawKind::seven_phase || law == LawKind::time_optimal; }
 
-MotionPlan plan_under(const SpeedLimits& limits, const std::vector<double>& cap, LawKind law, const Monitor& monitor) {
-  if (law == LawKind::trapezoid) return plan_trapezoids(limits, cap);
-  if (!is_jerk_hull(law)) return plan_anchored_ramps(limits, cap, law, monitor);
-  return plan_span_ramps(limits, cap, law == LawKind::time_optimal ? kPassesForOptimum : kPasses, monitor);
+bool is_slower(const MotionPlan& plan, const MotionPlan& other) {
+  return !other.phases.empty() && (plan.phases.empty() || other.cycle_time() < plan.cycle_time());
 }
 
-bool is_slower(const MotionPlan& plan, const MotionPlan& other) {
-  return plan.phases.empty() || other.cycle_time() < plan.cycle_time();
+MotionPlan plan_hull(const SpeedLimits& limits, const std::vector<double>& cap, LawKind law, const Monitor& monitor) {
+  const int passes = law == LawKind::time_optimal ? kPassesForOptimum : kPasses;
+  MotionPlan plan = plan_span_ramps(limits, cap, passes, monitor);
+  if (limits.dynamics.size() == 1) return plan;
+  if (limits.size() <= kShortChain) {
+    MotionPlan other = plan_anchored_ramps(limits, cap, law, monitor);
+    if (is_slower(plan, other)) plan = std::move(other);
+  }
+  for (const double ratio : kZoneRatios) {
+    MotionPlan other = plan_zoned_ramps(limits, cap, ratio, passes, monitor);
+    if (monitor.is_cancelled()) return {};
+    if (is_slower(plan, other)) plan = std::move(other);
+    if (limits.size() > kShortChain) break;
+  }
+  return plan;
+}
+
+MotionPlan plan_under(const SpeedLimits& limits, const std::vector<double>& cap, LawKind law, const Monitor& monitor) {
+  if (law == LawKind::trapezoid) return plan_trapezoids(limits, cap);
+  if (is_jerk_hull(law)) return plan_hull(limits, cap, law, monitor);
+  return plan_anchored_ramps(limits, cap, law, monitor);
 }
 
 /// Without a window.
@@ -68,7 +88,7 @@ MotionPlan plan_across_blocks(const SpeedLimits& limits, LawKind law, std::size_
   for (std::size_t n = blocks - rivals; n <= blocks && !monitor.is_cancelled(); ++n) {
     for (MotionPlan other : {plan_in_window(limits, law, StopWindow(limits, law, n), monitor),
                              plan_block_ramps(limits, law, n, monitor)}) {
-      if (!other.phases.empty() && is_slower(plan, other)) plan = std::move(other);
+      if (is_slower(plan, other)) plan = std::move(other);
     }
   }
   return plan;

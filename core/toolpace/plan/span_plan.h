@@ -17,4 +17,10 @@ namespace toolpace::detail {
 MotionPlan plan_span_ramps(const SpeedLimits& limits, const std::vector<double>& cap, int passes,
                            const Monitor& monitor);
 
+/// The same where limits change from block to block. A hull needs limits that hold under all of it; so the chain is cut into
+/// zones in which they differ by no more than `ratio`, and the seams are crossed with zero acceleration.
+/// @return no phases when cancelled, where zones would be too short to gain anything or could not be joined
+MotionPlan plan_zoned_ramps(const SpeedLimits& limits, const std::vector<double>& cap, double ratio, int passes,
+                            const Monitor& monitor);
+
 }  // namespace toolpace::detail

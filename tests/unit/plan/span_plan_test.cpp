@@ -4,6 +4,7 @@
 
 #include "plan_cases.h"
 #include "plan_checker.h"
+#include "toolpace/plan/bound.h"
 #include "toolpace/plan/plan.h"
 
 namespace toolpace {
@@ -90,6 +91,30 @@ TEST(SpanPlan, CanStopInsideItsWindowAtEveryNode) {
       }
     }
   }
+}
+
+// Micro-segments in a plane of 3000 mm/s² between plunges of an axis that does 300: one set of limits for all of it
+// would make the whole path as slow as the slow axis.
+TEST(SpanPlan, DoesNotCarryASlowAxisIntoTheBlocksOfAFastOne) {
+  SpeedLimits limits;
+  limits.dynamics = {symmetric(3000, 1e6), symmetric(300, 5e4)};
+  const auto add = [&](double length, double feed, std::uint32_t ramp, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      limits.length.push_back(length);
+      limits.block_cap.push_back(feed);
+      limits.ramp.push_back(ramp);
+      limits.node_cap.push_back(i == 0 ? 1.0 : 1e9);
+    }
+  };
+  for (int k = 0; k < 10; ++k) {
+    add(0.05, 80, 0, 400);
+    add(1, 15, 1, 5);
+  }
+  limits.node_cap.push_back(0);
+  limits.node_cap[0] = 0;
+  limits.block_cause.assign(limits.size(), Cause::feed);
+  limits.node_cause.assign(limits.size() + 1, Cause::corner);
+  EXPECT_LE(cycle_time(limits), lower_bound(limits, LawKind::seven_phase) * 1.02);
 }
 
 TEST(SpanPlan, RunsLineAndCircleAsTheLimitsAllow) {
