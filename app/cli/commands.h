@@ -12,6 +12,7 @@ using Action = std::function<int()>;  ///< returns the exit code
 void add_plan_command(CLI::App& app, Action& action);
 void add_blocks_command(CLI::App& app, Action& action);
 void add_move_command(CLI::App& app, Action& action);
+void add_report_command(CLI::App& app, Action& action);
 void add_simulate_command(CLI::App& app, Action& action);
 void add_steps_command(CLI::App& app, Action& action);
 void add_verify_command(CLI::App& app, Action& action);

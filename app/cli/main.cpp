@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   add_steps_command(app, action);
   add_verify_command(app, action);
   add_simulate_command(app, action);
+  add_report_command(app, action);
   catch_interrupts();
 
   try {

@@ -2,13 +2,70 @@
 
 #include <algorithm>
 
+#include "toolpace/io/setpoint_table.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/path/build_path.h"
+#include "toolpace/sample/sampler.h"
 
 namespace toolpace {
 namespace {
 
 constexpr double kExact = 1e-6;  // [mm]
+
+/// A plan's setpoints as if read from a file.
+class SampledSetpoints final : public SetpointFile {
+ public:
+  explicit SampledSetpoints(const Outcome& outcome) : outcome_(outcome) {
+    rewind();
+    Setpoints first;
+    sampler_->next(first, 1);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) columns_.axis[axis] = !first.position[axis].empty();
+    columns_.time = columns_.profile = columns_.line = true;
+    rewind();
+  }
+
+  Result<std::size_t> read(SetpointRows& rows, std::size_t limit) override {
+    Setpoints chunk;
+    sampler_->next(chunk, limit);
+    const RowClock clock(chunk.period);
+    for (std::size_t k = 0; k < chunk.size(); ++k) rows.time.push_back(clock.time(chunk.first_row + k));
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) append(rows.position[axis], chunk.position[axis]);
+    append(rows.speed, chunk.speed);
+    append(rows.acceleration, chunk.acceleration);
+    append(rows.jerk, chunk.jerk);
+    append(rows.line, chunk.line);
+    rows.count += chunk.size();
+    read_ += chunk.size();
+    return chunk.size();
+  }
+
+  void rewind() override {
+    const Job& job = *outcome_.job;
+    sampler_.emplace(*outcome_.path, outcome_.plan, job.program->moves, job.machine.period);
+    read_ = 0;
+  }
+
+  double progress() const override { return static_cast<double>(read_) / static_cast<double>(sampler_->rows()); }
+
+ private:
+  template <class T>
+  static void append(std::vector<T>& column, const std::vector<T>& more) {
+    column.insert(column.end(), more.begin(), more.end());
+  }
+
+  const Outcome& outcome_;
+  std::optional<Sampler> sampler_;
+  std::size_t read_ = 0;
+};
+
+Result<VerifyReport> judge(SetpointFile& file, const Outcome& outcome, const Monitor& monitor) {
+  const Job& job = *outcome.job;
+  const Moves& moves = job.program->moves;
+  const auto path = build_path(moves, job.machine.tool_change);  // as programmed: the outcome's may be smoothed
+  if (!path) return tl::unexpected(path.error());
+  const ProgrammedPath program{*path, moves, judged_tolerance(moves, job.options.corner)};
+  return verify(file, judged_machine(job.machine, job.options), &program, monitor);
+}
 
 }  // namespace
 
@@ -30,14 +87,14 @@ double judged_tolerance(const Moves& moves, const CornerOptions& corner) {
 }
 
 Result<VerifyReport> prove(const std::filesystem::path& setpoints, const Outcome& outcome, const Monitor& monitor) {
-  const Job& job = *outcome.job;
-  const Moves& moves = job.program->moves;
-  const auto path = build_path(moves, job.machine.tool_change);  // as programmed: the outcome's may be smoothed
-  if (!path) return tl::unexpected(path.error());
   auto file = open_setpoint_file(setpoints);
   if (!file) return tl::unexpected(file.error());
-  const ProgrammedPath program{*path, moves, judged_tolerance(moves, job.options.corner)};
-  return verify(**file, judged_machine(job.machine, job.options), &program, monitor);
+  return judge(**file, outcome, monitor);
+}
+
+Result<VerifyReport> prove(const Outcome& outcome, const Monitor& monitor) {
+  SampledSetpoints setpoints(outcome);
+  return judge(setpoints, outcome, monitor);
 }
 
 }  // namespace toolpace

@@ -18,4 +18,7 @@ double judged_tolerance(const Moves& moves, const CornerOptions& corner);
 /// Reads the file back and judges it by machine, options and program. Errors: of verify().
 Result<VerifyReport> prove(const std::filesystem::path& setpoints, const Outcome& outcome, const Monitor& monitor = {});
 
+/// The same for the setpoints themselves, without a file.
+Result<VerifyReport> prove(const Outcome& outcome, const Monitor& monitor = {});
+
 }  // namespace toolpace

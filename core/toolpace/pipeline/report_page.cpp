@@ -1,0 +1,211 @@
+#include "toolpace/pipeline/report_page.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "toolpace/law/law_table.h"
+#include "toolpace/pipeline/follow.h"
+#include "toolpace/pipeline/prove.h"
+#include "toolpace/pipeline/report_plots.h"
+#include "toolpace/sample/sampler.h"
+
+namespace toolpace {
+namespace {
+
+constexpr const char* kStyle = R"(
+:root{--ground:#f5f6f8;--surface:#fff;--line:#d7dbe0;--text:#1b1f24;--second:#5b6470;--accent:#0b6bcb;--error:#c62828;--good:#2e7d32}
+@media(prefers-color-scheme:dark){:root{--ground:#14171b;--surface:#1c2026;--line:#2e343c;--text:#e6e9ed;--second:#98a2ae;--accent:#4da3ff;--error:#ff6b6b;--good:#6bcb77}}
+body{background:var(--ground);color:var(--text);font:14px/1.5 system-ui,"WenQuanYi Micro Hei",sans-serif;max-width:1040px;margin:24px auto;padding:0 16px}
+h1{font-size:22px}h2{font-size:16px;margin-top:28px}
+table{border-collapse:collapse;background:var(--surface);width:100%}td,th{border-bottom:1px solid var(--line);padding:4px 8px;text-align:right;font-variant-numeric:tabular-nums}
+td:first-child,th:first-child{text-align:left}th{color:var(--second);font-weight:normal}
+svg{background:var(--surface);border:1px solid var(--line);width:100%;margin-bottom:8px}svg text{fill:var(--second);font-size:12px}
+svg .y{text-anchor:end}svg .x{text-anchor:middle}svg .title{fill:var(--text)}.grid{stroke:var(--line)}.zero{stroke:var(--second)}
+.curve{fill:var(--accent);stroke:var(--accent);stroke-width:1.2;stroke-linejoin:round}.contour path{fill:none;stroke-width:1.4;stroke-linecap:round}.contour{background:#fff}
+.bar{display:inline-block;height:10px;background:var(--accent)}.broken{color:var(--error);font-weight:bold}.good{color:var(--good);font-weight:bold}
+.legend{color:var(--second)}.legend i{display:inline-block;width:28px;height:10px}
+@media print{body{max-width:none}}
+)";
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      case '\'': out += "&#39;"; break;
+      default: out += c;
+    }
+  }
+  return out;
+}
+
+std::string row(std::string_view name, std::string_view value) {
+  return fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(name), escaped(value));
+}
+
+std::string limit(double value, const char* unit) {
+  return std::isfinite(value) ? fmt::format("{:.6g} {}", value, unit) : std::string("no limit");
+}
+
+std::string overview(const Outcome& o) {
+  const Summary& s = o.summary;
+  const PlanOptions& options = o.job->options;
+  const PathLimits& path = o.job->machine.path;
+  std::string html = "<table>\n";
+  html += row("program", o.job->program_name);
+  html += row("machine", o.job->machine.name.empty() ? "limits along the path" : o.job->machine.name);
+  html += row("law", std::string(law_row(options.law).title));
+  html += row("look-ahead", options.lookahead ? fmt::format("{} blocks", *options.lookahead) : "all blocks");
+  html += row("limits along the path", fmt::format("{}, {}, {}", limit(path.speed, "mm/s"),
+                                                   limit(path.acceleration, "mm/s²"), limit(path.jerk, "mm/s³")));
+  html += row("blocks", fmt::format("{}, {:.3f} mm", s.blocks, s.path_length));
+  html += row("cycle time", fmt::format("{:.4f} s", s.cycle_time));
+  if (s.bound) html += row("lower bound of the cycle time", fmt::format("{:.4f} s", *s.bound));
+  html +=
+      row("feed, rapid, dwell", fmt::format("{:.4f} s, {:.4f} s, {:.4f} s", s.feed_time, s.rapid_time, s.dwell_time));
+  html += row("peaks along the path",
+              fmt::format("{:.4g} mm/s, {:.5g} mm/s², {}", s.max_speed, s.max_acceleration,
+                          std::isfinite(s.max_jerk) ? fmt::format("{:.5g} mm/s³", s.max_jerk) : "jerk unbounded"));
+  return html + "</table>\n";
+}
+
+std::string causes(const Summary& s) {
+  std::string html = "<table>\n<tr><th>what holds the speed down</th><th>time</th><th>share</th><th></th></tr>\n";
+  for (std::size_t i = 0; i < s.time_by_cause.size(); ++i) {
+    if (s.time_by_cause[i] <= 0) continue;
+    const double share = s.cycle_time > 0 ? s.time_by_cause[i] / s.cycle_time : 0;
+    html += fmt::format(
+        "<tr><td>{}</td><td>{:.4f} s</td><td>{:.1f} %</td><td style='text-align:left;width:40%'><span class='bar' "
+        "style='width:{:.1f}%'></span></td></tr>\n",
+        escaped(cause_name(static_cast<Cause>(i))), s.time_by_cause[i], 100 * share, 100 * share);
+  }
+  return html + "</table>\n";
+}
+
+struct Unit {
+  double factor;
+  std::string_view symbol;
+};
+
+Unit unit_of(const Check& c) {
+  const bool rotary = c.axis && is_rotary(*c.axis);
+  const double factor = rotary ? 1 / kRadiansPerDegree : 1.0;
+  switch (c.kind) {
+    case CheckKind::axis_speed:
+    case CheckKind::path_speed:
+    case CheckKind::speed_column: return {factor, rotary ? "deg/s" : "mm/s"};
+    case CheckKind::axis_acceleration:
+    case CheckKind::path_acceleration:
+    case CheckKind::path_deceleration:
+    case CheckKind::acceleration_column: return {factor, rotary ? "deg/s²" : "mm/s²"};
+    case CheckKind::axis_jerk:
+    case CheckKind::path_jerk:
+    case CheckKind::jerk_column: return {factor, rotary ? "deg/s³" : "mm/s³"};
+    case CheckKind::time_step: return {1, "s"};
+    case CheckKind::line_column: return {1, "rows"};
+    default: return {factor, rotary ? "deg" : "mm"};
+  }
+}
+
+/// How much of a limit is left. Travel has no margin in percent.
+std::string margin(const Check& c) {
+  const bool travel = c.kind == CheckKind::travel_min || c.kind == CheckKind::travel_max;
+  if (!std::isfinite(c.limit) || c.limit <= 0 || travel) return "";
+  return fmt::format("{:.1f} %", 100 * (1 - c.value / c.limit));
+}
+
+std::string limits_table(const VerifyReport& report) {
+  std::string html =
+      "<table>\n<tr><th>check of the "
+      "setpoints</th><th>worst</th><th>limit</th><th></th><th>margin</th><th>at</th><th>line</th></tr>\n";
+  for (const Check& c : report.checks) {
+    const Unit u = unit_of(c);
+    const std::string axis = c.axis ? std::string(1, kAxisNames[*c.axis]) + " " : "";
+    html += fmt::format(
+        "<tr{}><td>{}{}</td><td>{:.6g}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.3f} s</td><td>{}</td></tr>\n",
+        c.broken ? " class='broken'" : "", axis, key_of(c.kind), c.value * u.factor,
+        std::isfinite(c.limit) && c.limit != 0 ? fmt::format("{:.6g}", c.limit * u.factor)
+        : c.limit == 0                         ? fmt::format("± {:.2g}", c.bound * u.factor)
+                                               : std::string("–"),
+        u.symbol, margin(c), c.time, c.line == 0 ? std::string("–") : std::to_string(c.line));
+  }
+  html += "</table>\n";
+  if (report.chord_error)
+    html += fmt::format("<p>Chord error between setpoints: {:.3g} mm.</p>\n", *report.chord_error);
+  if (report.exempt_corners > 0) {
+    html += fmt::format(
+        "<p>{} corners are passed with a speed step, the largest {:.4g} mm/s, as the corner rule allows.</p>\n",
+        report.exempt_corners, report.largest_corner_step);
+  }
+  for (const auto& note : report.notes) html += "<p>" + escaped(note) + "</p>\n";
+  return html;
+}
+
+std::string warnings(const Diagnostics& diagnostics) {
+  if (diagnostics.empty()) return "";
+  std::string html = "<h2>Warnings</h2>\n<table>\n<tr><th>message</th><th>line</th></tr>\n";
+  for (const auto& d : diagnostics)
+    html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(d.message), d.where.line);
+  return html + "</table>\n";
+}
+
+/// What one pass over the simulated setpoints gathers.
+struct Pictures {
+  explicit Pictures(std::size_t rows)
+      : speed(rows), acceleration(rows), jerk(rows), contour_error(rows), contour(rows) {}
+  Envelope speed, acceleration, jerk, contour_error;
+  ContourPicture contour;
+
+  void take(const Setpoints& s, const ServoTrace& trace, std::size_t rows) {
+    for (std::size_t k = 0; k < rows; ++k) {
+      const std::size_t at = s.first_row + k;
+      speed.add(at, s.speed[k]);
+      acceleration.add(at, s.acceleration[k]);
+      jerk.add(at, s.jerk[k]);
+      contour_error.add(at, 1000 * trace.contour_error[k]);
+      contour.add(at, {s.position[0][k], s.position[1][k], s.position[2][k]}, s.speed[k]);
+    }
+  }
+};
+
+}  // namespace
+
+Result<std::string> report_page(const Outcome& outcome, const Monitor& monitor) {
+  const double period = outcome.job->machine.period;
+  Pictures pictures(row_count(outcome.plan.cycle_time(), period));
+  const auto take = [&](const Setpoints& s, const ServoTrace& t, std::size_t rows) -> Result<void> {
+    pictures.take(s, t, rows);
+    return {};
+  };
+  const auto servo = follow(outcome, take, {monitor.stop, {}});
+  if (!servo) return tl::unexpected(servo.error());
+  monitor.report(0.5);
+  const auto proof = prove(outcome, {monitor.stop, {}});
+  if (!proof) return tl::unexpected(proof.error());
+  monitor.report(1.0);
+
+  const double duration = outcome.plan.cycle_time();
+  std::string html = "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n<title>" +
+                     escaped(outcome.job->program_name) + "</title>\n<style>" + kStyle +
+                     "</style>\n</head>\n<body>\n<h1>" + escaped(outcome.job->program_name) + "</h1>\n";
+  html += proof->passes() ? "<p class='good'>Verified: every limit holds.</p>\n"
+                          : "<p class='broken'>Verified: limits are broken, see below.</p>\n";
+  html += overview(outcome) + "<h2>Where the time goes</h2>\n" + causes(outcome.summary);
+  html += "<h2>Motion</h2>\n" + plot_svg(pictures.speed, duration, {"speed", "mm/s"}) +
+          plot_svg(pictures.acceleration, duration, {"acceleration", "mm/s²"}) +
+          plot_svg(pictures.jerk, duration, {"jerk", "mm/s³"}) +
+          plot_svg(pictures.contour_error, duration, {"contour error of the simulated drives", "µm"}) +
+          "<p class='legend'>time in s</p>\n";
+  html += fmt::format(
+      "<p>Contour error at most {:.6g} mm, at {:.3f} s in line {}; RMS {:.6g} mm. Lag at most {:.6g} mm.</p>\n",
+      servo->max_contour_error, servo->worst_time, servo->worst_line, servo->rms_contour_error, servo->max_lag);
+  html += "<h2>Contour</h2>\n" + pictures.contour.svg(0, 1) + pictures.contour.svg(0, 2);
+  html += "<h2>Limits</h2>\n" + limits_table(*proof) + warnings(outcome.warnings) + "</body>\n</html>\n";
+  return html;
+}
+
+}  // namespace toolpace
