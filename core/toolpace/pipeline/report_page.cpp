@@ -114,7 +114,7 @@ Unit unit_of(const Check& c) {
 /// How much of a limit is left. Travel has no margin in percent.
 std::string margin(const Check& c) {
   const bool travel = c.kind == CheckKind::travel_min || c.kind == CheckKind::travel_max;
-  if (!std::isfinite(c.limit) || c.limit <= 0 || travel) return "";
+  if (!std::isfinite(c.limit) || c.limit <= 0 || travel || c.kind == CheckKind::follows_path) return "";
   return fmt::format("{:.1f} %", 100 * (1 - c.value / c.limit));
 }
 
