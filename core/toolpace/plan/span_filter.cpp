@@ -18,7 +18,7 @@ class Selector {
     out_.clear();
     push_node(chain_.first);
     for (std::size_t i = chain_.first; i < chain_.last; ++i) {
-      if (i > chain_.first && is_touched_node(i)) push_node(i);
+      if (i > chain_.first && (is_touched_node(i) || is_border(i))) push_node(i);
       if (touches_feed(i)) push_plateau(i);
     }
     push_node(chain_.last);
@@ -28,6 +28,13 @@ class Selector {
   bool is_touched_node(std::size_t i) const {
     const double c = chain_.cap[i];
     return chain_.square[i] >= c * c * (1 - kTouch) && c < std::min(limits_.block_cap[i - 1], limits_.block_cap[i]);
+  }
+
+  /// Whether a plateau that begins or ends here borders on a faster block.
+  bool is_border(std::size_t i) const {
+    const double c = chain_.cap[i], before = limits_.block_cap[i - 1], after = limits_.block_cap[i];
+    if (before > after) return c == after && touches_feed(i);
+    return after > before && c == before && out_.back().is_plateau() && out_.back().last_node == i;
   }
 
   /// Whether the optimum's peak inside the block comes up to its top speed.
@@ -41,7 +48,7 @@ class Selector {
   void push_node(std::size_t i) {
     const auto node = static_cast<std::uint32_t>(i);
     const double at = chain_.position[i], speed = chain_.cap[i];
-    out_.push_back({at, at, speed, at, speed, 0.0, node, node});
+    out_.push_back({at, at, speed, at, speed, 0.0, at, node, node});
   }
 
   void push_plateau(std::size_t i) {
@@ -49,12 +56,12 @@ class Selector {
     const auto node = static_cast<std::uint32_t>(i);
     Kernel& last = out_.back();
     if (last.is_plateau() && last.last_node == node && last.bottom == speed) {
-      last.right = end;
+      last.right = last.end = end;
       last.last_node = node + 1;
       return;
     }
     const double begin = chain_.position[i];
-    out_.push_back({begin, end, speed, begin, speed, 0.0, node, node + 1});
+    out_.push_back({begin, end, speed, begin, speed, 0.0, end, node, node + 1});
   }
 
   const SpanChain& chain_;

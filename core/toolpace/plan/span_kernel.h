@@ -14,11 +14,15 @@ struct SpanLimits {
 
 /// The largest jerk-limited curve under a cap: it rises on both sides of a bottom (of zero acceleration) with full
 /// jerk. A node's bottom is a point, near the node; a plateau's is a stretch at the top speed of its blocks.
+///
+/// Where a plateau borders on faster blocks, the node there is a kernel of its own beside it. With a tilt it lets the motion
+/// cross the border still slowing down, dip below the plateau's speed, and come back to it further on.
 struct Kernel {
   double left, right;                   ///< where the bottom begins and ends; equal for points [mm]
   double bottom;                        ///< speed there [mm/s]
   double position, cap;                 ///< the node's own place and cap; plateaus: left, bottom [mm, mm/s]
   double tilt;                          ///< acceleration with which the node is to be crossed [mm/s²]
+  double end;                           ///< of the whole plateau; points: position [mm]
   std::uint32_t first_node, last_node;  ///< nodes that it lies between; equal for points
 
   bool is_plateau() const { return first_node != last_node; }

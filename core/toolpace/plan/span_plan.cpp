@@ -83,9 +83,7 @@ class StretchPlanner {
       best_.swap(trial_);
     }
     if (!best_.empty()) return;
-    for (Kernel& k : kernels_) {
-      if (k.tilt != 0) set_tilt(k, 0.0, limits);
-    }
+    drop_all_tilts(limits, kernels_);
     hull_.swap(plain_);
   }
 

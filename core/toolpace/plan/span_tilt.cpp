@@ -26,38 +26,76 @@ double wanted_tilt(const Kernel& k, double meet, double leave, const SpanLimits&
   return std::clamp(tilt, -std::min(most, limits.down.top), std::min(most, limits.up.top));
 }
 
+bool borders_after(const Kernel& plateau, const Kernel& point) {
+  return plateau.is_plateau() && !point.is_plateau() && plateau.end == point.position && plateau.cap == point.cap;
+}
+
+bool borders_before(const Kernel& point, const Kernel& plateau) {
+  return plateau.is_plateau() && !point.is_plateau() && plateau.position == point.position && plateau.cap == point.cap;
+}
+
+/// What a plateau keeps between the dips at its borders.
+void fit_plateau(std::vector<Kernel>& kernels, std::size_t i) {
+  Kernel& k = kernels[i];
+  k.left = k.position;
+  k.right = k.end;
+  if (i > 0 && borders_before(kernels[i - 1], k)) k.left = std::max(k.left, kernels[i - 1].right);
+  if (i + 1 < kernels.size() && borders_after(k, kernels[i + 1])) k.right = std::min(k.right, kernels[i + 1].left);
+}
+
+/// Borders may be crossed slowing down onto a plateau, and speeding up from it, not the other way round.
+double allowed_tilt(const std::vector<Kernel>& kernels, std::size_t i, double tilt) {
+  if (i + 1 < kernels.size() && borders_before(kernels[i], kernels[i + 1])) return std::min(tilt, 0.0);
+  if (i > 0 && borders_after(kernels[i - 1], kernels[i])) return std::max(tilt, 0.0);
+  return tilt;
+}
+
 /// Takes tilts back until the bottoms stand in order: first by halves, in the end altogether.
 class Orderer {
  public:
   Orderer(const SpanLimits& limits, std::vector<Kernel>& kernels) : limits_(limits), kernels_(kernels) {}
 
   void run() {
+    fit_plateaus();
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       bool in_order = true;
-      for (std::size_t i = 1; i < kernels_.size(); ++i) {
-        if (is_in_order(i)) continue;
-        in_order = false;
-        shrink(i - 1, 0.5);
-        shrink(i, 0.5);
-      }
+      for (std::size_t i = 1; i < kernels_.size(); ++i) in_order = settle(i, 0.5) && in_order;
+      fit_plateaus();
       if (in_order) return;
     }
     for (std::size_t i = 1; i < kernels_.size(); ++i) {
       // A bottom that goes back to its node may meet the one before it.
-      for (std::size_t k = i; k > 0 && !is_in_order(k); --k) {
-        shrink(k - 1, 0.0);
-        shrink(k, 0.0);
+      for (std::size_t k = i; k > 0 && !settle(k, 0.0); --k) {
       }
     }
+    fit_plateaus();
   }
 
  private:
   static constexpr int kSweeps = 3;
 
-  bool is_in_order(std::size_t i) const {
+  void fit_plateaus() {
+    for (std::size_t i = 0; i < kernels_.size(); ++i) {
+      if (kernels_[i].is_plateau()) fit_plateau(kernels_, i);
+    }
+  }
+
+  /// @return whether a kernel stood in order behind the one before it; if not, both tilts (and those at a plateau's other
+  ///         border) are shrunk
+  bool settle(std::size_t i, double share) {
     const Kernel& before = kernels_[i - 1];
     const Kernel& k = kernels_[i];
-    return before.right < k.left || (before.tilt == 0 && k.tilt == 0);
+    if (k.is_plateau()) fit_plateau(kernels_, i);
+    const bool is_whole = k.left <= k.right;
+    if (is_whole && (before.right < k.left || (before.right == k.left && (k.is_plateau() || before.is_plateau())))) {
+      return true;
+    }
+    const bool other_border = i + 1 < kernels_.size() && !is_whole;
+    if (before.tilt == 0 && k.tilt == 0 && !(other_border && kernels_[i + 1].tilt != 0)) return true;
+    shrink(i - 1, share);
+    shrink(i, share);
+    if (other_border) shrink(i + 1, share);
+    return false;
   }
 
   void shrink(std::size_t i, double share) {
@@ -127,9 +165,19 @@ void tilt_kernels(const std::vector<HullEntry>& hull, const SpanLimits& limits, 
     const std::uint32_t index = hull[e].kernel;
     Kernel& k = kernels[index];
     if (k.is_plateau()) continue;
-    set_tilt(k, wanted_tilt(k, hull[e].bridge.meet, hull[e + 1].bridge.leave, limits), limits);
+    const double wanted = wanted_tilt(k, hull[e].bridge.meet, hull[e + 1].bridge.leave, limits);
+    set_tilt(k, allowed_tilt(kernels, index, wanted), limits);
   }
   Orderer(limits, kernels).run();
+}
+
+void drop_all_tilts(const SpanLimits& limits, std::vector<Kernel>& kernels) {
+  for (std::size_t i = 0; i < kernels.size(); ++i) {
+    if (kernels[i].tilt != 0) set_tilt(kernels[i], 0.0, limits);
+  }
+  for (std::size_t i = 0; i < kernels.size(); ++i) {
+    if (kernels[i].is_plateau()) fit_plateau(kernels, i);
+  }
 }
 
 std::vector<std::uint32_t> drop_tilts(const std::vector<HullEntry>& hull, const SpanLimits& limits,
@@ -143,7 +191,13 @@ std::vector<std::uint32_t> drop_tilts(const std::vector<HullEntry>& hull, const 
       Kernel& near = kernels[hull[done].kernel];
       if (near.tilt == 0) continue;
       set_tilt(near, 0.0, limits);
-      changed.push_back(hull[done].kernel);
+      // Its plateau, if it is a border, gets longer.
+      const std::uint32_t index = hull[done].kernel;
+      const std::uint32_t last = std::min<std::uint32_t>(index + 1, static_cast<std::uint32_t>(kernels.size()) - 1);
+      for (std::uint32_t i = index > 0 ? index - 1 : 0; i <= last; ++i) {
+        if (kernels[i].is_plateau()) fit_plateau(kernels, i);
+        if ((kernels[i].is_plateau() || i == index) && (changed.empty() || changed.back() < i)) changed.push_back(i);
+      }
     }
   }
   return changed;
@@ -159,7 +213,7 @@ std::vector<std::uint32_t> find_broken(const std::vector<Kernel>& kernels, const
     while (e < hull.size() && hull[e].kernel < i) ++e;
     if (e < hull.size() && hull[e].kernel == i && !k.is_plateau()) continue;
     const double cap = tolerated(k, limits);
-    const double to = k.is_plateau() ? k.right : k.position;
+    const double to = k.end;
     if (walker.highest_in(k.position, to, cap) > cap) broken.push_back(i);
   }
   return broken;

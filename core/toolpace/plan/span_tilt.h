@@ -17,6 +17,9 @@ namespace toolpace::detail {
 /// that would put the bottom past a neighbour's is halved, then dropped.
 void tilt_kernels(const std::vector<HullEntry>& hull, const SpanLimits& limits, std::vector<Kernel>& kernels);
 
+/// Takes all tilts away.
+void drop_all_tilts(const SpanLimits& limits, std::vector<Kernel>& kernels);
+
 /// Kernels whose caps are passed.
 struct Broken {
   std::vector<std::uint32_t> kernels;  ///< ascending
