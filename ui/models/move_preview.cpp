@@ -1,5 +1,6 @@
 #include "models/move_preview.h"
 
+#include <QCoreApplication>
 #include <limits>
 
 namespace toolpace::ui {
@@ -31,14 +32,16 @@ MovePhase::Kind kind_of(const Phase& phase) {
 
 QString move_unit_text(MoveQuantity quantity, MoveUnits units) {
   const bool metric = units == MoveUnits::millimetres;
+  const QString length = metric ? QString("mm") : QCoreApplication::translate("MoveUnits", "pulse");
+  const QString time = metric ? QString("s") : QCoreApplication::translate("MoveUnits", "cycle");
   switch (quantity) {
-    case MoveQuantity::length: return metric ? "mm" : "pulse";
-    case MoveQuantity::speed: return metric ? "mm/s" : "pulse/cycle";
-    case MoveQuantity::time: return metric ? "s" : "cycle";
-    case MoveQuantity::acceleration: return metric ? "mm/s²" : "pulse/cycle²";
+    case MoveQuantity::length: return length;
+    case MoveQuantity::time: return time;
+    case MoveQuantity::speed: return length + "/" + time;
+    case MoveQuantity::acceleration: return length + "/" + time + "²";
     case MoveQuantity::jerk: break;
   }
-  return metric ? "mm/s³" : "pulse/cycle³";
+  return length + "/" + time + "³";
 }
 
 MovePreview preview_move(const SingleMove& move) {

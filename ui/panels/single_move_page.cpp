@@ -213,6 +213,7 @@ void SingleMovePage::setTheme(const Theme& theme) { plot_->setTheme(theme); }
 void SingleMovePage::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) {
     retranslate();
+    showForm();
     update();
   }
   QWidget::changeEvent(event);

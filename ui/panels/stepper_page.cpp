@@ -63,8 +63,8 @@ StepperPage::Entry StepperPage::makeEntry(Field field, const char* name, const D
 void StepperPage::buildForm(QVBoxLayout* column) {
   grid_ = new FormGrid(this);
   grid_->setFixedWidth(kFormWidth);
-  entries_[kSteps] = makeEntry(kSteps, "stepperSteps", {1.0, tr("steps")}, {1.0, kMostSteps, false, true});
-  entries_[kSpeed] = makeEntry(kSpeed, "stepperSpeed", {1.0, tr("step/s")}, {1e-6, 1e9});
+  entries_[kSteps] = makeEntry(kSteps, "stepperSteps", {1.0, {}}, {1.0, kMostSteps, false, true});
+  entries_[kSpeed] = makeEntry(kSpeed, "stepperSpeed", {1.0, {}}, {1e-6, 1e9});
   entries_[kAcc] = makeEntry(kAcc, "stepperTacc", {kMillisecondsPerSecond, "ms"}, {1e-9, 1e6});
   entries_[kDec] = makeEntry(kDec, "stepperTdec", {kMillisecondsPerSecond, "ms"}, {1e-9, 1e6});
   entries_[kTimer] = makeEntry(kTimer, "stepperTimer", {1.0, "Hz"}, {1.0, 1e12});
@@ -276,6 +276,8 @@ void StepperPage::retranslate() {
     figures_[i].unit->setText(units[i]);
     figures_[i].value->setAccessibleName(figures[i]);
   }
+  entries_[kSteps].field->setUnit({1.0, tr("steps")});
+  entries_[kSpeed].field->setUnit({1.0, tr("step/s")});
   export_->setText(tr("Export…"));
   export_->setToolTip(tr("Write the intervals as CSV or as a C header"));
   export_->setAccessibleName(export_->toolTip());
