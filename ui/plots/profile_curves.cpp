@@ -9,7 +9,8 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr double kPixelsPerPoint = 3;
+constexpr double kPixelsPerPoint = 1.5;
+constexpr double kLeastPoints = 6;  // of a bent phase, however short
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// The window cut to the plan; its pixels keep their width.
@@ -31,7 +32,8 @@ void add_stroke(Curve& curve, double time, const Extent& extent) {
 
 void add_exact(MotionCurves& curves, const Phase& p, double from, double to, double pixel) {
   const bool bent = p.rate != 0;
-  const int parts = bent ? static_cast<int>(std::clamp((to - from) / pixel / kPixelsPerPoint, 2.0, 2000.0)) : 1;
+  const int parts =
+      bent ? static_cast<int>(std::clamp((to - from) / pixel / kPixelsPerPoint, kLeastPoints, 4000.0)) : 1;
   for (int k = 0; k <= parts; ++k) {
     const double time = from + (to - from) * k / parts;
     const PhaseState state = evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
@@ -88,30 +90,61 @@ void add_caps(CapCurves& curves, double begin, double end, const CapExtent& exte
 
 }  // namespace
 
+bool is_dense(const ProfileSeries& series, const TimeWindow& whole) {
+  if (series.is_empty()) return false;
+  const TimeWindow window = clipped(series, whole);
+  if (!(window.end > window.begin)) return false;
+  const std::size_t count = phase_at(*series.outcome, window.end) - phase_at(*series.outcome, window.begin);
+  return count >= static_cast<std::size_t>(window.columns) / 2 + 2;
+}
+
 MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& whole) {
   MotionCurves curves;
   if (series.is_empty()) return curves;
   const TimeWindow window = clipped(series, whole);
   if (!(window.end > window.begin)) return curves;
-  const auto& phases = series.outcome->plan.phases;
   const double pixel = (window.end - window.begin) / window.columns;
-  const std::size_t first = phase_at(*series.outcome, window.begin), last = phase_at(*series.outcome, window.end);
-  if (last - first < static_cast<std::size_t>(window.columns) / 2 + 2) {
-    for (std::size_t i = first; i <= last; ++i) {
-      const double from = std::max(phases[i].begin, window.begin);
-      const double to = std::min(phases[i].begin + phases[i].duration, window.end);
-      if (to > from) add_exact(curves, phases[i], from, to, pixel);
+  if (is_dense(series, whole)) {
+    for (int column = 0; column < window.columns; ++column) {
+      const double begin = window.begin + column * pixel, middle = begin + pixel / 2;
+      const MotionExtent extent = extent_between(series, begin, begin + pixel);
+      add_stroke(curves.speed, middle, extent.speed);
+      add_stroke(curves.acceleration, middle, extent.acceleration);
+      add_stroke(curves.jerk, middle, extent.jerk);
     }
     return curves;
   }
+  const auto& phases = series.outcome->plan.phases;
+  const std::size_t first = phase_at(*series.outcome, window.begin), last = phase_at(*series.outcome, window.end);
+  for (std::size_t i = first; i <= last; ++i) {
+    const double from = std::max(phases[i].begin, window.begin);
+    const double to = std::min(phases[i].begin + phases[i].duration, window.end);
+    if (to > from) add_exact(curves, phases[i], from, to, pixel);
+  }
+  return curves;
+}
+
+MotionEnvelope motion_envelope(const ProfileSeries& series, const TimeWindow& whole) {
+  MotionEnvelope sides;
+  if (!is_dense(series, whole)) {
+    sides.high = motion_curves(series, whole);
+    return sides;
+  }
+  // Three pixels a point: dashes of two sides that jump every pixel cannot be told from noise.
+  TimeWindow window = clipped(series, whole);
+  window.columns = std::max(window.columns / 3, 1);
+  const double pixel = (window.end - window.begin) / window.columns;
   for (int column = 0; column < window.columns; ++column) {
     const double begin = window.begin + column * pixel, middle = begin + pixel / 2;
     const MotionExtent extent = extent_between(series, begin, begin + pixel);
-    add_stroke(curves.speed, middle, extent.speed);
-    add_stroke(curves.acceleration, middle, extent.acceleration);
-    add_stroke(curves.jerk, middle, extent.jerk);
+    sides.high.speed.add(middle, extent.speed.high);
+    sides.low.speed.add(middle, extent.speed.low);
+    sides.high.acceleration.add(middle, extent.acceleration.high);
+    sides.low.acceleration.add(middle, extent.acceleration.low);
+    sides.high.jerk.add(middle, extent.jerk.high);
+    sides.low.jerk.add(middle, extent.jerk.low);
   }
-  return curves;
+  return sides;
 }
 
 CapCurves cap_curves(const ProfileSeries& series, const TimeWindow& whole) {

@@ -31,6 +31,15 @@ struct MotionCurves {
 
 MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& window);
 
+/// True where the window holds too many phases to draw each: motion_curves() then strokes the range of each pixel.
+bool is_dense(const ProfileSeries& series, const TimeWindow& window);
+
+/// The two sides of those strokes as curves of their own, for a plan that is shown behind another.
+struct MotionEnvelope {
+  MotionCurves high, low;
+};
+MotionEnvelope motion_envelope(const ProfileSeries& series, const TimeWindow& window);
+
 struct CapCurves {
   Curve feed, speed, acceleration_high, acceleration_low, jerk_high, jerk_low;
 };

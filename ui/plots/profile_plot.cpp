@@ -83,6 +83,7 @@ void ProfilePlot::buildRow(std::size_t index) {
   row.cap_high = graph("cap");
   row.cap_low = graph("cap below");
   row.ghost = graph("ghost");
+  row.ghost_low = graph("ghost below");
   for (auto& axis : row.axis) axis = graph("axis");
   row.curve = graph("curve");
 }
@@ -120,6 +121,8 @@ void ProfilePlot::dressRow(Row& row) {
     axis->setLabelColor(theme_.text);
     axis->setTickLabelFont(font());
     axis->setLabelFont(font());
+    axis->setLabelPadding(0);
+    axis->setTickLabelPadding(4);
     axis->grid()->setPen(QPen(faint, 1));
     axis->grid()->setZeroLinePen(Qt::NoPen);
     axis->setTickLengthIn(0);
@@ -129,10 +132,12 @@ void ProfilePlot::dressRow(Row& row) {
   row.rect->axis(QCPAxis::atRight)->setTicks(false);
   row.rect->axis(QCPAxis::atTop)->setTicks(false);
   QColor ghost_feed = theme_.secondary;
-  ghost_feed.setAlphaF(0.55f);
-  row.feed->setPen(QPen(ghost_feed, 1));
-  for (auto* cap : {row.cap_high, row.cap_low}) cap->setPen(QPen(theme_.warning, 1, Qt::DashLine));
-  row.ghost->setPen(QPen(theme_.plan_b, 1.4, Qt::DashLine));
+  ghost_feed.setAlphaF(0.4f);
+  row.feed->setPen(QPen(ghost_feed, 2));
+  QPen cap_pen(theme_.secondary, 1);
+  cap_pen.setDashPattern({6, 4});
+  for (auto* cap : {row.cap_high, row.cap_low}) cap->setPen(cap_pen);
+  for (auto* ghost : {row.ghost, row.ghost_low}) ghost->setPen(QPen(theme_.plan_b, 1.3, Qt::DashLine));
   row.curve->setPen(QPen(theme_.accent, 1.6));
   const std::array<QPen, kAxes> pens = {QPen(theme_.axis_x, 1.2), QPen(theme_.axis_y, 1.2, Qt::DashLine),
                                         QPen(theme_.axis_z, 1.2, Qt::DotLine)};
@@ -182,7 +187,7 @@ void ProfilePlot::updateScales() {
     row.factor = unit.factor / power;
     const double margin = 0.09 * (high - low);
     row.value->setRange((low - (low < 0 ? margin : 0.03 * (high - low))) / power, (high + margin) / power);
-    row.value->setLabel(QString("%1  %2%3").arg(kSymbols[i], power_text(power), unit.text));
+    row.value->setLabel(QString("%1\n%2%3").arg(kSymbols[i], power_text(power), unit.text));
   }
   time_axes_.back()->setLabel(tr("t  s"));
 }
@@ -216,11 +221,14 @@ void ProfilePlot::refill() {
   const TimeWindow window{now.lower, now.upper,
                           std::max(static_cast<int>(rows_[0].rect->width() * bufferDevicePixelRatio()), 16)};
   const MotionCurves own = series_ ? motion_curves(*series_, window) : MotionCurves{};
-  const MotionCurves other = ghost_ ? motion_curves(*ghost_, window) : MotionCurves{};
+  const bool dense = series_ && is_dense(*series_, window);
+  const MotionEnvelope other = ghost_ ? motion_envelope(*ghost_, window) : MotionEnvelope{};
   const CapCurves caps = series_ ? cap_curves(*series_, window) : CapCurves{};
   for (std::size_t i = 0; i < kPlots; ++i) {
     fill(rows_[i].curve, curve_of(own, i), rows_[i].factor);
-    fill(rows_[i].ghost, curve_of(other, i), rows_[i].factor);
+    rows_[i].curve->setPen(QPen(theme_.accent, dense ? 1.0 : 1.6));
+    fill(rows_[i].ghost, curve_of(other.high, i), rows_[i].factor);
+    fill(rows_[i].ghost_low, curve_of(other.low, i), rows_[i].factor);
   }
   fill(rows_[0].feed, caps.feed, rows_[0].factor);
   fill(rows_[0].cap_high, caps.speed, rows_[0].factor);
@@ -343,13 +351,13 @@ void ProfilePlot::keyPressEvent(QKeyEvent* event) {
 
 void ProfilePlot::resizeEvent(QResizeEvent* event) {
   const QFontMetrics metrics(font());
-  const int line = metrics.height(), left = metrics.horizontalAdvance("-00000") + line + 16;
+  const int line = metrics.height(), left = metrics.horizontalAdvance("-0000") + 2 * line + 16;
   for (std::size_t i = 0; i < kPlots; ++i) {
     const bool last = i + 1 == kPlots;
-    rows_[i].rect->setMargins(QMargins(left, i == 0 ? 2 : 6, 12, last ? line * 2 + 10 : 2));
+    rows_[i].rect->setMargins(QMargins(left, i == 0 ? 2 : 6, 12, last ? line * 2 + 4 : 2));
   }
   // The rows share what is left after the last one's time axis, so that all three plots are equally high.
-  const double axis = line * 2.0 + 8, each = std::max((height() - axis) / 3.0, 20.0);
+  const double axis = line * 2.0 + 2, each = std::max((height() - axis) / 3.0, 20.0);
   plotLayout()->setRowStretchFactors({each, each, each + axis});
   QCustomPlot::resizeEvent(event);
   refill();

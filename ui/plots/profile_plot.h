@@ -62,7 +62,7 @@ class ProfilePlot : public QCustomPlot {
     QCPAxisRect* rect = nullptr;
     QCPAxis* value = nullptr;
     QCPGraph *feed = nullptr, *cap_high = nullptr, *cap_low = nullptr;
-    QCPGraph *ghost = nullptr, *curve = nullptr;
+    QCPGraph *ghost = nullptr, *ghost_low = nullptr, *curve = nullptr;
     std::array<QCPGraph*, kAxes> axis = {};
     QString quantity;
     double factor = 1;  // from core units to the axis' numbers

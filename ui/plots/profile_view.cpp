@@ -132,6 +132,10 @@ void ProfileView::setGhost(std::shared_ptr<const ProfileSeries> series) { plot_-
 
 void ProfileView::setTheme(const Theme& theme) {
   plot_->setTheme(theme);
+  const std::array colours = {theme.axis_x, theme.axis_y, theme.axis_z};
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    axes_[i]->setStyleSheet(QString("QToolButton { color: %1; font-weight: bold; }").arg(colours[i].name()));
+  }
   ribbon_->setTheme(theme);
   overview_->setTheme(theme);
 }
@@ -175,8 +179,14 @@ QString ProfileView::measureText() const {
   if (!at[0] || !at[1] || !series_ || series_->is_empty()) return {};
   const PhaseState a = state_at(*series_, *at[0]), b = state_at(*series_, *at[1]);
   return QString("Δt %1   Δv %2   Δs %3")
-      .arg(value_text(*at[1] - *at[0], Quantity::time, unit_), value_text(b.speed - a.speed, Quantity::speed, unit_, 5),
-           value_text(b.distance - a.distance, Quantity::length, unit_));
+      .arg(steadyText(*at[1] - *at[0], Quantity::time, 4), steadyText(b.speed - a.speed, Quantity::speed, 2),
+           steadyText(b.distance - a.distance, Quantity::length, 3));
+}
+
+QString ProfileView::steadyText(double core_value, Quantity quantity, int decimals) const {
+  const DisplayUnit unit = display_unit(quantity, unit_);
+  const int extra = unit_ == LengthUnit::inch && quantity != Quantity::time ? 1 : 0;
+  return QString::number(core_value * unit.factor, 'f', decimals + extra) + ' ' + unit.text;
 }
 
 void ProfileView::updateReadout() {
@@ -184,9 +194,8 @@ void ProfileView::updateReadout() {
   if (text.isEmpty() && cursor_ && series_ && !series_->is_empty()) {
     const PhaseState s = state_at(*series_, *cursor_);
     text = QString("t %1   v %2   a %3   j %4")
-               .arg(value_text(*cursor_, Quantity::time, unit_), value_text(s.speed, Quantity::speed, unit_, 4),
-                    value_text(s.acceleration, Quantity::acceleration, unit_, 4),
-                    value_text(s.jerk, Quantity::jerk, unit_, 4));
+               .arg(steadyText(*cursor_, Quantity::time, 3), steadyText(s.speed, Quantity::speed, 2),
+                    steadyText(s.acceleration, Quantity::acceleration, 0), steadyText(s.jerk, Quantity::jerk, 0));
   }
   readout_->setText(text);
 }

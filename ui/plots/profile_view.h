@@ -61,6 +61,8 @@ class ProfileView : public QWidget {
   void buildHeader();
   void retranslate();
   void updateReadout();
+  /// With a fixed number of decimals, so that digits do not jump while the cursor moves.
+  QString steadyText(double core_value, Quantity quantity, int decimals) const;
   void alignStrips();
   void paintAll(QPainter& painter) const;
 

@@ -10,7 +10,7 @@
 
 namespace toolpace::ui {
 
-inline constexpr std::size_t kCauseCount = 11;
+using toolpace::kCauseCount;
 
 /// One colour a cause. Told apart under the common colour-vision deficiencies; contrast ≥ 1.9 against the ground.
 /// Running at the programmed feed is quiet grey: nothing holds the tool back.

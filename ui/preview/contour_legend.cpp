@@ -37,9 +37,7 @@ QString colour_by_title(ColourBy by) {
 ContourLegend::ContourLegend(const ContourCanvas& canvas, QWidget* parent) : QWidget(parent), canvas_(canvas) {
   setObjectName("contourLegend");
   setAccessibleName(tr("Legend of the contour preview"));
-  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  policy.setHeightForWidth(true);
-  setSizePolicy(policy);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 bool ContourLegend::isCategorical() const { return canvas_.colourBy() == ColourBy::limit; }
@@ -54,14 +52,13 @@ void ContourLegend::refresh() {
       for (const auto& r : canvas_.scene()->outcome->restraints) present_[index_of(r.cause)] = true;
     }
   }
-  setMinimumHeight(heightForWidth(width()));
-  updateGeometry();
+  setFixedHeight(heightFor(width()));
   update();
 }
 
-QSize ContourLegend::sizeHint() const { return {320, heightForWidth(std::max(width(), 320))}; }
+void ContourLegend::resizeEvent(QResizeEvent*) { setFixedHeight(heightFor(width())); }
 
-int ContourLegend::heightForWidth(int width) const {
+int ContourLegend::heightFor(int width) const {
   if (!isCategorical()) return 44;
   const auto list = entries(width);
   return list.empty() ? 44 : static_cast<int>(std::max(list.back().area.bottom() + 8, 44.0));

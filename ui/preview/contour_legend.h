@@ -17,12 +17,11 @@ class ContourLegend : public QWidget {
   /// The scene, its colours or the value under the cursor changed.
   void refresh();
 
-  QSize sizeHint() const override;
-  bool hasHeightForWidth() const override { return true; }
-  int heightForWidth(int width) const override;
+  QSize sizeHint() const override { return {320, heightFor(320)}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Entry {
@@ -31,6 +30,7 @@ class ContourLegend : public QWidget {
     QRectF area;
   };
   bool isCategorical() const;
+  int heightFor(int width) const;
   std::vector<Entry> entries(double width) const;
   void drawScale(QPainter& painter) const;
   void drawEntries(QPainter& painter) const;

@@ -78,10 +78,18 @@ void SceneBuilder::build_bare() {
   }
 }
 
-void SceneBuilder::build_planned() {
+// Rapids are drawn without colour, so the scale belongs to the feeds; a program of rapids alone has it for itself.
+void SceneBuilder::find_ranges() {
   auto& range = scene_.range;
   double speed = 0, acceleration = 0, jerk = 0;
+  const auto rapid = static_cast<std::uint8_t>(PieceStyle::rapid);
+  const bool only_rapids = std::find_if(style_of_block_.begin(), style_of_block_.end(),
+                                        [&](std::uint8_t s) { return s != rapid; }) == style_of_block_.end();
+  std::size_t block = 0;
   for (const auto& phase : outcome_.plan.phases) {
+    const double middle = phase.begin + phase.duration / 2;
+    while (block + 1 < path_.size() && outcome_.node_time[block + 1] < middle) ++block;
+    if (!only_rapids && style_of_block_[block] == rapid) continue;
     const PhaseBounds b = bounds(phase);
     speed = std::max(speed, b.speed.high);
     acceleration = std::max({acceleration, -b.acceleration.low, b.acceleration.high});
@@ -95,8 +103,11 @@ void SceneBuilder::build_planned() {
     const auto& errors = scene_.trace->error;
     range[index(ColourBy::contour_error)] = {0, errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end())};
   }
-  scene_.line.categorical = index(ColourBy::limit);
+}
 
+void SceneBuilder::build_planned() {
+  find_ranges();
+  scene_.line.categorical = index(ColourBy::limit);
   scene_.line.vertex.reserve(path_.size() + 1);
   scene_.time.reserve(path_.size() + 1);
   begin_at(0);

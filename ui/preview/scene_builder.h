@@ -24,6 +24,7 @@ class SceneBuilder {
   };
 
   void measure();
+  void find_ranges();
   void begin_at(std::size_t node);
   void add_small_block(std::size_t block, double departure);
   void add_block(std::size_t block, double departure);

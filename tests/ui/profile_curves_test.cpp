@@ -1,0 +1,143 @@
+#include "plots/profile_curves.h"
+
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+#include "support/planned.h"
+
+using namespace toolpace;
+using namespace toolpace::ui;
+
+class ProfileCurvesTest : public QObject {
+  Q_OBJECT
+
+  static PhaseState state(const Outcome& outcome, double time) {
+    const Phase& p = outcome.plan.phases[phase_at(outcome, time)];
+    return evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
+  }
+
+  static void check_curve(const Curve& curve) {
+    QCOMPARE(curve.time.size(), curve.value.size());
+    QVERIFY(std::is_sorted(curve.time.begin(), curve.time.end()));
+  }
+
+ private slots:
+  void near_curves_are_the_phases_themselves() {
+    const auto outcome = planned_butterfly();
+    const auto series = make_profile_series(outcome);
+    const TimeWindow window{1.10, 1.16, 1000};
+    QVERIFY(!is_dense(*series, window));
+    const MotionCurves curves = motion_curves(*series, window);
+    check_curve(curves.speed);
+    QCOMPARE(curves.speed.time.front(), window.begin);
+    QCOMPARE(curves.speed.time.back(), window.end);
+    for (qsizetype i = 0; i < curves.speed.time.size(); ++i) {
+      QVERIFY(std::abs(curves.speed.value[i] - state(*outcome, curves.speed.time[i]).speed) < 1e-6);
+    }
+  }
+
+  void far_curves_miss_no_peak() {
+    const auto outcome = planned(winding(30'000));
+    const auto series = make_profile_series(outcome);
+    const TimeWindow window{0, series->duration(), 400};
+    QVERIFY(is_dense(*series, window));
+    const MotionCurves curves = motion_curves(*series, window);
+    QVERIFY(curves.speed.time.size() <= 2 * 400);
+    for (std::size_t row = 0; row < 3; ++row) {
+      const Curve& c = row == 0 ? curves.speed : row == 1 ? curves.acceleration : curves.jerk;
+      const Extent& e = row == 0 ? series->whole.speed : row == 1 ? series->whole.acceleration : series->whole.jerk;
+      check_curve(c);
+      const auto [low, high] = std::minmax_element(c.value.begin(), c.value.end());
+      QVERIFY(std::abs(*low - e.low) <= 1e-6 * std::abs(e.low) + 1e-9);
+      QVERIFY(std::abs(*high - e.high) <= 1e-6 * std::abs(e.high) + 1e-9);
+    }
+  }
+
+  void a_pixel_inside_a_long_phase_shows_only_its_part() {
+    // A long cruise among thousands of micro-blocks: the cruise's pixels must be flat.
+    Program program = winding(20'000);
+    program.feed(400, 0, 0, 50);
+    const auto series = make_profile_series(planned(program));
+    const TimeWindow window{0, series->duration(), 300};
+    QVERIFY(is_dense(*series, window));
+    const MotionCurves curves = motion_curves(*series, window);
+    int flat = 0;
+    for (qsizetype i = 0; i < curves.acceleration.time.size(); ++i) flat += curves.acceleration.value[i] == 0.0;
+    QVERIFY(flat > 0);
+  }
+
+  void bounds_of_part_of_a_phase_are_those_of_fine_samples() {
+    std::vector<Phase> phases(3);
+    phases[0] = {0, 0.4, 0, 10, 0, 35, PhaseShape::quintic};
+    phases[1] = {0, 0.5, 0, 40, 30, -200, PhaseShape::constant_jerk};
+    phases[2] = {0, 0.3, 0, 40, -50, 0, PhaseShape::constant_jerk};
+    for (const auto& p : phases) {
+      for (const auto& [from, to] : {std::pair{0.0, p.duration}, std::pair{0.05, 0.12}, std::pair{0.1, 0.28}}) {
+        const PhaseBounds b = bounds(p, from, to);
+        PhaseBounds wanted{{1e9, -1e9}, {1e9, -1e9}, {1e9, -1e9}};
+        for (int k = 0; k <= 20'000; ++k) {
+          const PhaseState s = evaluate(p, from + (to - from) * k / 20'000);
+          wanted.speed.add(s.speed);
+          wanted.acceleration.add(s.acceleration);
+          wanted.jerk.add(s.jerk);
+        }
+        const auto same = [](const Interval& x, const Interval& y, double scale) {
+          return std::abs(x.low - y.low) < 1e-6 * scale && std::abs(x.high - y.high) < 1e-6 * scale;
+        };
+        QVERIFY(same(b.speed, wanted.speed, 100));
+        QVERIFY(same(b.acceleration, wanted.acceleration, 1000));
+        QVERIFY(same(b.jerk, wanted.jerk, 10'000));
+      }
+    }
+  }
+
+  void caps_and_feed_are_steps_at_the_blocks() {
+    Program program;
+    program.rapid(50, 0).feed(100, 0, 0, 60).feed(150, 0, 0, 30);
+    const auto outcome = planned(program);
+    const auto series = make_profile_series(outcome);
+    const CapCurves caps = cap_curves(*series, {0, series->duration(), 1000});
+    check_curve(caps.feed);
+    QVERIFY(std::isnan(caps.feed.value.front()));
+    QVERIFY(std::abs(caps.feed.value[2] - 60) < 1e-4);
+    QVERIFY(std::abs(caps.feed.value.back() - 30) < 1e-4);
+    QCOMPARE(caps.feed.time[2], outcome->node_time[1]);
+    QVERIFY(std::abs(caps.acceleration_high.value.front() - 3000) < 1e-2);
+    QVERIFY(std::abs(caps.acceleration_low.value.front() + 3000) < 1e-2);
+    QVERIFY(std::abs(caps.speed.value.front() - 100) < 1e-4);
+  }
+
+  void the_override_scales_the_programmed_feed() {
+    PlanOptions options;
+    options.feed_override = 0.5;
+    const auto series = make_profile_series(planned(Program().feed(100, 0, 0, 60), options));
+    const CapCurves caps = cap_curves(*series, {0, series->duration(), 100});
+    QVERIFY(std::abs(caps.feed.value.front() - 30) < 1e-4);
+  }
+
+  // On a circle of radius r at constant speed v an axis swings between ±v with an acceleration of ±v²/r.
+  void axes_on_a_circle_swing_like_a_sine() {
+    const auto series = make_profile_series(planned(Program().arc(0, 0, 0, 20, 0, 8 * std::numbers::pi, 40)));
+    const double total = series->duration();
+    const MotionCurves x = axis_curves(*series, {total * 0.3, total * 0.7, 2000}, 0);
+    check_curve(x.speed);
+    const auto [slow, fast] = std::minmax_element(x.speed.value.begin(), x.speed.value.end());
+    QVERIFY(std::abs(*fast - 40) < 0.01 && std::abs(*slow + 40) < 0.01);
+    const auto [brake, push] = std::minmax_element(x.acceleration.value.begin(), x.acceleration.value.end());
+    QVERIFY(std::abs(*push - 80) < 0.01 && std::abs(*brake + 80) < 0.01);
+  }
+
+  void windows_beside_the_plan_and_empty_plans_are_empty() {
+    const auto series = make_profile_series(planned(Program().feed(10, 0, 0, 60)));
+    QVERIFY(motion_curves(*series, {50, 60, 100}).speed.time.isEmpty());
+    QVERIFY(motion_curves(*series, {-9, -5, 100}).speed.time.isEmpty());
+    QVERIFY(cap_curves(*series, {50, 60, 100}).feed.time.isEmpty());
+    QVERIFY(make_profile_series(nullptr)->is_empty());
+    QVERIFY(make_profile_series(std::make_shared<Outcome>())->is_empty());
+    QVERIFY(motion_curves(*make_profile_series(nullptr), {0, 1, 10}).speed.time.isEmpty());
+  }
+};
+
+QTEST_GUILESS_MAIN(ProfileCurvesTest)
+#include "profile_curves_test.moc"
