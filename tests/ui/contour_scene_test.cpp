@@ -87,6 +87,21 @@ class ContourSceneTest : public QObject {
     QVERIFY(scene->time.back() >= arrival + 2.0);
   }
 
+  void a_path_that_is_cut_short_at_corners_is_drawn_as_it_is_run() {
+    PlanOptions options;
+    options.corner.rule = CornerRule::smooth;
+    options.corner.tolerance = 0.2;
+    const auto outcome = planned(Program().feed(20, 0, 0, 60).feed(20, 20, 0, 60).feed(40, 20, 0, 60), options);
+    QVERIFY(!outcome->plan.splines.empty());
+    const auto scene = make_contour_scene(outcome);
+    check_sound(*scene);
+    double nearest = 1e9;
+    for (std::size_t i = 0; i < scene->line.vertex.size(); ++i) {
+      nearest = std::min(nearest, (scene->point(i) - Eigen::Vector3d(20, 0, 0)).norm());
+    }
+    QVERIFY2(nearest > 0.01 && nearest < 0.5, qPrintable(QString::number(nearest)));
+  }
+
   void a_line_is_found_by_its_number() {
     Program program;
     program.feed(10, 0, 0, 50).feed(10, 10, 0, 50).feed(0, 10, 0, 50);

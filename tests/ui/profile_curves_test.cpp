@@ -12,10 +12,7 @@ using namespace toolpace::ui;
 class ProfileCurvesTest : public QObject {
   Q_OBJECT
 
-  static PhaseState state(const Outcome& outcome, double time) {
-    const Phase& p = outcome.plan.phases[phase_at(outcome, time)];
-    return evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
-  }
+  static PhaseState state(const Outcome& outcome, double time) { return motion_at(outcome.plan, time); }
 
   static void check_curve(const Curve& curve) {
     QCOMPARE(curve.time.size(), curve.value.size());
@@ -57,7 +54,7 @@ class ProfileCurvesTest : public QObject {
   void a_pixel_inside_a_long_phase_shows_only_its_part() {
     // A long cruise among thousands of micro-blocks: the cruise's pixels must be flat.
     Program program = winding(20'000);
-    program.feed(400, 0, 0, 50);
+    program.feed(4000, 0, 0, 50);
     const auto series = make_profile_series(planned(program));
     const TimeWindow window{0, series->duration(), 300};
     QVERIFY(is_dense(*series, window));
@@ -126,6 +123,32 @@ class ProfileCurvesTest : public QObject {
     QVERIFY(std::abs(*fast - 40) < 0.01 && std::abs(*slow + 40) < 0.01);
     const auto [brake, push] = std::minmax_element(x.acceleration.value.begin(), x.acceleration.value.end());
     QVERIFY(std::abs(*push - 80) < 0.01 && std::abs(*brake + 80) < 0.01);
+  }
+
+  void a_plan_off_the_path_is_drawn_as_it_is_run() {
+    PlanOptions options;
+    options.corner.rule = CornerRule::smooth;
+    options.corner.tolerance = 0.05;
+    Program program;
+    for (int i = 0; i < 12; ++i) program.feed(10 * (i + 1), i % 2 ? 0 : 6, 0, 60);
+    const auto outcome = planned(program, options);
+    QVERIFY(!outcome->plan.splines.empty());
+    const auto series = make_profile_series(outcome);
+    const MotionCurves curves = motion_curves(*series, {0, series->duration(), 4000});
+    check_curve(curves.speed);
+    const TimeSpline& spline = outcome->plan.splines.front();
+    for (qsizetype i = 0; i < curves.speed.time.size(); i += 11) {
+      const double t = curves.speed.time[i] - spline.begin;
+      if (t <= 0 || t >= spline.duration()) continue;
+      QVERIFY(std::abs(curves.speed.value[i] - evaluate(spline, t).speed) < 1e-9);
+    }
+    // Along one axis: the integral of its speed is the way it goes.
+    const MotionCurves x = axis_curves(*series, {0, series->duration(), 8000}, 0);
+    double way = 0;
+    for (qsizetype i = 1; i < x.speed.time.size(); ++i) {
+      way += (x.speed.time[i] - x.speed.time[i - 1]) * (x.speed.value[i] + x.speed.value[i - 1]) / 2;
+    }
+    QVERIFY2(std::abs(way - 120) < 0.5, qPrintable(QString::number(way)));
   }
 
   void windows_beside_the_plan_and_empty_plans_are_empty() {

@@ -30,13 +30,16 @@ void add_stroke(Curve& curve, double time, const Extent& extent) {
   curve.add(time, upwards ? extent.high : extent.low);
 }
 
-void add_exact(MotionCurves& curves, const Phase& p, double from, double to, double pixel) {
-  const bool bent = p.rate != 0;
+void add_exact(MotionCurves& curves, const MotionPlan& plan, const Phase& p, const TimeWindow& part, double pixel) {
+  const double from = part.begin, to = part.end;
+  const bool off_path = spline_at(plan, (from + to) / 2) != nullptr;
+  const bool bent = p.rate != 0 || off_path;
   const int parts =
       bent ? static_cast<int>(std::clamp((to - from) / pixel / kPixelsPerPoint, kLeastPoints, 4000.0)) : 1;
   for (int k = 0; k <= parts; ++k) {
-    const double time = from + (to - from) * k / parts;
-    const PhaseState state = evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
+    const double time = k == parts ? to : from + (to - from) * k / parts;
+    const PhaseState state =
+        off_path ? motion_at(plan, time) : evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
     curves.speed.add(time, state.speed);
     curves.acceleration.add(time, state.acceleration);
     curves.jerk.add(time, state.jerk);
@@ -46,11 +49,11 @@ void add_exact(MotionCurves& curves, const Phase& p, double from, double to, dou
 MotionExtent extent_between(const ProfileSeries& series, double begin, double end) {
   const auto& phases = series.outcome->plan.phases;
   const auto scan = [&](std::size_t first, std::size_t last) { return motion_extent(*series.outcome, first, last); };
-  const std::size_t first = phase_at(*series.outcome, begin), last = phase_at(*series.outcome, end);
+  const std::size_t first = phase_at(series.outcome->plan, begin), last = phase_at(series.outcome->plan, end);
   const auto part = [&](std::size_t i) {
-    const Phase& p = phases[i];
-    const double from = std::clamp(begin - p.begin, 0.0, p.duration), to = std::clamp(end - p.begin, from, p.duration);
-    return bounds(p, from, to);
+    const double from = std::max(begin, phases[i].begin);
+    return motion_bounds(series.outcome->plan, i, from,
+                         std::max(std::min(end, phases[i].begin + phases[i].duration), from));
   };
   MotionExtent extent;
   extent.add(part(first));
@@ -94,7 +97,7 @@ bool is_dense(const ProfileSeries& series, const TimeWindow& whole) {
   if (series.is_empty()) return false;
   const TimeWindow window = clipped(series, whole);
   if (!(window.end > window.begin)) return false;
-  const std::size_t count = phase_at(*series.outcome, window.end) - phase_at(*series.outcome, window.begin);
+  const std::size_t count = phase_at(series.outcome->plan, window.end) - phase_at(series.outcome->plan, window.begin);
   return count >= static_cast<std::size_t>(window.columns) / 2 + 2;
 }
 
@@ -115,11 +118,14 @@ MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& whole)
     return curves;
   }
   const auto& phases = series.outcome->plan.phases;
-  const std::size_t first = phase_at(*series.outcome, window.begin), last = phase_at(*series.outcome, window.end);
+  const std::size_t first = phase_at(series.outcome->plan, window.begin),
+                    last = phase_at(series.outcome->plan, window.end);
+  double from = window.begin;
   for (std::size_t i = first; i <= last; ++i) {
-    const double from = std::max(phases[i].begin, window.begin);
     const double to = std::min(phases[i].begin + phases[i].duration, window.end);
-    if (to > from) add_exact(curves, phases[i], from, to, pixel);
+    if (!(to > from)) continue;
+    add_exact(curves, series.outcome->plan, phases[i], {from, to, 1}, pixel);
+    from = to;
   }
   return curves;
 }
@@ -137,8 +143,7 @@ MotionEnvelope motion_envelope(const ProfileSeries& series, const TimeWindow& wh
   for (int column = 0; column < window.columns; ++column) {
     const double begin = window.begin + column * pixel, middle = begin + pixel / 2;
     const MotionExtent extent = extent_between(series, begin, begin + pixel);
-    sides.high.speed.add(middle, extent.speed.high);
-    sides.low.speed.add(middle, extent.speed.low);
+    sides.high.speed.add(middle, (extent.speed.low + extent.speed.high) / 2.0);
     sides.high.acceleration.add(middle, extent.acceleration.high);
     sides.low.acceleration.add(middle, extent.acceleration.low);
     sides.high.jerk.add(middle, extent.jerk.high);
@@ -180,14 +185,14 @@ struct AxisState {
 
 /// By the chain rule from the motion along the path and the path's frame.
 AxisState axis_state(const Outcome& outcome, std::size_t block, double time, std::size_t axis) {
+  if (const TimeSpline* spline = spline_at(outcome.plan, time)) {
+    const AxisMotion motion = axis_motion(*spline, time, axis);
+    return {motion.speed, motion.acceleration, motion.jerk};
+  }
   const Path& path = *outcome.path;
-  const auto& phases = outcome.plan.phases;
-  const auto state_at = [&](double t) {
-    const Phase& p = phases[phase_at(outcome, t)];
-    return evaluate(p, std::clamp(t - p.begin, 0.0, p.duration));
-  };
-  const PhaseState s = state_at(time);
-  const double along = std::clamp(s.distance - state_at(outcome.node_time[block]).distance, 0.0, path.length[block]);
+  const PhaseState s = motion_at(outcome.plan, time);
+  const double start = motion_at(outcome.plan, outcome.node_time[block]).distance;
+  const double along = std::clamp(s.distance - start, 0.0, path.length[block]);
   const Frame frame = frame_at(path, block, along);
   const auto i = static_cast<Eigen::Index>(axis);
   return {frame.first[i] * s.speed, frame.first[i] * s.acceleration + frame.second[i] * s.speed * s.speed,

@@ -34,7 +34,8 @@ MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& window
 /// True where the window holds too many phases to draw each: motion_curves() then strokes the range of each pixel.
 bool is_dense(const ProfileSeries& series, const TimeWindow& window);
 
-/// The two sides of those strokes as curves of their own, for a plan that is shown behind another.
+/// The two sides of those strokes as curves of their own, for a plan that is shown behind another; of the speed, which
+/// hardly differs within a pixel, the middle in `high` alone.
 struct MotionEnvelope {
   MotionCurves high, low;
 };

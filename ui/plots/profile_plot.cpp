@@ -248,9 +248,7 @@ void ProfilePlot::refill() {
 void ProfilePlot::updateMarks() {
   cursor_->marks.clear();
   if (!cursor_->time || !series_ || series_->is_empty()) return;
-  const auto& phases = series_->outcome->plan.phases;
-  const Phase& p = phases[phase_at(*series_->outcome, *cursor_->time)];
-  const PhaseState s = evaluate(p, std::clamp(*cursor_->time - p.begin, 0.0, p.duration));
+  const PhaseState s = motion_at(series_->outcome->plan, *cursor_->time);
   const std::array values = {s.speed, s.acceleration, s.jerk};
   for (std::size_t i = 0; i < kPlots; ++i) {
     cursor_->marks.push_back({rows_[i].value, values[i] * rows_[i].factor, theme_.accent});

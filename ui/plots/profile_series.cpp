@@ -14,7 +14,7 @@ void add_finite(Extent& extent, double value) {
 
 MotionExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_t last) {
   MotionExtent extent;
-  for (std::size_t i = first; i < last; ++i) extent.add(bounds(outcome.plan.phases[i]));
+  for (std::size_t i = first; i < last; ++i) extent.add(motion_bounds(outcome.plan, i));
   return extent;
 }
 
@@ -53,13 +53,6 @@ std::shared_ptr<const ProfileSeries> make_profile_series(std::shared_ptr<const O
   }
   series->causes = CauseTimes(outcome->restraints);
   return series;
-}
-
-std::size_t phase_at(const Outcome& outcome, double time) {
-  const auto& phases = outcome.plan.phases;
-  const auto after =
-      std::upper_bound(phases.begin(), phases.end(), time, [](double t, const Phase& p) { return t < p.begin; });
-  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - phases.begin() - 1, 0));
 }
 
 std::size_t block_at(const Outcome& outcome, double time) {

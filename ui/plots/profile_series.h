@@ -6,7 +6,7 @@
 
 #include "plots/cause_times.h"
 #include "plots/pyramid.h"
-#include "preview/phase_bounds.h"
+#include "preview/motion_state.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {
@@ -60,8 +60,6 @@ std::shared_ptr<const ProfileSeries> make_profile_series(std::shared_ptr<const O
 MotionExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_t last);
 CapExtent cap_extent(const Outcome& outcome, std::size_t first, std::size_t last);
 
-/// Index of the phase at a time, clamped to the plan. Precondition: there is one.
-std::size_t phase_at(const Outcome& outcome, double time);
 /// Index of the block at a time, clamped to the path. Precondition: node_time is complete.
 std::size_t block_at(const Outcome& outcome, double time);
 

@@ -18,10 +18,7 @@
 namespace toolpace::ui {
 namespace {
 
-PhaseState state_at(const ProfileSeries& series, double time) {
-  const Phase& p = series.outcome->plan.phases[phase_at(*series.outcome, time)];
-  return evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
-}
+PhaseState state_at(const ProfileSeries& series, double time) { return motion_at(series.outcome->plan, time); }
 
 }  // namespace
 

@@ -20,7 +20,7 @@ constexpr std::array<CauseStyle, kCauseCount> kStyles = {{
     {QT_TRANSLATE_NOOP("Cause", "jerk"), 0xffbf5a95, 0xffe08fbe},
     {QT_TRANSLATE_NOOP("Cause", "corner"), 0xffd55e00, 0xfff07a1f},
     {QT_TRANSLATE_NOOP("Cause", "curvature"), 0xffdc9600, 0xfff2b632},
-    {QT_TRANSLATE_NOOP("Cause", "look-ahead"), 0xffa79b00, 0xfff0e442},
+    {QT_TRANSLATE_NOOP("Cause", "look-ahead"), 0xff7c7a00, 0xfff0e442},
     {QT_TRANSLATE_NOOP("Cause", "stop"), 0xff30363d, 0xffe2e6ea},
     {QT_TRANSLATE_NOOP("Cause", "dwell"), 0xff882255, 0xffc0608f},
 }};

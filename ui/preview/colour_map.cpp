@@ -63,9 +63,9 @@ ColourTable colour_table(ColourMap map, Ground ground) {
       table[level] =
           ground == Ground::light ? with_contrast(colour, kWhite, kBlack) : with_contrast(colour, kDarkSurface, kWhite);
     } else if (ground == Ground::light) {
-      table[level] = mix(colour, kBlack, 0.28 * fraction);
+      table[level] = mix(colour, kBlack, 0.28 * fraction * fraction);
     } else {
-      table[level] = mix(colour, kHaze, 0.62 * (1 - fraction));
+      table[level] = mix(colour, kHaze, 0.55 * (1 - fraction));
     }
   }
   return table;

@@ -179,6 +179,7 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
   style.width = (smooth ? 1.8 : 1.0) * ratio;
   style.dash = 5 * ratio;
   style.smooth = smooth;
+  if (!smooth) style.detail = 1.3;
   last_pieces_ = draw_scene(image, *scene_, projection, style);
   if (scene_->trace && enlargement_ > 1.0) {
     draw_trace(image, *scene_->trace, projection, enlargement_, theme_.error.rgb(), 1.2 * ratio);

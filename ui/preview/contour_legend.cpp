@@ -10,7 +10,7 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr double kPad = 12, kRow = 20, kSwatch = 10, kBar = 8;
+constexpr double kPad = 12, kRow = 20, kSwatch = 10, kBar = 8, kHeight = 44;
 
 Quantity quantity_of(ColourBy by) {
   switch (by) {
@@ -59,15 +59,15 @@ void ContourLegend::refresh() {
 void ContourLegend::resizeEvent(QResizeEvent*) { setFixedHeight(heightFor(width())); }
 
 int ContourLegend::heightFor(int width) const {
-  if (!isCategorical()) return 44;
+  if (!isCategorical()) return static_cast<int>(kHeight);
   const auto list = entries(width);
-  return list.empty() ? 44 : static_cast<int>(std::max(list.back().area.bottom() + 8, 44.0));
+  return static_cast<int>(list.empty() ? kHeight : std::max(list.back().area.bottom() + 6, kHeight));
 }
 
 std::vector<ContourLegend::Entry> ContourLegend::entries(double width) const {
   std::vector<Entry> list;
   const QFontMetricsF metrics(font());
-  double x = kPad, y = 4;
+  double x = kPad, y = 6;
   for (std::size_t i = 0; i < present_.size(); ++i) {
     if (!present_[i]) continue;
     const QString title = cause_title(static_cast<Cause>(i));
@@ -78,6 +78,10 @@ std::vector<ContourLegend::Entry> ContourLegend::entries(double width) const {
     }
     list.push_back({title, QColor(canvas_.colours()[i]), QRectF(x, y, wide, kRow)});
     x += wide;
+  }
+  // A single row stands in the middle of the strip.
+  if (!list.empty() && list.back().area.top() == list.front().area.top()) {
+    for (auto& entry : list) entry.area.moveTop((kHeight - kRow) / 2);
   }
   return list;
 }

@@ -165,6 +165,8 @@ void ContourCanvas::drawHover(QPainter& painter) const {
                .arg(coordinate(hovered_->point.x()), coordinate(hovered_->point.y()), coordinate(hovered_->point.z()));
   lines << "a " + value(hovered_->state.acceleration, Quantity::acceleration) + "   j " +
                value(hovered_->state.jerk, Quantity::jerk);
+  if (const auto cause = cause_at(*scene_->outcome, hovered_->time))
+    lines << tr("held by: %1").arg(cause_title(*cause));
   const QFontMetricsF metrics(font());
   double wide = 0;
   for (const auto& line : lines) wide = std::max(wide, metrics.horizontalAdvance(line));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "preview/motion_state.h"
 #include "preview/scene_builder.h"
 #include "toolpace/path/path.h"
 
@@ -49,31 +50,33 @@ std::shared_ptr<const ContourScene> make_contour_scene(std::shared_ptr<const Out
 
 std::optional<PathPlace> place_at(const Outcome& outcome, double time) {
   if (!has_plan(outcome)) return std::nullopt;
-  const auto& phases = outcome.plan.phases;
   PathPlace place;
   place.time = std::clamp(std::isfinite(time) ? time : 0.0, 0.0, outcome.plan.cycle_time());
-  auto after = std::upper_bound(phases.begin(), phases.end(), place.time,
-                                [](double t, const Phase& phase) { return t < phase.begin; });
-  const Phase& phase = after == phases.begin() ? phases.front() : *std::prev(after);
-  place.state = evaluate(phase, std::clamp(place.time - phase.begin, 0.0, phase.duration));
-
+  place.state = motion_at(outcome.plan, place.time);
   const auto& arrival = outcome.node_time;
   const auto node = std::upper_bound(arrival.begin(), arrival.end(), place.time) - arrival.begin();
   place.block = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(node - 1, 0, std::ssize(arrival) - 2));
   const Path& path = *outcome.path;
   // Distance from the block's start: the plan knows how far it had come when it arrived there.
-  const double start_time = arrival[place.block];
-  auto first = std::upper_bound(phases.begin(), after == phases.begin() ? std::next(after) : after, start_time,
-                                [](double t, const Phase& p) { return t < p.begin; });
-  const Phase& start = first == phases.begin() ? phases.front() : *std::prev(first);
-  const double start_distance = evaluate(start, std::clamp(start_time - start.begin, 0.0, start.duration)).distance;
+  const double start_distance = motion_at(outcome.plan, arrival[place.block]).distance;
   place.along = std::clamp(place.state.distance - start_distance, 0.0, path.length[place.block]);
   place.point = point_at(path, place.block, place.along).head<3>();
+  if (const TimeSpline* spline = spline_at(outcome.plan, place.time)) {
+    place.point = evaluate(*spline, std::clamp(place.time - spline->begin, 0.0, spline->duration())).position.head<3>();
+  }
   if (outcome.job && outcome.job->program) {
     const Moves& moves = outcome.job->program->moves;
     if (path.move[place.block] < moves.line.size()) place.line = moves.line[path.move[place.block]];
   }
   return place;
+}
+
+std::optional<Cause> cause_at(const Outcome& outcome, double time) {
+  const auto& list = outcome.restraints;
+  const auto after =
+      std::upper_bound(list.begin(), list.end(), time, [](double t, const Restraint& r) { return t < r.begin; });
+  if (after == list.begin()) return std::nullopt;
+  return std::prev(after)->cause;
 }
 
 std::optional<std::pair<double, double>> time_of_line(const Outcome& outcome, std::uint32_t line) {

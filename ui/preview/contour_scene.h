@@ -63,6 +63,9 @@ struct PathPlace {
 /// Where the tool is at a time of the plan, exactly; clamped to the plan. Nothing for an outcome without a plan.
 std::optional<PathPlace> place_at(const Outcome& outcome, double time);
 
+/// What holds the speed down at a time; nothing where the outcome does not say.
+std::optional<Cause> cause_at(const Outcome& outcome, double time);
+
 /// First and last moment of an NC line of the main program [s]; nothing where the line does not move.
 std::optional<std::pair<double, double>> time_of_line(const Outcome& outcome, std::uint32_t line);
 

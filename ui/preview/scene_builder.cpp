@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "preview/motion_state.h"
+
 namespace toolpace::ui {
 namespace {
 
@@ -86,11 +88,12 @@ void SceneBuilder::find_ranges() {
   const bool only_rapids = std::find_if(style_of_block_.begin(), style_of_block_.end(),
                                         [&](std::uint8_t s) { return s != rapid; }) == style_of_block_.end();
   std::size_t block = 0;
-  for (const auto& phase : outcome_.plan.phases) {
+  for (std::size_t i = 0; i < outcome_.plan.phases.size(); ++i) {
+    const Phase& phase = outcome_.plan.phases[i];
     const double middle = phase.begin + phase.duration / 2;
     while (block + 1 < path_.size() && outcome_.node_time[block + 1] < middle) ++block;
     if (!only_rapids && style_of_block_[block] == rapid) continue;
-    const PhaseBounds b = bounds(phase);
+    const PhaseBounds b = motion_bounds(outcome_.plan, i);
     speed = std::max(speed, b.speed.high);
     acceleration = std::max({acceleration, -b.acceleration.low, b.acceleration.high});
     jerk = std::max({jerk, -b.jerk.low, b.jerk.high});
@@ -128,16 +131,20 @@ void SceneBuilder::build_planned() {
   finish();
 }
 
+PhaseState SceneBuilder::state_at(const Phase& phase, double time) const {
+  if (!outcome_.plan.splines.empty()) return motion_at(outcome_.plan, time);
+  return evaluate(phase, std::clamp(time - phase.begin, 0.0, phase.duration));
+}
+
 void SceneBuilder::add_small_block(std::size_t block, double departure) {
   const auto& phases = outcome_.plan.phases;
   const double arrival = outcome_.node_time[block + 1], duration = arrival - departure;
   const Stretch whole{block, departure, arrival, distance_, distance_ + path_.length[block]};
-  const auto state_at = [&](double time) {
+  const auto advance = [&](double time) {
     while (phase_ + 1 < phases.size() && phases[phase_ + 1].begin <= time) ++phase_;
-    const Phase& p = phases[phase_];
-    return evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
+    return state_at(phases[phase_], time);
   };
-  const PhaseState begin = state_at(departure), middle = state_at((departure + arrival) / 2), end = state_at(arrival);
+  const PhaseState begin = advance(departure), middle = advance((departure + arrival) / 2), end = advance(arrival);
   PhaseState mean = middle;
   if (duration > 0) {
     mean.speed = path_.length[block] / duration;
@@ -195,11 +202,15 @@ void SceneBuilder::add_stretch(const Phase& phase, const Stretch& s) {
     const bool at_node = along >= path_.length[s.block];
     const Eigen::Vector3d to = at_node ? Eigen::Vector3d(path_.node[s.block + 1].head<3>())
                                        : Eigen::Vector3d(point_at(path_, s.block, along).head<3>());
-    add_piece(piece, to, state((piece.begin + piece.end) / 2));
+    add_piece(piece, to, state_at(phase, (piece.begin + piece.end) / 2));
   }
 }
 
-void SceneBuilder::add_piece(const Stretch& s, const Eigen::Vector3d& to, const PhaseState& mean) {
+void SceneBuilder::add_piece(const Stretch& s, const Eigen::Vector3d& on_path, const PhaseState& mean) {
+  Eigen::Vector3d to = on_path;
+  if (const TimeSpline* spline = spline_at(outcome_.plan, s.end)) {
+    to = evaluate(*spline, std::clamp(s.end - spline->begin, 0.0, spline->duration())).position.head<3>();
+  }
   scene_.line.vertex.push_back((to - scene_.centre).cast<float>());
   scene_.box.add(to);
   scene_.time.push_back(s.end);

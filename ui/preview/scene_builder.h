@@ -25,12 +25,13 @@ class SceneBuilder {
 
   void measure();
   void find_ranges();
+  PhaseState state_at(const Phase& phase, double time) const;
   void begin_at(std::size_t node);
   void add_small_block(std::size_t block, double departure);
   void add_block(std::size_t block, double departure);
   void add_stretch(const Phase& phase, const Stretch& stretch);
   int cuts(const Phase& phase, const Stretch& stretch) const;
-  void add_piece(const Stretch& stretch, const Eigen::Vector3d& to, const PhaseState& mean);
+  void add_piece(const Stretch& stretch, const Eigen::Vector3d& on_path, const PhaseState& mean);
   std::uint8_t level_of(ColourBy by, double value) const;
   std::uint8_t cause_at(double time);
   double error_over(double begin, double end);

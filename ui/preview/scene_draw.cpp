@@ -33,9 +33,9 @@ struct Screen {
   }
 };
 
-const LodLevel* level_for(const ContourScene& scene, const Projection& projection) {
+const LodLevel* level_for(const ContourScene& scene, const Projection& projection, double detail) {
   if (scene.lod.levels.empty()) return nullptr;
-  return &scene.lod.levels[scene.lod.level_for(0.75 / projection.scale)];
+  return &scene.lod.levels[scene.lod.level_for(detail / projection.scale)];
 }
 
 class Painter {
@@ -88,7 +88,7 @@ bool is_dot(const ContourScene& scene) { return scene.line.pieces() == 0 && !sce
 
 std::size_t draw_scene(QImage& image, const ContourScene& scene, const Projection& projection,
                        const SceneStyle& style) {
-  const LodLevel* level = level_for(scene, projection);
+  const LodLevel* level = level_for(scene, projection, style.detail);
   if (!level || scene.is_empty()) return 0;
   const Screen screen(projection, scene.centre);
   if (is_dot(scene)) {
@@ -131,7 +131,7 @@ std::size_t draw_trace(QImage& image, const ErrorTrace& trace, const Projection&
 }
 
 std::size_t visible_pieces(const ContourScene& scene, const Projection& projection, const QSizeF& size) {
-  const LodLevel* level = level_for(scene, projection);
+  const LodLevel* level = level_for(scene, projection, SceneStyle{}.detail);
   if (!level) return 0;
   const Screen screen(projection, scene.centre);
   const QRectF window(QPointF(0, 0), size);

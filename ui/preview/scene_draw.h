@@ -18,6 +18,7 @@ struct SceneStyle {
   double dash = 5.0;   ///< of rapids, and of everything if `all_dashed` [px of the image]
   bool all_dashed = false;
   bool smooth = true;
+  double detail = 0.75;  ///< largest distance between drawn and true line [px of the image]
 };
 
 /// Draws what of the scene can be seen, at the level of detail that `projection` (in pixels of the image) asks for.
