@@ -13,9 +13,11 @@
 #include "outcome_json.h"
 #include "reading_flags.h"
 #include "report.h"
+#include "toolpace/io/program_pulse_writer.h"
 #include "toolpace/io/setpoint_writer.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/prove.h"
+#include "toolpace/sample/program_pulses.h"
 #include "toolpace/sample/sampler.h"
 
 namespace toolpace::cli {
@@ -27,6 +29,7 @@ struct PlanFlags {
   std::string setpoints;
   bool axis_derivatives = false, decimal_comma = false;
   bool json = false, bound = false, verify = false;
+  std::optional<double> timer_hz;
 };
 
 /// What one pass over the setpoints finds out.
@@ -39,7 +42,7 @@ struct SetpointPass {
 /// Samples the plan once: measures, and writes the file where one is wanted.
 Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, const PlanFlags& flags, const Monitor& monitor) {
   std::unique_ptr<SetpointWriter> writer;
-  if (!flags.setpoints.empty()) {
+  if (!flags.setpoints.empty() && !is_pulse_file(flags.setpoints)) {
     SetpointFileOptions options;
     options.axis_derivatives = flags.axis_derivatives;
     options.decimal_comma = flags.decimal_comma;
@@ -65,6 +68,17 @@ Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, const PlanFlags
     if (auto finished = writer->finish(); !finished) return tl::unexpected(finished.error());
   }
   return pass;
+}
+
+/// The step pulses of the plan as a file.
+Result<void> write_pulses(const Outcome& outcome, const PlanFlags& flags, const Monitor& monitor) {
+  auto writer = ProgramPulseWriter::create(flags.setpoints);
+  if (!writer) return tl::unexpected(writer.error());
+  const TimedMotion motion{*outcome.path, outcome.plan, outcome.node_time};
+  const auto take = [&](const std::vector<Pulse>& pulses) { return writer->write(pulses); };
+  const auto counts = program_pulses(motion, outcome.job->machine, flags.timer_hz.value_or(0), take, monitor);
+  if (!counts) return tl::unexpected(counts.error());
+  return writer->finish();
 }
 
 void add_verification(nlohmann::json& json, const std::optional<VerifyReport>& proof) {
@@ -154,9 +168,16 @@ int run_plan(const PlanFlags& flags) {
   const auto pass = pass_over_setpoints(*outcome, flags, terminal_monitor("setpoints"));
   end_progress();
   if (!pass) return report(pass.error());
+  const bool pulses = is_pulse_file(flags.setpoints);
+  if (pulses) {
+    const auto written = write_pulses(*outcome, flags, terminal_monitor("pulses"));
+    end_progress();
+    if (!written) return report(written.error());
+  }
   std::optional<VerifyReport> proof;
   if (flags.verify) {
-    auto verified = prove(flags.setpoints, *outcome, terminal_monitor("verifying"));
+    auto verified = pulses ? prove(*outcome, terminal_monitor("verifying"))
+                           : prove(flags.setpoints, *outcome, terminal_monitor("verifying"));
     end_progress();
     if (!verified) return report(verified.error());
     proof = std::move(*verified);
@@ -184,7 +205,9 @@ void add_plan_command(CLI::App& app, Action& action) {
   flags->reading.add_to(*command);
   flags->job.add_to(*command);
   command->add_option("--setpoints", flags->setpoints,
-                      "Write setpoints: .csv, .npy, .npz, .halstream; - = standard output");
+                      "Write setpoints: .csv, .npy, .npz, .halstream, .semicolon.csv, or step pulses: .pulses.csv; - = "
+                      "standard output");
+  command->add_option("--timer-hz", flags->timer_hz, "Clock of the pulse timer [Hz], for OUT.pulses.csv");
   command->add_flag("--axis-derivatives", flags->axis_derivatives, "Add speed, acceleration and jerk of each axis");
   command->add_flag("--decimal-comma", flags->decimal_comma, "Decimal commas in .semicolon.csv");
   command->add_flag("--verify", flags->verify, "Read the setpoint file back and prove that it keeps every limit");
