@@ -13,7 +13,7 @@ run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${SCRATCH}/prefix)
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${CXX}
     -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix -D TOOLPACE_VERSION_WANTED=${VERSION})
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
-run(${SCRATCH}/build/consumer)
+run(${CMAKE_COMMAND} -E chdir ${SCRATCH} ${SCRATCH}/build/consumer)
 message(STATUS "the consumer says: ${output}")
 run(${SCRATCH}/prefix/bin/toolpace --version)
 if(NOT output MATCHES "toolpace ${VERSION}")

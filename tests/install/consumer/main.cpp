@@ -1,11 +1,38 @@
-/// Uses the installed library: fails unless headers, library and CMake package fit together.
+/// Uses the installed library for all it does: reads a program, plans it, writes and reads setpoints. Fails unless headers,
+/// library and CMake package fit together.
 
-#include <toolpace/base/numbers.h>
+#include <toolpace/io/setpoint_writer.h>
+#include <toolpace/nc/reader.h>
+#include <toolpace/pipeline/job.h>
+#include <toolpace/pipeline/setup.h>
+#include <toolpace/sample/sampler.h>
 
+#include <cmath>
 #include <cstdio>
+#include <memory>
+#include <utility>
 
 int main() {
-  const auto text = toolpace::to_text(0.1);
-  std::puts(text.c_str());
-  return text == "0.1" ? 0 : 1;
+  auto reading = toolpace::read_text("G21 G90 G94\nG1 X10 F3000\nM2\n", "line.ngc");
+  if (!reading || reading->refused) return 1;
+  const auto setup = toolpace::default_setup();
+  auto job = std::make_shared<toolpace::Job>();
+  job->program = std::make_shared<const toolpace::Reading>(std::move(*reading));
+  job->machine = setup.machine;
+  job->options = setup.options;
+  const auto outcome = toolpace::run(job);
+  if (!outcome) return 2;
+
+  auto writer = toolpace::open_setpoint_writer("setpoints.npz");
+  if (!writer) return 3;
+  toolpace::Sampler sampler(*outcome->path, outcome->plan, job->program->moves, job->machine.period);
+  for (toolpace::Setpoints chunk; sampler.next(chunk);) {
+    if (!(*writer)->write(chunk)) return 4;
+  }
+  if (!(*writer)->finish()) return 5;
+
+  // Two quintic ramps between 0 and 50 mm/s at 3000 mm/s², 15·50/(8·3000) s and 0.78125 mm each, and a cruise.
+  const double expected = 2 * 0.03125 + (10 - 2 * 0.78125) / 50;
+  std::printf("%.6f s, %zu setpoints\n", outcome->summary.cycle_time, sampler.rows());
+  return std::abs(outcome->summary.cycle_time - expected) < 1e-9 ? 0 : 6;
 }
