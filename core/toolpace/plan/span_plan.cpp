@@ -17,10 +17,10 @@ namespace {
 constexpr std::size_t kMostRepairs = 8;
 
 /// Blocks a zone on average, at least: where limits jump from block to block a hull in each gains nothing.
-constexpr std::size_t kLeastZone = 4;
+constexpr std::size_t kLeastZone = 10;
 
 /// Rounds of giving up seams between zones before the zones are given up.
-constexpr int kMostSeamTrials = 6;
+constexpr int kMostSeamTrials = 3;
 
 /// Stretches of no more kernels than this get a few passes more: they cost nothing there and gain some tenths of a percent.
 constexpr std::size_t kShortStretch = 20000;
@@ -64,6 +64,7 @@ class StretchPlanner {
  private:
   double emit(const SpanLimits& limits, std::vector<Phase>& phases) const {
     phases.clear();
+    phases.reserve(4 * hull_.size());
     PhaseWriter writer(phases);
     emit_hull(kernels_, limits, hull_, writer);
     return writer.time();

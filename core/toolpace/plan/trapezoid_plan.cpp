@@ -43,6 +43,8 @@ MotionPlan plan_trapezoids(const SpeedLimits& limits, const std::vector<double>&
   const std::vector<double> square = fastest_squares(limits, cap);
   const std::vector<double> position = node_positions(limits);
   MotionPlan plan;
+  // Address space, not memory: what is not written is not there.
+  plan.phases.reserve(3 * limits.size());
   TrapezoidWriter writer(plan.phases);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     writer.add(position[i], limits.length[i], limits.block_cap[i], square[i], square[i + 1], limits.dynamics_of(i));
