@@ -357,6 +357,8 @@ void ProfilePlot::resizeEvent(QResizeEvent* event) {
   // The rows share what is left after the last one's time axis, so that all three plots are equally high.
   const double axis = line * 2.0 + 2, each = std::max((height() - axis) / 3.0, 20.0);
   plotLayout()->setRowStretchFactors({each, each, each + axis});
+  for (auto& row : rows_)
+    row.value->ticker()->setTickCount(std::clamp(static_cast<int>((each - 8) / (line * 1.4)), 2, 5));
   QCustomPlot::resizeEvent(event);
   refill();
 }

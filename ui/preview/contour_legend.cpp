@@ -10,6 +10,7 @@
 namespace toolpace::ui {
 namespace {
 
+constexpr double kSmallLength = 0.2;  // mm; below it micrometres are read more easily
 constexpr double kPad = 12, kRow = 20, kSwatch = 10, kBar = 8, kHeight = 44;
 
 Quantity quantity_of(ColourBy by) {
@@ -19,6 +20,11 @@ Quantity quantity_of(ColourBy by) {
     case ColourBy::jerk: return Quantity::jerk;
     default: return Quantity::length;
   }
+}
+
+/// Three digits of any size: "12.5", "0.00225", "330 000".
+QString short_number(double value) {
+  return std::abs(value) >= 0.1 || value == 0 ? number_text(value, 3) : QString::number(value, 'g', 3);
 }
 
 }  // namespace
@@ -121,7 +127,10 @@ void ContourLegend::drawScale(QPainter& painter) const {
   const Theme& theme = canvas_.theme();
   const ColourBy by = canvas_.colourBy();
   const Interval range = canvas_.scene()->range[static_cast<std::size_t>(by)];
-  const DisplayUnit unit = display_unit(quantity_of(by), canvas_.unit());
+  DisplayUnit unit = display_unit(quantity_of(by), canvas_.unit());
+  if (by == ColourBy::contour_error && canvas_.unit() == LengthUnit::mm && range.high < kSmallLength) {
+    unit = {1000.0, QStringLiteral("µm")};
+  }
   const QFontMetricsF metrics(font());
   const QString title = colour_by_title(by) + "  ";
   const double wide = metrics.horizontalAdvance(title), unit_wide = metrics.horizontalAdvance(unit.text);
@@ -143,7 +152,7 @@ void ContourLegend::drawScale(QPainter& painter) const {
     const Qt::Alignment side = k == 0 ? Qt::AlignLeft : k == 4 ? Qt::AlignRight : Qt::AlignHCenter;
     const double x = k == 0 ? at : k == 4 ? at - 90 : at - 45;
     painter.drawText(QRectF(x, 20, 90, 18), static_cast<int>(side) | Qt::AlignVCenter,
-                     number_text(value * unit.factor, 3));
+                     short_number(value * unit.factor));
   }
   const auto value = hoveredValue();
   if (!value || !(range.high > range.low)) return;

@@ -81,8 +81,12 @@ std::size_t pieces_of(const ContourScene& scene, const LodLevel& level) {
   return level.is_full() ? scene.line.pieces() : level.vertex.size() - 1;
 }
 
-/// A line has at least a chunk of its own even if it is a single vertex.
-bool is_dot(const ContourScene& scene) { return scene.line.pieces() == 0 && !scene.line.vertex.empty(); }
+/// A single point, or a path that is seen end on.
+bool is_dot(const ContourScene& scene, const Screen& screen) {
+  if (scene.line.pieces() == 0) return true;
+  const Eigen::Vector3d extent = scene.box.high - scene.box.low;
+  return screen.x.cwiseAbs().dot(extent) < 2 && screen.y.cwiseAbs().dot(extent) < 2;
+}
 
 }  // namespace
 
@@ -91,7 +95,7 @@ std::size_t draw_scene(QImage& image, const ContourScene& scene, const Projectio
   const LodLevel* level = level_for(scene, projection, style.detail);
   if (!level || scene.is_empty()) return 0;
   const Screen screen(projection, scene.centre);
-  if (is_dot(scene)) {
+  if (is_dot(scene, screen)) {
     const QPointF at = screen.map(scene.line.vertex.front());
     LineRaster(image, 4 * style.width, style.smooth).draw(at.x(), at.y(), at.x(), at.y(), style.plain);
     return 1;
