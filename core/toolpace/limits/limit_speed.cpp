@@ -9,6 +9,7 @@ namespace toolpace {
 namespace {
 
 constexpr std::size_t kReportEvery = 1 << 16;
+constexpr double kSmoothJoint = 1e-5;  // difference of directions that rounding of micrometre-long lines may leave
 
 class Limiter {
  public:
@@ -57,6 +58,7 @@ class Limiter {
   void add_node(std::size_t i) {
     const PathControl before = control(i - 1), after = control(i);
     CornerOptions corner = options_.corner;
+    if (before == PathControl::blend && after == PathControl::blend) corner.rule = CornerRule::blend;
     if (before == PathControl::exact_path || after == PathControl::exact_path) {
       corner.rule = CornerRule::servo;
       corner.step.reset();
@@ -65,7 +67,11 @@ class Limiter {
       corner.rule = CornerRule::stop;
       corner.step.reset();
     }
-    const double allowed = corner_speed(corner, end_direction(path_, i - 1), start_direction(path_, i), machine_);
+    const AxisVector arriving = end_direction(path_, i - 1), leaving = start_direction(path_, i);
+    // Curves meet their neighbours with one direction and one curvature, whatever rounding leaves of short lines.
+    const bool is_curve = path_.kind[i - 1] >= SegmentKind::spline || path_.kind[i] >= SegmentKind::spline;
+    const bool smooth = is_curve && corner.rule == CornerRule::blend && (leaving - arriving).norm() < kSmoothJoint;
+    const double allowed = smooth ? kUnlimited : corner_speed(corner, arriving, leaving, machine_);
     const double lower = std::min(limits_.block_cap[i - 1], limits_.block_cap[i]);
     const bool feed_decides = lower <= allowed;
     limits_.node_cap.push_back(feed_decides ? lower : allowed);

@@ -27,6 +27,19 @@ Frame spline_frame(const Path& path, std::size_t i, double s) {
   return {spline_point(curve, u), d.first, d.second, d.third};
 }
 
+template <class Blend>
+Frame blend_frame(const Blend& blend, double length, double s) {
+  const double t = blend_parameter(blend, length, s);
+  const ParameterDerivatives d = by_arc_length(blend_derivatives(blend, t));
+  return {blend_point(blend, t), d.first, d.second, d.third};
+}
+
+Frame blend_frame(const Path& path, std::size_t i, double s) {
+  const std::uint32_t detail = path.detail[i];
+  if (detail < Path::kCurveBlend) return blend_frame(path.corner_blends[detail], path.length[i], s);
+  return blend_frame(path.curve_blends[detail - Path::kCurveBlend], path.length[i], s);
+}
+
 }  // namespace
 
 AxisVector point_at(const Path& path, std::size_t i, double s) {
@@ -43,6 +56,7 @@ Frame frame_at(const Path& path, std::size_t i, double s) {
   switch (path.kind[i]) {
     case SegmentKind::arc: frame = arc_frame(path, i, s); break;
     case SegmentKind::spline: frame = spline_frame(path, i, s); break;
+    case SegmentKind::blend: frame = blend_frame(path, i, s); break;
     default:
       frame.first = (path.node[i + 1] - path.node[i]) / path.length[i];
       frame.point = path.node[i] + s * frame.first;

@@ -10,6 +10,7 @@
 #include "toolpace/base/axes.h"
 #include "toolpace/nc/moves.h"
 #include "toolpace/path/arc.h"
+#include "toolpace/path/blend.h"
 #include "toolpace/path/spline.h"
 
 namespace toolpace {
@@ -21,12 +22,15 @@ struct Path {
   std::vector<SegmentKind> kind;
   std::vector<double> length;         ///< > 0 [mm; deg where only rotary axes move]
   std::vector<std::uint32_t> move;    ///< row of Moves that it comes from
-  std::vector<std::uint32_t> detail;  ///< index into arcs or spline_pieces; kNoDetail for lines
+  std::vector<std::uint32_t> detail;  ///< index into arcs, spline_pieces or blends; kNoDetail for lines
   std::vector<AxisVector> node;       ///< size() + 1 points where segments meet [mm, rad]
 
   std::vector<ArcCurve> arcs;
   std::vector<SplineCurve> splines;
   std::vector<SplinePiece> spline_pieces;
+  std::vector<CornerBlend> corner_blends;
+  std::vector<CurveBlend> curve_blends;  ///< detail = kCurveBlend + index
+  static constexpr std::uint32_t kCurveBlend = 0x80000000u;
 
   /// Where the machine must stand still, sorted by node; several may stand on one node. The ends always rest.
   struct Pause {

@@ -12,6 +12,7 @@
 #include "toolpace/limits/machine.h"
 #include "toolpace/limits/speed_limits.h"
 #include "toolpace/nc/reader.h"
+#include "toolpace/path/blend_path.h"
 #include "toolpace/path/path.h"
 #include "toolpace/plan/motion_plan.h"
 #include "toolpace/plan/options.h"
@@ -36,6 +37,7 @@ struct Summary {
          max_jerk = 0;                                 ///< of the exact profile along the path; jerk may be infinite
   std::array<double, kCauseCount> time_by_cause = {};  ///< [s], indexed by Cause
   std::optional<double> bound;                         ///< [s]
+  BlendCount blends;                                   ///< corners rounded on the path (CornerRule::blend, G64 P)
   // Of the motion through the tolerance tube (CornerRule::smooth):
   double tube_deviation = 0;       ///< largest distance from the programmed path at setpoints and vertices [mm, deg]
   std::size_t tube_windows = 0;    ///< optimised

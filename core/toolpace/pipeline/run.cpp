@@ -114,6 +114,10 @@ bool is_through_tube(const Job& job) {
   return job.options.corner.rule == CornerRule::smooth && !job.options.corner.step;
 }
 
+bool blends_everywhere(const Job& job) {
+  return job.options.corner.rule == CornerRule::blend && !job.options.corner.step;
+}
+
 /// A hold stops on the path, and a motion through the tube has left it.
 Error hold_needs_path() {
   return {ErrorKind::usage,
@@ -144,8 +148,16 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   const Moves& moves = job->program->moves;
   if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
 
-  auto path = build_path(moves, job->machine.tool_change, stage(monitor, 0.0, 0.2));
+  auto path = build_path(moves, job->machine.tool_change, stage(monitor, 0.0, 0.15));
   if (!path) return tl::unexpected(path.error());
+  BlendCount blends;
+  if (!is_through_tube(*job) && (blends_everywhere(*job) || asks_for_blends(moves))) {
+    const BlendOptions options{job->options.corner.tolerance, blends_everywhere(*job)};
+    auto blended = blend_path(*path, moves, options, stage(monitor, 0.15, 0.2));
+    if (!blended) return tl::unexpected(blended.error());
+    path = std::move(blended->path);
+    blends = blended->count;
+  }
   auto limits = limit_speed(*path, moves, job->machine, limit_options(job->options), stage(monitor, 0.2, 0.4));
   if (!limits) return tl::unexpected(limits.error());
   auto planned = plan_rule(*path, moves, *job, *limits, stage(monitor, 0.4, 0.9));
@@ -167,6 +179,7 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   outcome.restraints = explain(outcome.limits, outcome.plan, outcome.node_time, outcome.job->options);
   outcome.warnings = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.summary = summarise(outcome, moves);
+  outcome.summary.blends = blends;
   outcome.summary.tube_deviation = planned->deviation;
   outcome.summary.tube_windows = planned->windows;
   outcome.summary.tube_fallbacks = planned->fallbacks;

@@ -1,0 +1,118 @@
+#include "toolpace/path/blend.h"
+
+#include <algorithm>
+
+namespace toolpace {
+namespace {
+
+constexpr int kCornerPieces = 8;  // of a half, for quadrature: near a reversal the speed by the parameter dips
+constexpr int kCurvePieces = 8;
+constexpr int kNewtonSteps = 20;
+constexpr double kParameterAccuracy = 1e-14;
+
+/// ∫ |x′| from a to b, in pieces on a fixed grid so that partial lengths add up.
+template <class Blend>
+double length_between(const Blend& blend, double a, double b, double piece) {
+  double sum = 0;
+  while (a < b) {
+    const double next = std::min(b, (std::floor(a / piece + 1e-9) + 1) * piece);
+    sum += integrate([&](double t) { return blend_derivatives(blend, t).first.template head<3>().norm(); }, a, next);
+    a = next;
+  }
+  return sum;
+}
+
+template <class Blend>
+double solve_parameter(const Blend& blend, double piece, double length, double s) {
+  constexpr double top = 1;
+  if (s <= 0) return 0;
+  if (s >= length) return top;
+  double low = 0, high = top, t = top * s / length;
+  double at = 0, known = 0;  // length up to parameter `known`
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    at = t >= known ? at + length_between(blend, known, t, piece) : at - length_between(blend, t, known, piece);
+    known = t;
+    (at < s ? low : high) = t;
+    const double slope = blend_derivatives(blend, t).first.template head<3>().norm();
+    double next = slope > 0 ? t + (s - at) / slope : (low + high) / 2;
+    if (!(next > low && next < high)) next = (low + high) / 2;
+    if (std::abs(next - t) <= kParameterAccuracy * top) return next;
+    t = next;
+  }
+  return t;
+}
+
+/// |after − before| / |before| = 2·sin(α/2): gentle corners need no subdivision.
+double piece_of(const CornerBlend& blend) {
+  const double turn = (blend.after - blend.before).head<3>().norm();
+  return turn < 0.6 * blend.before.head<3>().norm() ? 1.0 : 1.0 / kCornerPieces;
+}
+
+}  // namespace
+
+AxisVector blend_point(const CornerBlend& b, double t) {
+  const double r = t <= 1 ? t : 2 - t, c = r * r * r / 6;
+  return t <= 1 ? AxisVector(b.corner - (1 - t + c) * b.before + c * b.after)
+                : AxisVector(b.corner - c * b.before + (t - 1 + c) * b.after);
+}
+
+ParameterDerivatives blend_derivatives(const CornerBlend& b, double t) {
+  const double r = t <= 1 ? t : 2 - t;
+  const AxisVector turn = b.after - b.before;
+  if (t <= 1) return {b.before + (r * r / 2) * turn, r * turn, turn};
+  return {b.after - (r * r / 2) * turn, r * turn, -turn};
+}
+
+AxisVector blend_point(const CurveBlend& b, double t) {
+  std::array<AxisVector, 6> p = b.points;
+  for (std::size_t n = 5; n > 0; --n) {
+    for (std::size_t i = 0; i < n; ++i) p[i] = (1 - t) * p[i] + t * p[i + 1];
+  }
+  return p[0];
+}
+
+ParameterDerivatives blend_derivatives(const CurveBlend& b, double t) {
+  std::array<AxisVector, 6> p = b.points;
+  for (std::size_t n = 5; n > 3; --n) {
+    for (std::size_t i = 0; i < n; ++i) p[i] = (1 - t) * p[i] + t * p[i + 1];
+  }
+  // Four points are left: third differences, and the second and first after one and two more reductions.
+  const AxisVector third = 60 * (p[3] - 3 * p[2] + 3 * p[1] - p[0]);
+  for (std::size_t i = 0; i < 3; ++i) p[i] = (1 - t) * p[i] + t * p[i + 1];
+  const AxisVector second = 20 * (p[2] - 2 * p[1] + p[0]);
+  for (std::size_t i = 0; i < 2; ++i) p[i] = (1 - t) * p[i] + t * p[i + 1];
+  return {5 * (p[1] - p[0]), second, third};
+}
+
+double blend_length(const CornerBlend& blend, double t) {
+  const double piece = piece_of(blend);
+  if (t >= 2) return 2 * length_between(blend, 0.0, 1.0, piece);
+  return length_between(blend, 0.0, t, piece);
+}
+
+double blend_length(const CurveBlend& blend, double t) { return length_between(blend, 0.0, t, 1.0 / kCurvePieces); }
+
+double blend_parameter(const CornerBlend& blend, double length, double s) {
+  // The halves mirror each other.
+  if (s > length / 2)
+    return 2 - blend_parameter(CornerBlend{blend.corner, -blend.after, -blend.before}, length, length - s);
+  return solve_parameter(blend, piece_of(blend), length / 2, s);
+}
+
+double blend_parameter(const CurveBlend& blend, double length, double s) {
+  return solve_parameter(blend, 1.0 / kCurvePieces, length, s);
+}
+
+CurveBlend make_curve_blend(const BlendEnd& begin, const BlendEnd& end, double length) {
+  const double l = length;
+  CurveBlend b;
+  b.points[0] = begin.point;
+  b.points[1] = begin.point + (l / 5) * begin.first;
+  b.points[2] = begin.point + (2 * l / 5) * begin.first + (l * l / 20) * begin.second;
+  b.points[3] = end.point - (2 * l / 5) * end.first + (l * l / 20) * end.second;
+  b.points[4] = end.point - (l / 5) * end.first;
+  b.points[5] = end.point;
+  return b;
+}
+
+}  // namespace toolpace

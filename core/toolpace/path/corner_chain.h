@@ -1,0 +1,43 @@
+#pragma once
+/// Several corners too close for a blend each: one cubic B-spline whose control polygon is the path.
+
+#include <vector>
+
+#include "toolpace/path/path.h"
+
+namespace toolpace {
+
+/// Between the trimmed lines before the first and after the last node. The nodes are control points, and, on lines longer
+/// than a node's trim, points at the trim's distance, which pull the curve towards the node. Curvature is continuous, zero
+/// at the ends; on chords of a smooth curve it hardly changes.
+class CornerChain {
+ public:
+  struct Piece {
+    double begin, end;    ///< parameters
+    std::size_t segment;  ///< of the path, that it replaces
+  };
+
+  /// @param trim  of each node of the path [mm] > 0 for first … last
+  CornerChain(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& trim);
+
+  const SplineCurve& curve() const { return curve_; }
+  const std::vector<Piece>& pieces() const { return pieces_; }
+
+  /// Distance of a node to the curve where it is passed [mm].
+  double deviation(std::size_t node) const;
+
+ private:
+  void add_control(const Eigen::Vector3d& point, std::size_t segment_before);
+  void add_inner(const Path& path, std::size_t segment, const std::vector<double>& trim);
+  void cut(const Path& path, std::size_t last);
+
+  std::size_t first_;
+  SplineCurve curve_;
+  std::vector<double> stations_;         // parameter of each inner control point
+  std::vector<std::size_t> segment_of_;  // segment that ends at each of them
+  std::vector<std::size_t> node_at_;     // index into stations_ of each node
+  std::vector<Eigen::Vector3d> node_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace toolpace

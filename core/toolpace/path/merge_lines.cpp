@@ -1,0 +1,114 @@
+#include "toolpace/path/merge_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toolpace {
+namespace {
+
+constexpr double kMergeShare = 1.0 / 3;  // of the tolerance
+constexpr std::size_t kMostMerged = 32;  // lines in one, so that time stays linear
+constexpr double kMostTurn = 0.94;       // cosine of the largest turn inside a run
+
+class Merger {
+ public:
+  Merger(const Path& path, const Moves& moves, const BlendOptions& options)
+      : path_(path), moves_(moves), options_(options) {}
+
+  MergedLines run() {
+    out_.path.arcs = path_.arcs;
+    out_.path.splines = path_.splines;
+    out_.path.spline_pieces = path_.spline_pieces;
+    out_.path.node.push_back(path_.node.front());
+    std::size_t pause = 0;
+    for (std::size_t i = 0; i < path_.size();) {
+      pass_pauses(i, pause);
+      const std::size_t rest = pause < path_.pauses.size() ? path_.pauses[pause].node : path_.size();
+      i = add_run(i, std::min(rest, i + kMostMerged));
+    }
+    pass_pauses(path_.size(), pause);
+    return std::move(out_);
+  }
+
+ private:
+  void pass_pauses(std::size_t node, std::size_t& pause) {
+    for (; pause < path_.pauses.size() && path_.pauses[pause].node == node; ++pause) {
+      out_.path.pauses.push_back(path_.pauses[pause]);
+      out_.path.pauses.back().node = static_cast<std::uint32_t>(out_.path.size());
+    }
+  }
+
+  bool joins(std::size_t a, std::size_t b) const {
+    const std::uint32_t p = path_.move[a], q = path_.move[b];
+    return path_.kind[b] == SegmentKind::line && moves_.kind[p] == moves_.kind[q] && moves_.feed[p] == moves_.feed[q] &&
+           moves_.mode[p] == moves_.mode[q] && !is_rotary_only(path_, b);
+  }
+
+  /// Adds the longest run of lines from segment i, or the segment alone. @return the segment after it
+  std::size_t add_run(std::size_t i, std::size_t limit) {
+    std::size_t end = i + 1;
+    double error = 0;
+    if (path_.kind[i] == SegmentKind::line && !is_rotary_only(path_, i) && may_merge(i)) {
+      while (end < limit && joins(i, end)) {
+        const double wider = deviation(i, end + 1);
+        if (!(wider <= kMergeShare * tolerance_at(i))) break;
+        error = wider;
+        ++end;
+      }
+    }
+    Path& p = out_.path;
+    p.kind.push_back(path_.kind[i]);
+    p.move.push_back(path_.move[end - 1]);
+    p.detail.push_back(path_.detail[i]);
+    p.length.push_back(end == i + 1 ? path_.length[i] : (path_.node[end] - path_.node[i]).head<3>().norm());
+    p.node.push_back(path_.node[end]);
+    out_.error.push_back(error);
+    return end;
+  }
+
+  bool may_merge(std::size_t i) const {
+    const PathControl control = moves_.modes[moves_.mode[path_.move[i]]].control;
+    return control == PathControl::blend || (control == PathControl::job_default && options_.everywhere);
+  }
+  double tolerance_at(std::size_t i) const {
+    const MoveMode& mode = moves_.modes[moves_.mode[path_.move[i]]];
+    return mode.control == PathControl::blend && mode.tolerance > 0 ? mode.tolerance : options_.tolerance;
+  }
+
+  /// Largest distance of the vertices between two nodes from the line that joins them; infinite where they go back or turn.
+  double deviation(std::size_t begin, std::size_t end) const {
+    const AxisVector& a = path_.node[begin];
+    const AxisVector chord = path_.node[end] - a;
+    const double square = chord.head<3>().squaredNorm();
+    double most = 0, before = 0;
+    for (std::size_t k = begin + 1; k < end; ++k) {
+      const AxisVector d = path_.node[k] - a;
+      const double along = d.head<3>().dot(chord.head<3>()) / square;
+      if (!(along > before && along < 1)) return kNever;
+      before = along;
+      const AxisVector e = d - along * chord;
+      most = std::max({most, e.head<3>().norm(), e.tail<3>().norm() / kRadiansPerDegree});
+    }
+    const double root = std::sqrt(square);
+    for (const std::size_t k : {begin, end - 1}) {
+      const auto u = (path_.node[k + 1] - path_.node[k]).head<3>();
+      if (u.dot(chord.head<3>()) < kMostTurn * root * path_.length[k]) return kNever;
+    }
+    return most;
+  }
+
+  static constexpr double kNever = 1e300;
+
+  const Path& path_;
+  const Moves& moves_;
+  const BlendOptions& options_;
+  MergedLines out_;
+};
+
+}  // namespace
+
+MergedLines merge_lines(const Path& path, const Moves& moves, const BlendOptions& options) {
+  return Merger(path, moves, options).run();
+}
+
+}  // namespace toolpace
