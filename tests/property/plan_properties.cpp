@@ -58,6 +58,25 @@ INSTANTIATE_TEST_SUITE_P(Families, PlansOfRandomChains,
                                            Family{Ramps::span, 150, 210, false}, Family{Ramps::span, 100, 70, true},
                                            Family{Ramps::span, 3, 500, false}, Family{Ramps::span, 7, 300, true}));
 
+// Micro and huge blocks side by side, limits from crawling to violent, in units from µm to m: nothing depends on scale.
+TEST(PlansOfRandomChains, KeepEveryLimitAtEveryScale) {
+  for (std::uint64_t seed = 1; seed <= test::case_count(4000); ++seed) {
+    const SpeedLimits limits = test::wild_chain(seed);
+    for (const LawRow& law : law_table()) {
+      PlanOptions options;
+      options.law = law.kind;
+      options.ramps = (seed + static_cast<std::uint64_t>(law.kind)) % 2 == 0 ? Ramps::span : Ramps::block;
+      if (seed % 3 == 0) options.lookahead = 1 + seed % (limits.size() + 2);
+      const auto plan = plan_motion(limits, options);
+      ASSERT_TRUE(plan) << plan.error().message;
+      test::CheckOptions check = check_of(law.kind);
+      check.tolerance = 1e-6;
+      ASSERT_EQ(test::find_offence(limits, *plan, check), "") << describe(options, seed, false);
+      ASSERT_GE(plan->cycle_time(), lower_bound(limits, law.kind)) << describe(options, seed, false);
+    }
+  }
+}
+
 TEST(PlansOfRandomChains, AreNeverSlowerAcrossBlocksThanWithinThem) {
   for (std::uint64_t seed = 1; seed <= test::case_count(150); ++seed) {
     const bool mixed = seed % 3 == 0;

@@ -118,12 +118,54 @@ std::optional<SpeedLimits> read_polyline(const std::string& name, const Polyline
   return limits;
 }
 
-SpeedLimits random_chain(std::uint64_t seed, std::size_t blocks, bool mixed_dynamics) {
-  std::mt19937_64 random(seed);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * (static_cast<double>(random() >> 11) * 0x1p-53);
+namespace {
+
+/// Numbers that are the same on every platform.
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : random_(seed) {}
+  double uniform(double a, double b) { return a + (b - a) * (static_cast<double>(random_() >> 11) * 0x1p-53); }
+  double log_uniform(double a, double b) { return std::exp(uniform(std::log(a), std::log(b))); }
+  std::uint64_t below(std::uint64_t n) { return random_() % n; }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+}  // namespace
+
+SpeedLimits wild_chain(std::uint64_t seed) {
+  Draw draw(seed);
+  const double mm = draw.log_uniform(1e-3, 1e3), s = draw.log_uniform(0.1, 10);
+  const auto ramp = [&] {
+    return RampLimits{draw.log_uniform(1, 1e5) * mm / s / s, draw.log_uniform(10, 1e9) * mm / s / s / s,
+                      draw.log_uniform(1e-4, 1) * s};
   };
-  const auto log_uniform = [&](double a, double b) { return std::exp(uniform(std::log(a), std::log(b))); };
+  SpeedLimits limits;
+  const std::size_t kinds = draw.below(3) == 0 ? 3 : 1;
+  for (std::size_t k = 0; k < kinds; ++k) {
+    const RampLimits up = ramp();
+    limits.dynamics.push_back({up, draw.below(3) == 0 ? ramp() : up});
+  }
+  const std::size_t blocks = 1 + draw.below(draw.below(4) == 0 ? 200 : 12);
+  const double scale = draw.log_uniform(1e-4, 100);
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const bool odd = draw.below(5) == 0;
+    limits.length.push_back(mm * (odd ? draw.log_uniform(1e-6, 1e3) : draw.log_uniform(scale * 0.1, scale * 10)));
+    limits.block_cap.push_back(mm / s * (draw.below(3) > 0 ? 100 : draw.log_uniform(0.01, 1000)));
+    limits.ramp.push_back(static_cast<std::uint32_t>(draw.below(kinds)));
+    const bool free = draw.below(3) > 0, rest = draw.below(9) == 0;
+    limits.node_cap.push_back(free ? 1e300 : rest ? 0.0 : draw.log_uniform(1e-3, 300) * mm / s);
+  }
+  limits.node_cap.push_back(0.0);
+  finish(limits);
+  return limits;
+}
+
+SpeedLimits random_chain(std::uint64_t seed, std::size_t blocks, bool mixed_dynamics) {
+  Draw draw(seed);
+  const auto log_uniform = [&](double low, double high) { return draw.log_uniform(low, high); };
+  const auto random = [&] { return draw.below(~std::uint64_t{0}); };
   const auto dynamics = [&] {
     Dynamics d = symmetric(log_uniform(50, 2e4), log_uniform(1e3, 1e7), log_uniform(1e-3, 0.2));
     if (random() % 2 == 0) d.down = {log_uniform(50, 2e4), log_uniform(1e3, 1e7), log_uniform(1e-3, 0.2)};

@@ -36,4 +36,7 @@ std::optional<SpeedLimits> read_polyline(const std::string& name, const Polyline
 /// Seeded random chain: micro and long blocks, collinear stretches, mixed feeds, stops, low node caps.
 SpeedLimits random_chain(std::uint64_t seed, std::size_t blocks, bool mixed_dynamics = false);
 
+/// Seeded random chain over many orders of magnitude: lengths, feeds, caps and limits in units drawn at random.
+SpeedLimits wild_chain(std::uint64_t seed);
+
 }  // namespace toolpace::test

@@ -37,9 +37,15 @@ struct Stretch {
   double entry, exit;  ///< [mm/s] ≤ cap
 };
 
+/// Ramps that change the speed by a smaller share are left out: speeds are rounded to 1e-16 of themselves, and so a tiny change
+/// of a large speed, and with it the length of its ramp, is hardly known.
+inline constexpr double kLeastChange = 1e-7;
+
 /// Highest speed of a stretch that fits(entry, exit).
 inline double peak_speed(const Stretch& s, const MoveTerms& terms) {
-  return toolpace::peak_speed({s.length * (1 + kFit), s.cap, s.entry, s.exit}, terms);
+  const double ends = std::max(s.entry, s.exit);
+  const double peak = toolpace::peak_speed({s.length, s.cap, s.entry, s.exit}, terms);
+  return peak > ends * (1 + kLeastChange) ? peak : ends;
 }
 
 /// Time of the stretch's fastest profile [s].

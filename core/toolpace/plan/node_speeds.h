@@ -29,16 +29,22 @@ struct Chain {
 /// @source Ning et al. 2014, section 2, step 2
 template <class Law>
 double scan_back(double cap, double exit, double length, const Drive& drive) {
+  const double least = exit * (1 + kLeastChange);
   // At or below the exit speed the forward pass decides.
-  if (cap <= exit || ramp_length(cap, exit, drive.terms) <= length) return cap;
-  return std::clamp(Law::reach(exit, length, drive.limits.down), exit, cap);
+  if (cap <= least) return std::min(cap, exit);
+  if (ramp_length(cap, exit, drive.terms) <= length) return cap;
+  const double entry = std::min(Law::reach(exit, length, drive.limits.down), cap);
+  return entry > least ? entry : exit;
 }
 
 /// Step of the forward pass: the speed that `entry` can be raised to, no higher than `wanted` ≥ entry.
 template <class Law>
 double pass_forward(double entry, double wanted, double length, const Drive& drive) {
+  const double least = entry * (1 + kLeastChange);
+  if (wanted <= least) return entry;
   if (ramp_length(entry, wanted, drive.terms) <= length) return wanted;
-  return std::clamp(Law::reach(entry, length, drive.limits.up), entry, wanted);
+  const double exit = std::min(Law::reach(entry, length, drive.limits.up), wanted);
+  return exit > least ? exit : entry;
 }
 
 /// Largest exit speed below `wanted` < entry that a block allows although `wanted` itself does not fit: jerk-limited
