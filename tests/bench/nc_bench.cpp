@@ -45,7 +45,8 @@ std::string arc_lines() {
 
 std::string expression_lines() {
   std::string text = "G21 G90 F3000\n#1=0\n";
-  text += "o1 repeat [" + std::to_string(kLines / 2) + "]\n  #1 = [#1 + 0.01]\n  G1 X[10*COS[#1]] Y[10*SIN[#1]]\no1 endrepeat\nM2\n";
+  text += "o1 repeat [" + std::to_string(kLines / 2) +
+          "]\n  #1 = [#1 + 0.01]\n  G1 X[10*COS[#1]] Y[10*SIN[#1]]\no1 endrepeat\nM2\n";
   return text;
 }
 
@@ -53,12 +54,14 @@ std::string polyline_rows() {
   std::mt19937 engine(20140401);
   std::uniform_real_distribution<double> step(-1.0, 1.0);
   std::string text = "x_mm,y_mm,z_mm,feed_mm_min\n";
-  for (std::size_t i = 0; i < kLines; ++i) text += short_text(step(engine)) + "," + short_text(step(engine)) + ",0,6000\n";
+  for (std::size_t i = 0; i < kLines; ++i)
+    text += short_text(step(engine)) + "," + short_text(step(engine)) + ",0,6000\n";
   return text;
 }
 
 std::size_t bytes_of(const Moves& moves) {
-  return moves.size() * (sizeof(MoveKind) + sizeof(AxisVector) + sizeof(double) + 2 * sizeof(std::uint32_t) + 2 * sizeof(std::uint16_t)) +
+  return moves.size() * (sizeof(MoveKind) + sizeof(AxisVector) + sizeof(double) + 2 * sizeof(std::uint32_t) +
+                         2 * sizeof(std::uint16_t)) +
          moves.arcs.size() * sizeof(ArcDetail);
 }
 

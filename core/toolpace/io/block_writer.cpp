@@ -1,5 +1,7 @@
 #include "toolpace/io/block_writer.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "toolpace/base/numbers.h"
@@ -84,7 +86,9 @@ class BlockTable {
     const bool has_feed = is_motion(kind) && kind != MoveKind::rapid && std::isfinite(moves_.feed[i]);
     const bool rotary =
         has_feed && kind != MoveKind::arc && curve.empty() && moves_rotary_alone(moves_.begin_of(i), end);
-    if (has_feed) append_text(text_, moves_.feed[i] * kSecondsPerMinute / (rotary ? kRadiansPerDegree : 1.0));
+    // Twelve digits: the feed went from a minute to a second and back.
+    if (has_feed)
+      text_ += fmt::format("{:.12g}", moves_.feed[i] * kSecondsPerMinute / (rotary ? kRadiansPerDegree : 1.0));
     cell(has_feed ? feed_mode_name(mode.feed_mode) : "");
     cell(plane_name(mode.plane));
     text_ += ',';

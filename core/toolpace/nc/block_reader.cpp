@@ -87,7 +87,8 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
   if (letter == 'm') return read_m(value, column, block) && skip_printer_text(text, block);
   if (letter == 'n') {
     if (dialect_ == Dialect::linuxcnc) {
-      return faults_.fail("bad-line-number", "a line number within a block", "N stands at the beginning of the line", column);
+      return faults_.fail("bad-line-number", "a line number within a block", "N stands at the beginning of the line",
+                          column);
     }
     if (value >= 0.0) return true;
     return faults_.fail("bad-line-number", "a line number below 0", "write N and a number from 0", column);

@@ -40,7 +40,6 @@ class CycleRun {
   }
   void dwell(double seconds) { context_.out.dwell(seconds); }
 
-
  private:
   void move(MoveKind kind, double level) {
     Position end = context_.state.position;

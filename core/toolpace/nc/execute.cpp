@@ -105,7 +105,9 @@ bool Interpreter::check_words(const Block& block, Code motion) {
     if ((unused & (1u << i)) == 0) continue;
     const std::string what = fmt::format("nothing in this block uses word {}", static_cast<char>('A' + i));
     if (dialect_ == Dialect::linuxcnc) {
-      return faults_.fail("word-unused", what, "remove it, or add the code it belongs to", block.column[i]);
+      const char* const remedy = i == word_index('e') ? "remove it; numbers have no exponent here: write them out"
+                                                      : "remove it, or add the code it belongs to";
+      return faults_.fail("word-unused", what, remedy, block.column[i]);
     }
     faults_.warn("word-unused", what, "", block.column[i]);
   }

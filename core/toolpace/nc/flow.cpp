@@ -22,6 +22,7 @@ bool Flow::next_line(std::string_view& line) {
   line = {start, length};
   here_.offset += length + (found ? 1 : 0);
   ++here_.line;
+  taken_ = {here_.file, begin_, here_.line};
   return true;
 }
 
@@ -33,7 +34,8 @@ bool Flow::lose(const char* code, std::string what, std::string remedy, std::siz
 bool Flow::jump_after_end(int at) {
   const int tail = index().at(at).tail;
   if (tail == kNoMatch) {
-    return lose("o-word-unmatched", fmt::format("O{} is not closed", index().at(at).label), "close it under the same label");
+    return lose("o-word-unmatched", fmt::format("O{} is not closed", index().at(at).label),
+                "close it under the same label");
   }
   jump_after(tail);
   return true;
@@ -160,6 +162,7 @@ bool Flow::run_if(int at, Scanner& text) {
     jump_after(at);
     if (branch.control != Control::elseif) return true;
     // The condition stands on the branch's own line.
+    taken_ = {here_.file, branch.begin, branch.line};
     Scanner there(files_.at(here_.file).text.substr(branch.begin, branch.next - branch.begin));
     std::string label;
     bool computed = false;
@@ -283,7 +286,9 @@ bool Flow::enter(const std::string& label, std::size_t column, int repeats, bool
     at = files_.at(file).flow(fanuc).find_sub(label);
   }
   if (at != kNoMatch && !fanuc && (files_.at(file).flow(fanuc).at(at).control == Control::sub) == is_numbered) {
-    return lose("sub-program-kind", is_numbered ? fmt::format("M98 calls O{}, which is a sub", label) : fmt::format("a call of O{}, which is no sub", label),
+    return lose("sub-program-kind",
+                is_numbered ? fmt::format("M98 calls O{}, which is a sub", label)
+                            : fmt::format("a call of O{}, which is no sub", label),
                 "call a sub with O… call, an O number with M98", column);
   }
   calls_.push_back(std::move(call));
@@ -301,6 +306,7 @@ bool Flow::call_number(double number, int repeats, std::size_t column,
                        const std::optional<std::vector<double>>& arguments) {
   if (repeats == 0) return true;
   if (!enter(label_of(number), column, repeats, true)) return false;
+  calls_.back().arguments = arguments;
   if (arguments) {
     parameters_.enter_call(*arguments);
   } else {
@@ -315,6 +321,10 @@ bool Flow::return_from_call(std::optional<double> to_number) {
   if (call.is_numbered && --call.repeats > 0) {
     here_ = call.start;
     jumped_ = true;
+    if (call.arguments) {
+      parameters_.leave_call();
+      parameters_.enter_call(*call.arguments);
+    }
     count_turn();
     return true;
   }

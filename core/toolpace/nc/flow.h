@@ -29,6 +29,8 @@ class Flow {
 
   std::size_t file() const { return here_.file; }
   std::size_t line_number() const { return here_.line; }
+  /// The line taken last, or the one whose condition was looked at last: where a fault lies, jumps or not.
+  const Place& place_of_fault() const { return taken_; }
   std::size_t depth() const { return calls_.size(); }
   std::size_t turns() const { return turns_; }
   /// True once after each jump.
@@ -58,8 +60,9 @@ class Flow {
     Place back;   ///< the line after the call
     Place start;  ///< first line of the sub-program
     int repeats = 1;
-    bool is_numbered = false;               ///< by M98 or G65
-    std::unordered_map<int, int> counters;  ///< of repeat loops, by head
+    std::optional<std::vector<double>> arguments;  ///< of G65, given anew at each repeat
+    bool is_numbered = false;                      ///< by M98 or G65
+    std::unordered_map<int, int> counters;         ///< of repeat loops, by head
     std::optional<SavedModal> saved;
   };
 
@@ -90,6 +93,7 @@ class Flow {
   FaultSink& faults_;
   BlockReader& reader_;
   ReadLimits limits_;
+  Place taken_;
   Place here_;             ///< line = number of the line taken last
   std::size_t begin_ = 0;  ///< offset of the line taken last
   std::vector<Call> calls_;

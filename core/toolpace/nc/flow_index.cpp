@@ -183,9 +183,7 @@ void FlowIndex::match_line(int index, std::unordered_map<std::string, Label>& la
     case Control::do_:
     case Control::if_:
     case Control::repeat:
-    case Control::fanuc_while:
-      open(line);
-      break;
+    case Control::fanuc_while: open(line); break;
     case Control::while_:
       if (!stack.empty() && entry(stack.back()).control == Control::do_) {
         line.closes_do = true;

@@ -73,8 +73,10 @@ bool Interpreter::check_bounds() {
 
 void Interpreter::report_faults(std::string_view line) {
   bool error = false;
+  const Place& place = flow_.place_of_fault();
   for (auto& fault : faults_.list()) {
-    error = log_.add(std::move(fault), files_.at(flow_.file()).name, flow_.line_number(), line) || error;
+    if (fault.column == 0) fault.column = std::min(line.find_first_not_of(" \t\r"), line.size()) + 1;
+    error = log_.add(std::move(fault), files_.at(place.file).name, place.line, line) || error;
   }
   faults_.clear();
   if (!error || !out_.is_enabled()) return;

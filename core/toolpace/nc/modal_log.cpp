@@ -1,6 +1,7 @@
 #include "toolpace/nc/modal_log.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "toolpace/nc/words.h"
 
@@ -42,14 +43,22 @@ void ModalLog::record(std::size_t file, std::size_t line, const ModalSnapshot& s
     if (states_.size() >= kMostStates) return;
     states_.push_back(state);
   }
+  in_order_ = in_order_ && file == 0 && (changes_.empty() || changes_.back().line <= line);
   changes_.push_back({static_cast<std::uint32_t>(line), static_cast<std::uint16_t>(file),
                       static_cast<std::uint16_t>(index), snapshot.feed});
 }
 
 std::optional<ModalSnapshot> ModalLog::at(std::size_t line, std::size_t file) const {
   const Change* best = nullptr;
-  for (const auto& change : changes_) {
-    if (change.file == file && change.line <= line && (best == nullptr || change.line >= best->line)) best = &change;
+  if (in_order_ && file == 0) {
+    const auto after =
+        std::upper_bound(changes_.begin(), changes_.end(), line,
+                         [](std::size_t at_line, const Change& change) { return at_line < change.line; });
+    if (after != changes_.begin()) best = &*std::prev(after);
+  } else {
+    for (const auto& change : changes_) {
+      if (change.file == file && change.line <= line && (best == nullptr || change.line >= best->line)) best = &change;
+    }
   }
   if (best == nullptr) return std::nullopt;
   ModalSnapshot snapshot = states_[best->state];

@@ -44,6 +44,7 @@ class ModalLog {
     double feed;
   };
   std::vector<Change> changes_;
+  bool in_order_ = true;               ///< one file, lines never falling
   std::vector<ModalSnapshot> states_;  ///< distinct ones, feed left out
 };
 

@@ -195,8 +195,8 @@ bool run_motion(Context& context, const Block& block, Code code) {
   context.state.modal.motion = code;
   if (code != 50) context.state.spline.after_cubic = false;
   if (context.state.spline.collecting && code != 52 && code != 53) {
-    context.faults.warn("spline-not-closed", "another motion before G5.3 gives the spline up", "end the spline with G5.3",
-                        block.column_of(GGroup::motion));
+    context.faults.warn("spline-not-closed", "another motion before G5.3 gives the spline up",
+                        "end the spline with G5.3", block.column_of(GGroup::motion));
     context.state.spline.collecting = false;
   }
   switch (code) {

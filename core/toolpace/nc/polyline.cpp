@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "toolpace/nc/diagnostic_log.h"
 
@@ -72,6 +74,7 @@ bool PolylineReader::read_header(std::string_view line) {
                  : line.find('\t') != std::string_view::npos ? '\t'
                                                              : ',';
   std::array<bool, kAxisCount + 1> seen{};
+  std::vector<std::pair<std::size_t, std::string_view>> unknown;
   bool any_axis = false;
   const char* const begin = line.data();
   for (std::string_view rest = line;;) {
@@ -80,8 +83,7 @@ bool PolylineReader::read_header(std::string_view line) {
     const int column = column_of(title);
     const auto place = static_cast<std::size_t>(title.data() - begin) + 1;
     if (column == kUnknownColumn) {
-      fault(place, "column-unknown", fmt::format("column \"{}\" is not used", trim(title).substr(0, 40)),
-            "columns are x_mm y_mm z_mm a_deg b_deg c_deg feed_mm_min", Severity::warning);
+      unknown.push_back({place, title});
     } else if (std::exchange(seen[static_cast<std::size_t>(column)], true)) {
       fault(place, "column-twice", fmt::format("column \"{}\" stands twice", trim(title)), "remove one of them");
       return false;
@@ -92,7 +94,13 @@ bool PolylineReader::read_header(std::string_view line) {
     rest.remove_prefix(length + 1);
   }
   feed_column_ = seen[static_cast<std::size_t>(kFeedColumn)];
-  if (any_axis) return true;
+  if (any_axis) {
+    for (const auto& [place, title] : unknown) {
+      fault(place, "column-unknown", fmt::format("column \"{}\" is not used", trim(title).substr(0, 40)),
+            "columns are x_mm y_mm z_mm a_deg b_deg c_deg feed_mm_min", Severity::warning);
+    }
+    return true;
+  }
   fault(1, "header-missing", "the first line names no axis", "begin with a header such as x_mm,y_mm,z_mm,feed_mm_min");
   return false;
 }

@@ -92,11 +92,22 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
   return reading;
 }
 
+// Old Macintosh files end their lines with a return alone; columns stay what they are.
+bool has_bare_returns(std::string_view text) {
+  return text.substr(0, kBinaryCheck).find('\n') == std::string_view::npos &&
+         text.substr(0, kBinaryCheck).find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos;
+}
+
 }  // namespace
 
 Result<Reading> read_text(std::string_view text, const std::string& name, const ReadOptions& options,
                           const Monitor& monitor) {
   if (text.substr(0, kUtf8Mark.size()) == kUtf8Mark) text.remove_prefix(kUtf8Mark.size());
+  if (has_bare_returns(text)) {
+    std::string lines(text);
+    std::replace(lines.begin(), lines.end(), '\r', '\n');
+    return read_text(lines, name, options, monitor);
+  }
   if (std::memchr(text.data(), '\0', std::min(text.size(), kBinaryCheck)) != nullptr) {
     return tl::unexpected(input_error(name, "not-text", "this is no text file",
                                       "give an NC program or a CSV polyline, as UTF-8 or an 8-bit text"));

@@ -17,20 +17,20 @@ enum class Dialect : std::uint8_t { automatic, linuxcnc, fanuc, grbl };
 
 /// Bounds that keep any program, however odd, from running without end. Reaching one is an error that names it.
 struct ReadLimits {
-  std::size_t call_depth = 50;          ///< calls within each other
-  std::size_t loop_turns = 10'000'000;  ///< of all loops of a program together
-  std::size_t blocks = 20'000'000;      ///< motion blocks
-  std::size_t lines = 100'000'000;      ///< lines run, loops counted each time
+  std::size_t call_depth = 50;         ///< calls within each other
+  std::size_t loop_turns = 5'000'000;  ///< of all loops of a program together
+  std::size_t blocks = 20'000'000;     ///< motion blocks
+  std::size_t lines = 100'000'000;     ///< lines run, loops counted each time
 };
 
 struct ReadOptions {
   Dialect dialect = Dialect::automatic;
-  bool strict = false;                           ///< every warning is an error
-  bool block_delete = false;                     ///< skip lines that start with '/'
-  std::filesystem::path tools;                   ///< LinuxCNC tool table; empty = none
-  std::filesystem::path parameters;              ///< numbered parameters; empty = none
-  std::vector<std::filesystem::path> sub_paths;  ///< folders searched for sub-programs, besides the program's own
-  ReadLimits limits;
+  bool strict = false;                                ///< every warning is an error
+  bool block_delete = false;                          ///< skip lines that start with '/'
+  std::filesystem::path tools = {};                   ///< LinuxCNC tool table; empty = none
+  std::filesystem::path parameters = {};              ///< numbered parameters; empty = none
+  std::vector<std::filesystem::path> sub_paths = {};  ///< folders searched for sub-programs, besides the program's own
+  ReadLimits limits = {};
 };
 
 /// What was understood. `refused` = at least one error: `moves` then holds the motion up to the first one.

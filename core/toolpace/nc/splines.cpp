@@ -50,7 +50,8 @@ bool check_spline(Context& context, const Block& block) {
 }
 
 // The feedrate of a curve. In inverse-time mode the length of the control polygon stands for that of the curve.
-bool spline_feedrate(Context& context, const Block& block, const std::vector<Eigen::Vector3d>& polygon, Feedrate& feed) {
+bool spline_feedrate(Context& context, const Block& block, const std::vector<Eigen::Vector3d>& polygon,
+                     Feedrate& feed) {
   double length = 0.0;
   for (std::size_t i = 1; i < polygon.size(); ++i) length += (polygon[i] - polygon[i - 1]).norm();
   return find_feedrate(context, block, length, 0.0, feed);
@@ -123,7 +124,7 @@ bool collect_nurbs(Context& context, const Block& block) {
   const double weight = block.of('p', 0.0);
   if (!(weight > 0.0)) {
     return context.faults.fail("spline-weight", "a control point without a positive weight", "give its weight with P",
-block.column_of('p'));
+                               block.column_of('p'));
   }
   const bool opens = !spline.collecting;
   if (opens) {

@@ -141,7 +141,8 @@ bool read_thread(Context& context, const Block& block, Thread& thread) {
   thread.taper_length = block.has('e') ? length_of(state, block, 'e') : 0.0;
   if (!(thread.taper_length > 0.0)) thread.taper_entry = thread.taper_exit = false;
   if (thread.taper_entry || thread.taper_exit) {
-    thread.taper_feed.linear = thread.feed.linear * std::hypot(thread.taper_length, thread.full_depth) / thread.taper_length;
+    thread.taper_feed.linear =
+        thread.feed.linear * std::hypot(thread.taper_length, thread.full_depth) / thread.taper_length;
   }
   return true;
 }

@@ -1,0 +1,137 @@
+/// What is wrong is said where it is, quickly, and what can be read is read.
+
+#include <filesystem>
+#include <fstream>
+
+#include "reading_test_support.h"
+
+namespace toolpace::nc {
+namespace {
+
+TEST(BadInput, AMissingFileAndADirectoryAreFileTrouble) {
+  const auto missing = read_file("/nowhere/at/all.ngc");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().kind, ErrorKind::io);
+  EXPECT_EQ(missing.error().code, "file-missing");
+  const auto folder = read_file(std::filesystem::temp_directory_path());
+  ASSERT_FALSE(folder);
+  EXPECT_EQ(folder.error().code, "file-is-directory");
+}
+
+TEST(BadInput, EmptyAndBinaryTextsAreRefused) {
+  const auto empty = read_text(" \r\n\t\n", "a.ngc");
+  ASSERT_FALSE(empty);
+  EXPECT_EQ(empty.error().code, "empty-program");
+  const auto binary = read_text(std::string("G1\0X", 4), "a.ngc");
+  ASSERT_FALSE(binary);
+  EXPECT_EQ(binary.error().code, "not-text");
+}
+
+TEST(BadInput, EveryFaultOfAProgramIsToldWithLineAndColumn) {
+  const auto reading = read_program("G21 F100\nG1 X1\nG1 Xnan\n  G1 X[1/0]\nG99.9 X5\nG1 X1 X2\nG1 X7\nM2\n");
+  EXPECT_TRUE(reading.refused);
+  EXPECT_EQ(codes(reading),
+            (Codes{"function-unknown@3:5", "division-by-zero@4:10", "g-code-unknown@5:1", "word-twice@6:7"}));
+  EXPECT_EQ(reading.diagnostics[1].excerpt, "G1 X[1/0]");
+  EXPECT_EQ(ends(reading), (Values{1.0})) << "motion ends before the first error";
+}
+
+TEST(BadInput, NumbersThatNoDoubleHoldsAreRefused) {
+  EXPECT_EQ(codes(read_program("G1 X" + std::string(400, '9') + " F5\nM2\n")), (Codes{"number-too-large@1:5"}));
+  EXPECT_EQ(codes(read_program("G1 X[10**400] F5\nM2\n")).front().substr(0, 16), "number-too-large");
+  EXPECT_EQ(codes(read_program("G1 X1e400 F5\nM2\n")), (Codes{"word-unused@1:6"}));
+}
+
+TEST(BadInput, ALineOfTenMegabytesIsOneError) {
+  const auto reading = read_program("G1 F5 X" + std::string(10'000'000, '1') + "\nG0 X1\nM2\n");
+  EXPECT_EQ(codes(reading), (Codes{"line-too-long@1:1"}));
+  EXPECT_LE(reading.diagnostics[0].excerpt.size(), 80u);
+}
+
+TEST(BadInput, AFeedMoveWithoutFeedNamesTheRemedy) {
+  const auto reading = read_program("G21\nG1 X5\nM2\n");
+  EXPECT_EQ(codes(reading), (Codes{"no-feed@2:1"}));
+  EXPECT_FALSE(reading.diagnostics[0].remedy.empty());
+}
+
+TEST(BadInput, ARadiusTooSmallTellsTheLeastOne) {
+  const auto reading = read_program("G21 F100\nG2 X20 R9.9\nM2\n");
+  EXPECT_EQ(codes(reading), (Codes{"arc-radius-too-small@2:8"}));
+  EXPECT_EQ(reading.diagnostics[0].remedy, "the radius must be at least 10.0000 mm");
+}
+
+TEST(BadInput, ErrorsWithoutEndAreCountedNotListed) {
+  std::string text = "G21\n";
+  for (int i = 0; i < 5000; ++i) text += "G1 X5\n";
+  const auto reading = read_program(text + "M2\n");
+  EXPECT_TRUE(reading.refused);
+  EXPECT_LT(reading.diagnostics.size(), 150u);
+  EXPECT_EQ(reading.diagnostics.back().severity, Severity::note);
+}
+
+TEST(BadInput, StrictReadingMakesWarningsErrors) {
+  const std::string text = "G21 F100\nM150\nG1 X1\nM2\n";
+  EXPECT_FALSE(read_program(text).refused);
+  EXPECT_TRUE(read_program(text, {.strict = true}).refused);
+}
+
+TEST(BadInput, EndlessProgramsMeetABound) {
+  const ReadLimits small{.call_depth = 5, .loop_turns = 100, .blocks = 50, .lines = 1000};
+  const auto code = [&](const std::string& text) {
+    return read_program(text, {.limits = small}).diagnostics.at(0).code;
+  };
+  EXPECT_EQ(code("o1 while [1]\no1 endwhile\nM2\n"), "too-many-turns");
+  EXPECT_EQ(code("o1 while [1]\nG91 G0 X1\no1 endwhile\nM2\n"), "too-many-blocks");
+  EXPECT_EQ(code("o1 sub\no1 call\no1 endsub\no1 call\nM2\n"), "calls-too-deep");
+  EXPECT_EQ(code("G0 Z5\nG81 X1 Z-1 R1 F5 L100000\nM2\n"), "too-many-blocks");
+  std::string long_loop = "o1 while [1]\n";
+  for (int i = 0; i < 500; ++i) long_loop += "#1=2\n";
+  EXPECT_EQ(code(long_loop + "o1 endwhile\nM2\n"), "too-many-lines");
+  EXPECT_EQ(
+      read_program("%\nN1 #1=2\nGOTO 1\nM30\n%\n", {.dialect = Dialect::fanuc, .limits = small}).diagnostics.at(0).code,
+      "too-many-turns");
+}
+
+TEST(BadInput, SubProgramsAreReadFromTheGivenFoldersOnly) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / "toolpace_sub_test";
+  fs::remove_all(folder);
+  fs::create_directories(folder / "program");
+  fs::create_directories(folder / "library");
+  const std::string inner = "o<inner> sub\nG0 X#1\no<inner> endsub\nM2\n";
+  std::ofstream(folder / "secret.ngc") << "o<secret> sub\nG0 X99\no<secret> endsub\nM2\n";
+  std::ofstream(folder / "library" / "inner.ngc") << inner;
+  fs::create_symlink(folder / "secret.ngc", folder / "program" / "linked.ngc");
+  const auto program = [&](const std::string& name) {
+    std::ofstream(folder / "program" / "main.ngc") << "o<" + name + "> call [5]\nM2\n";
+    return folder / "program" / "main.ngc";
+  };
+
+  const auto without = read_file(program("inner"));
+  ASSERT_TRUE(without);
+  EXPECT_EQ(without->diagnostics.at(0).code, "sub-program-unknown");
+  const auto with = read_file(program("inner"), {.sub_paths = {folder / "library"}});
+  ASSERT_TRUE(with);
+  EXPECT_EQ(ends(*with), (Values{5.0}));
+  EXPECT_EQ(with->moves.files.size(), 2u);
+  EXPECT_EQ(with->moves.file[0], 1u);
+  for (const char* name : {"../secret", "linked", "/etc/passwd", "..", "secret"}) {
+    const auto reading = read_file(program(name));
+    ASSERT_TRUE(reading);
+    EXPECT_EQ(reading->diagnostics.at(0).code, "sub-program-unknown") << name;
+  }
+  fs::remove_all(folder);
+}
+
+TEST(BadInput, CancellingEndsReading) {
+  std::stop_source stop;
+  stop.request_stop();
+  std::string text;
+  for (int i = 0; i < 40000; ++i) text += "G0 X1\n";
+  const auto reading = read_text(text + "M2\n", "a.ngc", {}, {.stop = stop.get_token()});
+  ASSERT_FALSE(reading);
+  EXPECT_EQ(reading.error().kind, ErrorKind::cancelled);
+}
+
+}  // namespace
+}  // namespace toolpace::nc

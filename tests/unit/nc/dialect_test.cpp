@@ -1,0 +1,110 @@
+#include "toolpace/nc/dialects.h"
+
+#include "reading_test_support.h"
+
+namespace toolpace::nc {
+namespace {
+
+TEST(Dialects, AreRecognisedByWhatOnlyTheyHave) {
+  EXPECT_EQ(detect_dialect("G21\nG1 X1 F5\nM2\n"), Dialect::linuxcnc);
+  EXPECT_EQ(detect_dialect("%\nO1234 (BRACKET)\nG90 G54\nM30\n%\n"), Dialect::fanuc);
+  EXPECT_EQ(detect_dialect("G90\nIF [#1 GT 2] GOTO 10\nM30\n"), Dialect::fanuc);
+  EXPECT_EQ(detect_dialect("G90\nG65 P9010 A1\nM30\n"), Dialect::fanuc);
+  EXPECT_EQ(detect_dialect("O100 SUB\nG1 X1\nO100 ENDSUB\n"), Dialect::linuxcnc);
+  EXPECT_EQ(detect_dialect("o<x> call [1]\n"), Dialect::linuxcnc);
+  EXPECT_EQ(detect_dialect("$X\nG21\n"), Dialect::grbl);
+  EXPECT_EQ(detect_dialect("M117 hi\nG1 X1 F5\n"), Dialect::grbl);
+  EXPECT_EQ(detect_dialect("(IF [GOTO] G65P)\nG1 X1\n"), Dialect::linuxcnc) << "comments do not count";
+}
+
+TEST(Fanuc, LoopsJumpsAndBranchesRun) {
+  const auto reading = read_as(Dialect::fanuc,
+                               "%\nO0001 (LOOP)\nG21 G90 F100\n#1=0\nWHILE [#1 LT 3] DO1\n#1=#1+1\nG1 X#1\nEND1\n"
+                               "IF [#1 EQ 3] GOTO 50\nG1 X99\nN50 IF [#1 EQ 3] THEN #2=7\nG1 X#2\nM30\n%\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{1, 2, 3, 7}));
+}
+
+TEST(Fanuc, MacroCallsHaveTheirOwnLocals) {
+  const auto reading = read_as(Dialect::fanuc,
+                               "O1\nG21 G90 F100\n#1=5\nG65 P9010 A1. B2. I30 J40 I50 L2\nG1 X#1\nM30\n"
+                               "O9010\nG1 X#1 Y#2\nG1 X#4 Y#5\nG1 X#7\n#1=77\nM99\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{1, 30, 50, 1, 30, 50, 5}));
+}
+
+TEST(Fanuc, VacantVariablesLeaveWordsOut) {
+  const auto reading =
+      read_as(Dialect::fanuc, "O1\nG21 G90 F100\nG1 X1 Y2\nG1 X3 Y#20\nIF [#20 EQ #0] GOTO 9\nG1 X99\nN9 G1 X4\nM30\n");
+  EXPECT_EQ(ends(reading, 0), (Values{1, 3, 4}));
+  EXPECT_EQ(ends(reading, 1), (Values{2, 2, 2}));
+}
+
+TEST(Fanuc, SubProgramsRepeatByEitherForm) {
+  const std::string sub = "M30\nO1000\nG91 G1 X1\nG90\nM99\n";
+  EXPECT_EQ(ends(read_as(Dialect::fanuc, "O1\nG21 F100\nM98 P1000 L2\n" + sub)), (Values{1, 2}));
+  EXPECT_EQ(ends(read_as(Dialect::fanuc, "O1\nG21 F100\nM98 P00031000\n" + sub)), (Values{1, 2, 3}));
+}
+
+TEST(Fanuc, DwellsAreInMilliseconds) {
+  const auto reading = read_as(Dialect::fanuc, "O1\nG4 P500\nG4 X2.5\nM30\n");
+  EXPECT_EQ(reading.moves.dwells, (Values{0.5, 2.5}));
+}
+
+TEST(Fanuc, TheTurnedPlaneTurnsAboutItsCentre) {
+  // (20, 0) turned by 90° about (10, 0) is (10, 10).
+  const auto reading = read_as(Dialect::fanuc, "O1\nG21 G90 F100\nG68 X10 Y0 R90\nG1 X20 Y0\nG69\nG1 X0 Y0\nM30\n");
+  EXPECT_EQ(ends(reading, 0), (Values{10, 0}));
+  EXPECT_EQ(ends(reading, 1), (Values{10, 0}));
+}
+
+TEST(Fanuc, AnAlarmStopsWithItsText) {
+  const auto reading = read_as(Dialect::fanuc, "O1\n#3000=12 (TOOL MISSING)\nM30\n");
+  ASSERT_EQ(reading.diagnostics.size(), 1u);
+  EXPECT_EQ(reading.diagnostics[0].code, "program-alarm");
+  EXPECT_NE(reading.diagnostics[0].message.find("TOOL MISSING"), std::string::npos);
+}
+
+TEST(Fanuc, AMainProgramThatRepeatsForEverIsReadOnce) {
+  const auto reading = read_as(Dialect::fanuc, "O1\nG21 F100\nG1 X1\nM99\n");
+  EXPECT_FALSE(reading.refused);
+  EXPECT_EQ(codes(reading), (Codes{"program-repeats@4:1"}));
+}
+
+TEST(Grbl, SettingsAndPrinterLinesMoveNothing) {
+  const auto reading =
+      read_as(Dialect::grbl, "$H\n$100=250\nM117 Hello (world\nG21 G90\nX5\nG1 X10 F600 *71\nM106 S255\nG0 Y2\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{5, 10, 10}));
+}
+
+TEST(Grbl, AWordThatTheDialectLacksIsNamed) {
+  const auto reading = read_as(Dialect::grbl, "G21\nG83 X1 Z-1 R1 Q1 F100\n");
+  ASSERT_FALSE(reading.diagnostics.empty());
+  EXPECT_EQ(reading.diagnostics[0].code, "code-not-in-dialect");
+  EXPECT_NE(reading.diagnostics[0].message.find("G83"), std::string::npos);
+}
+
+TEST(Encodings, CommentsOfAnyEncodingPass) {
+  const std::string gbk = "(\xD6\xD0\xCE\xC4)",
+                    latin =
+                        "(M\xFC"
+                        "ller)",
+                    utf8 = "(Деталь 零件)";
+  for (const auto& comment : {gbk, latin, utf8}) {
+    const auto reading =
+        read_program("\xEF\xBB\xBFG21 " + comment + "\nG1 X1 F100 " + comment + " ;" + comment + "\nM2\n");
+    EXPECT_TRUE(reading.diagnostics.empty());
+    EXPECT_EQ(ends(reading), (Values{1}));
+  }
+}
+
+TEST(Encodings, AllLineEndsCount) {
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    const std::string e = end;
+    EXPECT_EQ(ends(read_program("G21 F100" + e + "G1 X1" + e + "X2" + e + "M2" + e)), (Values{1, 2}));
+  }
+}
+
+}  // namespace
+}  // namespace toolpace::nc
