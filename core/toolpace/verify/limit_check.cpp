@@ -9,12 +9,20 @@
 namespace toolpace {
 namespace {
 
-constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kWayUlps = 16;       // of the path length that a position was computed from
+constexpr double kGeometryUlps = 64;  // of centres, radii and coordinates
+constexpr double kPhaseGap = 4e-13;   // of the extent: phases of a plan meet as exactly as their lengths were solved
+constexpr double kUnknownRadii = 8;   // without a program arcs may have radii so many times the largest coordinate
 
 }  // namespace
 
-LimitCheck::LimitCheck(const Machine& machine, double period, bool corners_known)
-    : machine_(machine), period_(period), corners_known_(corners_known), path_speed_(machine.path.speed) {
+LimitCheck::LimitCheck(const Machine& machine, double period, std::optional<double> extent)
+    : machine_(machine),
+      period_(period),
+      corners_known_(extent.has_value()),
+      extent_(extent.value_or(0.0)),
+      path_speed_(machine.path.speed) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const AxisLimits& limits = machine.axes[axis];
     axes_[axis].speed = Worst(limits.speed);
@@ -25,7 +33,10 @@ LimitCheck::LimitCheck(const Machine& machine, double period, bool corners_known
   }
 }
 
-double LimitCheck::noise(const AxisState& state) const { return kRounding * (state.largest + way_); }
+double LimitCheck::noise(const AxisState& state) const {
+  const double extent = corners_known_ ? std::max(extent_, state.largest) : kUnknownRadii * state.largest;
+  return kEpsilon * kWayUlps * way_ + (kEpsilon * kGeometryUlps + kPhaseGap) * extent;
+}
 
 void LimitCheck::take(const RowStream& stream, const CornerLog& log) {
   take_path_speed(stream);
@@ -51,7 +62,8 @@ void LimitCheck::take_path_speed(const RowStream& stream) {
     const double length = std::sqrt(square);
     way_ += length;
     const double speed = length / period_;
-    if (path_speed_.would_take(speed, 0.0)) path_speed_.take(speed, 2 * kRounding * way_ / period_, stream, i);
+    if (path_speed_.would_take(speed, 0.0))
+      path_speed_.take(speed, 2 * kEpsilon * kGeometryUlps * way_ / period_, stream, i);
   }
 }
 

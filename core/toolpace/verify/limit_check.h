@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "toolpace/limits/machine.h"
 #include "toolpace/verify/corner_log.h"
@@ -14,13 +15,14 @@ namespace toolpace {
 
 /// Differences of a motion whose derivative keeps a limit keep it too: they are its weighted means. So a difference
 /// beyond limit + bound proves a broken limit, where
-///   bound = 2ⁿ·u/Tsⁿ for the n-th difference, u = 16·2⁻⁵²·(largest |position| + way so far),
+///   bound = 2ⁿ·u/Tsⁿ for the n-th difference, u = 2⁻⁵²·16·(way so far) + (2⁻⁵²·64 + 4e-13)·(extent of the geometry),
 /// u covers the rounding of a position and of the path length it was computed from.
 class LimitCheck {
  public:
   /// @param period  [s]
-  /// @param corners_known  whether the log tells the corners; else they are looked for in the positions
-  LimitCheck(const Machine& machine, double period, bool corners_known);
+  /// @param extent  [mm] largest coordinate and centre + radius of the program, whose corners the log tells; none = there
+  ///                is no program, and corners are looked for in the positions
+  LimitCheck(const Machine& machine, double period, std::optional<double> extent);
 
   /// Judges the rows of the window. @param log  corners of these rows
   void take(const RowStream& stream, const CornerLog& log);
@@ -49,6 +51,7 @@ class LimitCheck {
   Machine machine_;
   double period_;
   bool corners_known_;
+  double extent_;
   double way_ = 0.0;  ///< [mm] so far
   std::array<AxisState, kAxisCount> axes_;
   Worst path_speed_;

@@ -55,6 +55,15 @@ PathCheck::PathCheck(const Path& path, const Moves& moves, std::optional<double>
   line_.kind = CheckKind::line_column;
 }
 
+double PathCheck::extent() const {
+  double extent = 0;
+  for (const ArcCurve& arc : path_.arcs) {
+    extent = std::max(extent, arc.centre.cwiseAbs().maxCoeff() + std::max(arc.start_radius, arc.end_radius));
+  }
+  for (const AxisVector& node : path_.node) extent = std::max(extent, weighted(node).cwiseAbs().maxCoeff());
+  return extent;
+}
+
 bool PathCheck::take(const RowStream& stream) {
   rotary_ |= has_rotary(stream);
   corners_.forget_before(stream.row(stream.begin()) - static_cast<std::int64_t>(kReach));
@@ -69,19 +78,28 @@ bool PathCheck::take(const RowStream& stream) {
 }
 
 /// The path may bulge from the chord between two setpoints by what acceleration does within a period: a vertex passed
-/// in between is at most half a second difference away.
+/// in between is at most a second difference away.
 double PathCheck::slack(const RowStream& stream, std::size_t local) const {
-  double square[2] = {0, 0};
+  double square[2] = {0, 0}, chord = 0;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const auto& p = stream.rows().position[axis];
     if (p.empty()) continue;
     const double unit = is_rotary(axis) ? 1 / kRadiansPerDegree : 1.0;
     const double before = (p[local] - 2 * p[local - 1] + p[local - 2]) * unit;
     const double after = (p[local + 1] - 2 * p[local] + p[local - 1]) * unit;
+    chord += (p[local] - p[local - 1]) * unit * (p[local] - p[local - 1]) * unit;
     square[0] += before * before;
     square[1] += after * after;
   }
-  return std::sqrt(std::max(square[0], square[1])) / 2;
+  const auto& rows = stream.rows();
+  double ellipse = 0;
+  if (!rows.speed.empty()) {
+    // At most: the corrected trapezoidal rule, and what a change of jerk in between may add.
+    const double change = std::abs(rows.acceleration[local] - rows.acceleration[local - 1]);
+    const double way = period_ / 2 * (rows.speed[local - 1] + rows.speed[local]) + period_ * period_ / 6 * change;
+    ellipse = std::max(0.0, way * way - chord);
+  }
+  return std::max(std::sqrt(std::max(square[0], square[1])), std::sqrt(ellipse) / 2);
 }
 
 bool PathCheck::take_row(const RowStream& stream, std::size_t local) {

@@ -33,10 +33,16 @@ class PathCheck {
   /// Goes through the rows up to two beyond the window's end. @return false once the setpoints have left the path
   bool take(const RowStream& stream);
   const CornerLog& corners() const { return corners_; }
+  /// Largest coordinate, or centre + radius, of the path [mm].
+  double extent() const;
 
   /// After the last row. Also false if the path has not been followed to its end.
   bool has_followed();
   void report(VerifyReport& report, bool followed) const;
+  /// Where the setpoints left the path.
+  const Check& left() const { return left_; }
+  /// Shows the place where a narrower search had lost the path.
+  void set_left(const Check& left) { left_ = left; }
 
  private:
   /// Whether a node may have been passed in the row interval before or after the one that the matches say.

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kTimeUlps = 4;     // t = k·Ts, from a period and a product that are rounded once each
+constexpr double kStraight = 1e-6;  // [rad] below it three chords lie on one line
 constexpr double kKernel = 0.0321;  // ∫|½u(u−1) + 1/12| du over [0, 1]
 
 struct Chord {
@@ -113,7 +114,7 @@ void ProfileCheck::take_interval(const RowStream& stream, std::size_t i) {
   if (chord_off < 0 || speed_.would_take(speed_off, 0.0) || acceleration_.would_take(acceleration_off, 0.0)) {
     const Turning turning = turning_at(stream, i, period_);
     const double slow = std::max(std::min(std::abs(v0), std::abs(v1)), std::numeric_limits<double>::min());
-    if (chord_off < 0) chord_off = std::min(0.0, chord_off + way * turning.angle * turning.angle / 8);
+    if (chord_off < 0 && turning.angle > kStraight) chord_off = 0;
     chord_off = shrink(chord_off, period_ * period_ * turning.acceleration * turning.angle / 2);
     speed_off = shrink(speed_off, period_ * turning.acceleration * turning.angle);
     acceleration_off = shrink(

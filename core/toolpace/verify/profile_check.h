@@ -10,7 +10,8 @@ namespace toolpace {
 
 /// Between two rows the way is  S = Ts/2·(v0+v1) + Ts²/12·(a0−a1), exact where the jerk is constant, and off by at most
 /// Ts²/12·|Δa| + 0.0321·J·Ts³ where it changes in between (Peano kernel of the corrected trapezoidal rule). The chord
-/// is S on straight stretches and shorter by at most S·θ²/8 where the direction turns by θ. In the same way
+/// is S on straight stretches and shorter where the way turns, by an amount that the chords do not tell if it turns more than
+/// once within a period: there it only must not be longer. In the same way
 /// Ts/2·(a0+a1) gives the step of speed and Ts/2·(j0+j1) that of acceleration. Where the direction turns by θ,
 /// the part of the acceleration vector A along the path changes by up to |A|·θ beside: that much is taken off (on smoothed
 /// corners; on a circle of 25 mm at 100 mm/s it is 0.4 %). The largest disagreement is judged against these bounds.

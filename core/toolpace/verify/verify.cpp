@@ -60,7 +60,7 @@ Result<Pass> run_pass(SetpointFile& file, const Machine& machine, double period,
                       const Monitor& monitor) {
   file.rewind();
   RowStream stream(file);
-  LimitCheck limits(machine, period, path != nullptr);
+  LimitCheck limits(machine, period, path != nullptr ? std::optional<double>(path->extent()) : std::nullopt);
   ProfileCheck profile(machine, period);
   const CornerLog none;
   Pass pass;
@@ -95,11 +95,16 @@ std::vector<double> reaches(const std::optional<double>& tolerance) {
 Result<VerifyReport> verify_on_path(SetpointFile& file, const Machine& machine, double period,
                                     const ProgrammedPath& program, const Monitor& monitor) {
   const auto all = reaches(program.tolerance);
+  std::optional<Check> lost;
   for (const double reach : all) {
     PathCheck path(program.path, program.moves, program.tolerance, reach, period);
     auto pass = run_pass(file, machine, period, &path, monitor);
     if (!pass) return tl::unexpected(pass.error());
-    if (!pass->followed && reach < all.back()) continue;
+    if (!pass->followed && reach < all.back()) {
+      lost = path.left();
+      continue;
+    }
+    if (pass->followed && lost) path.set_left(*lost);
     if (!pass->followed) {  // the limits are judged all the same
       auto limits = run_pass(file, machine, period, nullptr, monitor);
       if (!limits) return tl::unexpected(limits.error());
