@@ -96,6 +96,7 @@ std::vector<const QAction*> Actions::withShortcuts() const {
 
 void Actions::retranslate() {
   open->setText(tr("&Open…"));
+  open->setIconText(tr("Open"));
   reload->setText(tr("&Reload"));
   open_example->setText(tr("Open the e&xample"));
   close_window->setText(tr("&Quit"));

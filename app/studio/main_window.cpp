@@ -64,15 +64,25 @@ MainWindow::MainWindow(bool remember)
   if (!preferences_.geometry.isEmpty()) restoreGeometry(preferences_.geometry);
   if (!preferences_.layout.isEmpty()) restoreState(preferences_.layout);
   showProblems();
+  nc_->view().setFocus();
 }
 
-MainWindow::~MainWindow() { qApp->removeEventFilter(this); }
+MainWindow::~MainWindow() {
+  qApp->removeEventFilter(this);
+  // Taking a translator away retranslates everything, so it has to happen while everything is still there.
+  QCoreApplication::removeTranslator(&translator_);
+  QCoreApplication::removeTranslator(&qt_translator_);
+}
 
 void MainWindow::connectWorkspace() {
   using ui::Workspace;
   connect(&workspace_, &Workspace::documentChanged, this, &MainWindow::showDocument);
   connect(&workspace_, &Workspace::planChanged, this, &MainWindow::showPlan);
   connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPinned);
+  connect(&workspace_, &Workspace::proofChanged, this, [this] {
+    contour_->setScene(workspace_.plan().proof->scene);
+    results_->setPlans(workspace_.plan(), workspace_.pinned());
+  });
   connect(&workspace_, &Workspace::problemsChanged, this, &MainWindow::showProblems);
   connect(&workspace_, &Workspace::cursorChanged, this, &MainWindow::showCursor);
   connect(&workspace_, &Workspace::openFailed, this, &MainWindow::showFailure);
@@ -86,7 +96,11 @@ void MainWindow::connectWorkspace() {
 }
 
 void MainWindow::connectPanels() {
-  const auto go_to_line = [this](int line) { workspace_.setCursorLine(static_cast<std::uint32_t>(line)); };
+  const auto go_to_line = [this](int line) {
+    following_ = false;  // the line that was chosen stays chosen, even where it does not move
+    workspace_.setCursorLine(static_cast<std::uint32_t>(line));
+    following_ = true;
+  };
   connect(&nc_->view(), &ui::NcView::lineActivated, this, go_to_line);
   connect(&nc_->view(), &ui::NcView::lineEdited, &workspace_, &ui::Workspace::editLine);
   const auto show_line = [this, go_to_line](int line) {
@@ -213,7 +227,7 @@ void MainWindow::showPlan() {
   nc_->view().setTimeline(plan.timeline);
   contour_->setScene(plan.scene);
   profile_->setSeries(plan.series);
-  results_->setPlans(plan.timeline, workspace_.pinned().timeline);
+  results_->setPlans(plan, workspace_.pinned());
   what_if_->setTimeline(plan.timeline);
   loss_->setTimeline(plan.timeline);
   sweep_->setTimeline(plan.timeline);
@@ -232,7 +246,7 @@ void MainWindow::showPinned() {
   const ui::Planned& pinned = workspace_.pinned();
   contour_->setGhost(pinned.scene);
   profile_->setGhost(pinned.series);
-  results_->setPlans(workspace_.timeline(), pinned.timeline);
+  results_->setPlans(workspace_.plan(), pinned);
   actions_->unpin->setEnabled(static_cast<bool>(pinned));
   actions_->swap->setEnabled(static_cast<bool>(pinned));
 }
@@ -259,7 +273,7 @@ void MainWindow::showCursor(double time) {
   profile_->setCursorTime(time);
   if (instant.line > 0) {
     contour_->setHighlightedLine(instant.line);
-    if (!nc_->view().hasFocus()) nc_->view().setCurrentLine(static_cast<int>(instant.line));
+    if (following_) nc_->view().setCurrentLine(static_cast<int>(instant.line));
   }
 }
 

@@ -27,6 +27,8 @@ void settle(MainWindow& window) {
 
 bool take_screenshot(MainWindow& window, const QString& file) {
   settle(window);
+  while (window.workspace().isProving()) QApplication::processEvents(QEventLoop::WaitForMoreEvents, kPaintMs);
+  QApplication::processEvents();
   if (window.grab().save(file)) return true;
   std::fprintf(stderr, "toolpace-studio: error: %s: cannot be written\n", qPrintable(file));
   return false;

@@ -33,7 +33,8 @@ void PlannerService::start(std::shared_ptr<const Job> job, quint64 generation) {
       return [this, error = outcome.error(), generation] { emit failed(error, generation); };
     }
     const auto shared = std::make_shared<const Outcome>(std::move(*outcome));
-    Planned plan{std::make_shared<const Timeline>(shared), make_contour_scene(shared), make_profile_series(shared)};
+    Planned plan{std::make_shared<const Timeline>(shared), make_contour_scene(shared), make_profile_series(shared),
+                 nullptr};
     return [this, plan = std::move(plan), generation] { emit planned(plan, generation); };
   });
 }

@@ -19,6 +19,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
   connect(&planner_, &PlannerService::planned, this, &Workspace::takePlan);
   connect(&planner_, &PlannerService::failed, this, &Workspace::takeFailure);
   connect(&planner_, &PlannerService::progressed, this, &Workspace::progressed);
+  connect(&proof_service_, &ProofService::proven, this, &Workspace::takeProof);
   connect(&watcher_, &FileWatcher::changed, this, &Workspace::reload);
   connect(&playback_, &Playback::advanced, this, &Workspace::setCursorTime);
   const auto busy = [this] { emit busyChanged(isBusy()); };
@@ -99,6 +100,17 @@ void Workspace::takePlan(const Planned& plan, quint64 generation) {
   collectProblems(plan_.timeline->outcome()->warnings);
   emit planChanged();
   setCursorTime(cursor_);
+  proof_service_.request(stale_ ? nullptr : plan_.timeline->outcome());
+}
+
+void Workspace::takeProof(std::shared_ptr<const Proof> proof) {
+  if (!plan_ || proof->outcome != plan_.timeline->outcome()) return;
+  plan_.proof = std::move(proof);
+  Diagnostics problems = plan_.timeline->outcome()->warnings;
+  const Diagnostics broken = problems_of(plan_.proof->report);
+  problems.insert(problems.end(), broken.begin(), broken.end());
+  collectProblems(problems);
+  emit proofChanged();
 }
 
 void Workspace::takeFailure(const Error& error, quint64 generation) {

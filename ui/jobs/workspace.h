@@ -7,6 +7,7 @@
 #include "jobs/file_watcher.h"
 #include "jobs/planner_service.h"
 #include "jobs/playback.h"
+#include "jobs/proof_service.h"
 #include "jobs/reader_service.h"
 #include "models/tuning_model.h"
 
@@ -29,6 +30,7 @@ class Workspace : public QObject {
   double cursorTime() const { return cursor_; }
   bool isStale() const { return stale_; }  ///< the plan shown is not yet the one of the present parameters
   bool isBusy() const { return reader_.isBusy() || planner_.isBusy(); }
+  bool isProving() const { return proof_service_.isRunning(); }
   /// The job as it stands; null without a program.
   std::shared_ptr<const Job> job() const;
 
@@ -51,6 +53,7 @@ class Workspace : public QObject {
   void documentChanged();
   void planChanged();
   void pinnedChanged();
+  void proofChanged();
   void problemsChanged();
   void cursorChanged(double time);
   void staleChanged(bool stale);
@@ -63,12 +66,14 @@ class Workspace : public QObject {
   void takeDocument(std::shared_ptr<const Document> document);
   void takePlan(const Planned& plan, quint64 generation);
   void takeFailure(const Error& error, quint64 generation);
+  void takeProof(std::shared_ptr<const Proof> proof);
   void collectProblems(const Diagnostics& of_plan);
   void setStale(bool stale);
 
   TuningModel tuning_;
   ReaderService reader_;
   PlannerService planner_;
+  ProofService proof_service_;
   FileWatcher watcher_;
   Playback playback_;
   std::shared_ptr<const Document> document_;

@@ -7,8 +7,6 @@
 namespace toolpace::ui {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ParameterNames", text); }
-
 struct Name {
   const char* key;
   const char* title;
@@ -30,13 +28,15 @@ constexpr std::array kPathNames = {
 
 QString parameter_name(const std::string& key) {
   for (const Name& name : kPathNames) {
-    if (key == name.key) return tr(name.title);
+    if (key == name.key) return QCoreApplication::translate("ParameterNames", name.title);
   }
   const QStringList parts = QString::fromStdString(key).split('.');
   if (parts.size() != 3 || parts[0] != "axes") return QString::fromStdString(key);
-  if (parts[2].startsWith("max_speed")) return tr("Speed of %1").arg(parts[1]);
-  if (parts[2].startsWith("max_acceleration")) return tr("Acceleration of %1").arg(parts[1]);
-  if (parts[2].startsWith("max_jerk")) return tr("Jerk of %1").arg(parts[1]);
+  if (parts[2].startsWith("max_speed"))
+    return QCoreApplication::translate("ParameterNames", "Speed of %1").arg(parts[1]);
+  if (parts[2].startsWith("max_acceleration"))
+    return QCoreApplication::translate("ParameterNames", "Acceleration of %1").arg(parts[1]);
+  if (parts[2].startsWith("max_jerk")) return QCoreApplication::translate("ParameterNames", "Jerk of %1").arg(parts[1]);
   return QString::fromStdString(key);
 }
 

@@ -1,34 +1,52 @@
 #include "models/result_model.h"
 
 #include <QFont>
+#include <algorithm>
 #include <cmath>
 
 namespace toolpace::ui {
+namespace {
+
+const Summary& summary(const Planned& plan) { return plan.timeline->outcome()->summary; }
+
+double violations(const Planned& plan) {
+  if (!plan.proof) return 0;
+  const auto& checks = plan.proof->report.checks;
+  return static_cast<double>(std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.broken; }));
+}
+
+}  // namespace
 
 ResultModel::ResultModel(QObject* parent) : QAbstractTableModel(parent) { retranslate(); }
 
 void ResultModel::retranslate() {
   beginResetModel();
-  using S = const Summary&;
+  using P = const Planned&;
+  const auto proven = [](P p, double value) { return p.proof ? value : std::nan(""); };
   rows_ = {
-      {tr("Cycle time"), Quantity::time, true, false, [](S s) { return s.cycle_time; }},
-      {tr("· cutting"), Quantity::time, true, false, [](S s) { return s.feed_time; }},
-      {tr("· rapid"), Quantity::time, true, false, [](S s) { return s.rapid_time; }},
-      {tr("· dwell"), Quantity::time, true, false, [](S s) { return s.dwell_time; }},
-      {tr("Top speed"), Quantity::speed, false, false, [](S s) { return s.max_speed; }},
+      {tr("Cycle time"), Quantity::time, true, false, [](P p) { return summary(p).cycle_time; }},
+      {tr("· cutting"), Quantity::time, true, false, [](P p) { return summary(p).feed_time; }},
+      {tr("· rapid"), Quantity::time, true, false, [](P p) { return summary(p).rapid_time; }},
+      {tr("· dwell"), Quantity::time, true, false, [](P p) { return summary(p).dwell_time; }},
+      {tr("Top speed"), Quantity::speed, false, false, [](P p) { return summary(p).max_speed; }},
+      {tr("Peak acceleration"), Quantity::acceleration, false, false, [](P p) { return summary(p).max_acceleration; }},
+      {tr("Peak jerk"), Quantity::jerk, false, false, [](P p) { return summary(p).max_jerk; }},
+      {tr("Violations"), Quantity::length, true, true, [proven](P p) { return proven(p, violations(p)); }},
+      {tr("Contour error"), Quantity::length, true, false,
+       [proven](P p) { return proven(p, p.proof ? p.proof->servo.max_contour_error : 0); }},
+      {tr("Chord error"), Quantity::length, true, false,
+       [proven](P p) { return proven(p, p.proof ? p.proof->report.chord_error.value_or(std::nan("")) : 0); }},
       {tr("Mean speed"), Quantity::speed, false, false,
-       [](S s) { return s.cycle_time > 0 ? s.path_length / s.cycle_time : 0.0; }},
-      {tr("Peak acceleration"), Quantity::acceleration, false, false, [](S s) { return s.max_acceleration; }},
-      {tr("Peak jerk"), Quantity::jerk, false, false, [](S s) { return s.max_jerk; }},
-      {tr("Path length"), Quantity::length, false, false, [](S s) { return s.path_length; }},
-      {tr("Blocks"), Quantity::length, false, true, [](S s) { return static_cast<double>(s.blocks); }},
+       [](P p) { return summary(p).cycle_time > 0 ? summary(p).path_length / summary(p).cycle_time : 0.0; }},
+      {tr("Path length"), Quantity::length, false, false, [](P p) { return summary(p).path_length; }},
+      {tr("Blocks"), Quantity::length, false, true, [](P p) { return static_cast<double>(summary(p).blocks); }},
   };
   endResetModel();
 }
 
-void ResultModel::setPlans(std::shared_ptr<const Timeline> a, std::shared_ptr<const Timeline> b) {
-  a_ = std::move(a);
-  b_ = std::move(b);
+void ResultModel::setPlans(const Planned& a, const Planned& b) {
+  a_ = a;
+  b_ = b;
   if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
 
@@ -76,13 +94,17 @@ QString ResultModel::difference(const Row& row, double a, double b) const {
 QVariant ResultModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Row& row = rows_[static_cast<std::size_t>(index.row())];
-  if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-  const auto value = [&row](const std::shared_ptr<const Timeline>& plan) {
-    return plan ? std::optional(row.read(plan->outcome()->summary)) : std::nullopt;
-  };
+  const bool title = index.column() == kTitle;
+  if (role == Qt::TextAlignmentRole) return QVariant((title ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  if (title) {
+    if (role != Qt::DisplayRole) return {};
+    return row.is_count ? row.title : row.title + "  " + unit_of(row).text;
+  }
+  const auto value = [&row](const Planned& plan) { return plan ? std::optional(row.read(plan)) : std::nullopt; };
   const auto a = value(a_), b = value(b_);
   if (role == Qt::ForegroundRole) {
-    if (index.column() == kPlanA) return a_ ? theme_.text : theme_.secondary;
+    const bool broken = row.is_count && row.less_is_better && a && *a > 0;
+    if (index.column() == kPlanA) return broken ? theme_.error : a_ ? theme_.text : theme_.secondary;
     if (index.column() == kPlanB) return b_ ? theme_.plan_b : theme_.secondary;
     if (!a || !b || !row.less_is_better || std::abs(*a - *b) <= 1e-9 * std::abs(*b)) return theme_.secondary;
     return *a < *b ? theme_.good : theme_.error;
@@ -99,11 +121,7 @@ QVariant ResultModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant ResultModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation == Qt::Vertical) {
-    if (role != Qt::DisplayRole) return {};
-    const Row& row = rows_[static_cast<std::size_t>(section)];
-    return row.is_count ? row.title : row.title + "  " + unit_of(row).text;
-  }
+  if (orientation != Qt::Horizontal || section == kTitle) return {};
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
   return section == kPlanA ? tr("A") : section == kPlanB ? tr("B") : QString("Δ");

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "models/timeline.h"
+#include "jobs/planned.h"
 #include "models/units.h"
 #include "theme/theme.h"
 
@@ -17,11 +17,11 @@ class ResultModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kPlanA, kPlanB, kDelta, kColumns };
+  enum Column { kTitle, kPlanA, kPlanB, kDelta, kColumns };
 
   explicit ResultModel(QObject* parent = nullptr);
 
-  void setPlans(std::shared_ptr<const Timeline> a, std::shared_ptr<const Timeline> b);
+  void setPlans(const Planned& a, const Planned& b);
   void setUnit(LengthUnit unit);
   void setTheme(const Theme& theme);
   void retranslate();
@@ -37,7 +37,7 @@ class ResultModel : public QAbstractTableModel {
     Quantity quantity;
     bool less_is_better;
     bool is_count;
-    std::function<double(const Summary&)> read;
+    std::function<double(const Planned&)> read;  ///< NaN = not known
   };
 
   DisplayUnit unit_of(const Row& row) const;
@@ -45,7 +45,7 @@ class ResultModel : public QAbstractTableModel {
   QString difference(const Row& row, double a, double b) const;
 
   std::vector<Row> rows_;
-  std::shared_ptr<const Timeline> a_, b_;
+  Planned a_, b_;
   LengthUnit unit_ = LengthUnit::mm;
   Theme theme_ = light_theme();
 };

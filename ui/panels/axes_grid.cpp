@@ -9,7 +9,6 @@ constexpr std::array<Quantity, AxesGrid::kLimits> kQuantities = {Quantity::speed
                                                                  Quantity::jerk};
 constexpr std::array<const char*, AxesGrid::kLimits> kIds = {"Speed", "Acceleration", "Jerk"};
 constexpr std::array<const char*, AxesGrid::kLimits> kSymbols = {"v", "a", "j"};
-constexpr int kRotaryHeadRow = 4;
 constexpr double kLeast = 1e-6;  // zero would be no machine at all
 
 double limit_of(const AxisLimits& axis, int limit) {
@@ -23,21 +22,32 @@ double limit_of(const AxisLimits& axis, int limit) {
 }  // namespace
 
 AxesGrid::AxesGrid(QWidget* parent) : QWidget(parent) {
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(4);
-  grid->setVerticalSpacing(4);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  rotary_ = new QWidget(this);
+  auto* linear = new QWidget(this);
+  const auto table = [column](QWidget* holder) {
+    auto* grid = new QGridLayout(holder);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(4);
+    grid->setVerticalSpacing(4);
+    column->addWidget(holder);
+    return grid;
+  };
+  const std::array<QGridLayout*, 2> grids = {table(linear), table(rotary_)};
   for (int limit = 0; limit < kLimits; ++limit) {
     const auto i = static_cast<std::size_t>(limit);
     heads_[i] = secondary_label({}, this);
     rotary_heads_[i] = secondary_label({}, this);
     for (auto* head : {heads_[i], rotary_heads_[i]}) head->setAlignment(Qt::AlignRight);
-    grid->addWidget(heads_[i], 0, limit + 1);
-    grid->addWidget(rotary_heads_[i], kRotaryHeadRow, limit + 1);
-    grid->setColumnStretch(limit + 1, 1);
+    grids[0]->addWidget(heads_[i], 0, limit + 1);
+    grids[1]->addWidget(rotary_heads_[i], 0, limit + 1);
+    for (auto* grid : grids) grid->setColumnStretch(limit + 1, 1);
   }
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const int row = static_cast<int>(axis) + (is_rotary(axis) ? 2 : 1);
+    const int row = static_cast<int>(axis % 3) + 1;
+    QGridLayout* grid = grids[is_rotary(axis) ? 1 : 0];
     names_[axis] = new QLabel(QString(QLatin1Char(kAxisNames[axis])), this);
     grid->addWidget(names_[axis], row, 0);
     for (int limit = 0; limit < kLimits; ++limit) {
@@ -66,13 +76,7 @@ void AxesGrid::setMachine(const Machine& machine) {
   }
 }
 
-void AxesGrid::setRotaryVisible(bool visible) {
-  for (std::size_t axis = 3; axis < kAxisCount; ++axis) {
-    names_[axis]->setVisible(visible);
-    for (auto* field : fields_[axis]) field->setVisible(visible);
-  }
-  for (auto* head : rotary_heads_) head->setVisible(visible);
-}
+void AxesGrid::setRotaryVisible(bool visible) { rotary_->setVisible(visible); }
 
 void AxesGrid::setLengthUnit(LengthUnit unit) {
   unit_ = unit;

@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <array>
 
@@ -37,6 +38,7 @@ class AxesGrid : public QWidget {
   std::array<QLabel*, kAxisCount> names_ = {};
   std::array<QLabel*, kLimits> heads_ = {};
   std::array<QLabel*, kLimits> rotary_heads_ = {};
+  QWidget* rotary_;
   LengthUnit unit_ = LengthUnit::mm;
 };
 

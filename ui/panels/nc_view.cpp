@@ -277,7 +277,10 @@ bool NcView::viewportEvent(QEvent* event) {
   return QAbstractScrollArea::viewportEvent(event);
 }
 
-void NcView::resizeEvent(QResizeEvent*) { updateScrollBars(); }
+void NcView::resizeEvent(QResizeEvent*) {
+  updateScrollBars();
+  if (current_ <= visibleLines() && verticalScrollBar()->value() < current_) verticalScrollBar()->setValue(0);
+}
 
 void NcView::changeEvent(QEvent* event) {
   QAbstractScrollArea::changeEvent(event);

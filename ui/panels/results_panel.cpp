@@ -35,6 +35,7 @@ void style_table(QTableView* table) {
   table->verticalHeader()->setMinimumSectionSize(kRowHeight);
   table->horizontalHeader()->setHighlightSections(false);
   table->verticalHeader()->setHighlightSections(false);
+  table->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }
 
 ResultsPanel::ResultsPanel(QWidget* parent)
@@ -69,33 +70,34 @@ ResultsPanel::ResultsPanel(QWidget* parent)
   table_->setModel(model_);
   style_table(table_);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
+  table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->horizontalHeader()->setSectionResizeMode(ResultModel::kTitle, QHeaderView::ResizeToContents);
   column->addWidget(table_, 1);
   connect(pin_, &QToolButton::clicked, this, &ResultsPanel::pinRequested);
   connect(swap_, &QToolButton::clicked, this, &ResultsPanel::swapRequested);
   connect(unpin_, &QToolButton::clicked, this, &ResultsPanel::unpinRequested);
   setTheme(theme_);
   retranslate();
-  setPlans(nullptr, nullptr);
+  setPlans({}, {});
 }
 
-void ResultsPanel::setPlans(std::shared_ptr<const Timeline> a, std::shared_ptr<const Timeline> b) {
+void ResultsPanel::setPlans(const Planned& a, const Planned& b) {
   a_ = a;
   b_ = b;
-  model_->setPlans(std::move(a), std::move(b));
-  pin_->setEnabled(a_ != nullptr);
+  model_->setPlans(a, b);
+  pin_->setEnabled(static_cast<bool>(a_));
   swap_->setEnabled(a_ && b_);
-  unpin_->setEnabled(b_ != nullptr);
+  unpin_->setEnabled(static_cast<bool>(b_));
   for (int column : {ResultModel::kPlanB, ResultModel::kDelta}) table_->setColumnHidden(column, !b_);
   showHeadline();
 }
 
 void ResultsPanel::showHeadline() {
-  cycle_->setText(a_ ? duration_text(a_->duration()) : QString("–"));
+  cycle_->setText(a_ ? duration_text(a_.timeline->duration()) : QString("–"));
   versus_->clear();
-  if (!a_ || !b_ || b_->duration() <= 0) return;
-  const double delta = a_->duration() - b_->duration();
+  if (!a_ || !b_ || b_.timeline->duration() <= 0) return;
+  const double delta = a_.timeline->duration() - b_.timeline->duration();
   const QString role = delta < 0 ? "good" : delta > 0 ? "error" : "secondary";
   versus_->setProperty("role", role);
   versus_->setStyleSheet({});  // look the role up again

@@ -16,7 +16,7 @@ class ResultsPanel : public QWidget {
  public:
   explicit ResultsPanel(QWidget* parent = nullptr);
 
-  void setPlans(std::shared_ptr<const Timeline> a, std::shared_ptr<const Timeline> b);
+  void setPlans(const Planned& a, const Planned& b);
   void setLengthUnit(LengthUnit unit);
   void setTheme(const Theme& theme);
 
@@ -36,7 +36,7 @@ class ResultsPanel : public QWidget {
   QTableView* table_;
   QLabel *cycle_, *versus_;
   QToolButton *pin_, *swap_, *unpin_;
-  std::shared_ptr<const Timeline> a_, b_;
+  Planned a_, b_;
   Theme theme_ = light_theme();
 };
 

@@ -1,7 +1,7 @@
 #include "panels/tuning_panel.h"
 
-#include <QCoreApplication>
 #include <QEvent>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -105,9 +105,9 @@ NumberField* TuningPanel::addNumber(const char* name, int row, int side, Quantit
 }
 
 void TuningPanel::describe(std::function<double(const Tuning&)> read, std::function<void(Tuning&, double)> write,
-                           std::function<QString()> title, const QString& symbol) {
+                           std::function<QString()> title, std::function<QString()> symbol) {
   const std::size_t index = entries_.size();
-  entries_.push_back({last_, last_label_, std::move(read), std::move(write), std::move(title), symbol});
+  entries_.push_back({last_, last_label_, std::move(read), std::move(write), std::move(title), std::move(symbol)});
   connect(last_, &NumberField::edited, this, [this, index](double value) {
     const Entry& entry = entries_[index];
     model_.edit(entry.title(), entry.field->objectName(), [&](Tuning& tuning) { entry.write(tuning, value); });
@@ -130,35 +130,35 @@ void TuningPanel::buildLaw() {
   t_acc_ = addNumber("taccEdit", kTimeRow, 0, Quantity::time, {kTiny, 10, false});
   t_acc_->setUnit(kMilliseconds);
   describe([](const Tuning& t) { return t.options.t_acc; }, [](Tuning& t, double v) { t.options.t_acc = v; },
-           [] { return tr("Acceleration time"); }, "Tacc");
+           [] { return tr("Acceleration time"); }, [] { return QString("Tacc"); });
   t_dec_ = addNumber("tdecEdit", kTimeRow, 1, Quantity::time, {kTiny, 10, false});
   t_dec_->setUnit(kMilliseconds);
   describe([](const Tuning& t) { return t.options.t_dec; }, [](Tuning& t, double v) { t.options.t_dec = v; },
-           [] { return tr("Deceleration time"); }, "Tdec");
+           [] { return tr("Deceleration time"); }, [] { return QString("Tdec"); });
 }
 
 void TuningPanel::buildLimits() {
   addNumber("amEdit", kAccelerationRow, 0, Quantity::acceleration, kLimit);
   describe([](const Tuning& t) { return t.machine.path.acceleration; },
            [](Tuning& t, double v) { t.machine.path.acceleration = v; },
-           [] { return tr("Acceleration along the path"); }, "Am");
+           [] { return tr("Acceleration along the path"); }, [] { return QString("Am"); });
   addNumber("dmEdit", kAccelerationRow, 1, Quantity::acceleration, kLimit);
   describe([](const Tuning& t) { return t.machine.path.deceleration; },
            [](Tuning& t, double v) { t.machine.path.deceleration = v; },
-           [] { return tr("Deceleration along the path"); }, "Dm");
+           [] { return tr("Deceleration along the path"); }, [] { return QString("Dm"); });
   jerk_ = addNumber("jmEdit", kJerkRow, 0, Quantity::jerk, kLimit);
   describe([](const Tuning& t) { return t.machine.path.jerk; }, [](Tuning& t, double v) { t.machine.path.jerk = v; },
-           [] { return tr("Jerk along the path, speeding up"); }, "Jm");
+           [] { return tr("Jerk along the path, speeding up"); }, [] { return QString("Jm"); });
   jerk_deceleration_ = addNumber("jdEdit", kJerkRow, 1, Quantity::jerk, kLimit);
   describe([](const Tuning& t) { return t.machine.path.jerk_deceleration; },
            [](Tuning& t, double v) { t.machine.path.jerk_deceleration = v; },
-           [] { return tr("Jerk along the path, slowing down"); }, "Jd");
+           [] { return tr("Jerk along the path, slowing down"); }, [] { return QString("Jd"); });
   addNumber("vmaxEdit", kSpeedRow, 0, Quantity::speed, kLimit);
   describe([](const Tuning& t) { return t.machine.path.speed; }, [](Tuning& t, double v) { t.machine.path.speed = v; },
-           [] { return tr("Top speed along the path"); }, "Vmax");
+           [] { return tr("Top speed along the path"); }, [] { return QString("Vmax"); });
   addNumber("periodEdit", kSpeedRow, 1, Quantity::time, {1e-6, 1.0, false})->setUnit(kMilliseconds);
   describe([](const Tuning& t) { return t.machine.period; }, [](Tuning& t, double v) { t.machine.period = v; },
-           [] { return tr("Interpolation period"); }, "Ts");
+           [] { return tr("Interpolation period"); }, [] { return QString("Ts"); });
 }
 
 void TuningPanel::buildCorner() {
@@ -197,13 +197,15 @@ void TuningPanel::buildJob() {
   deviation_ = addNumber("deviationEdit", kToleranceRow, 1, Quantity::length, {kTiny, 10, false});
   describe([](const Tuning& t) { return t.options.corner.junction_deviation; },
            [](Tuning& t, double v) { t.options.corner.junction_deviation = v; },
-           [] { return tr("Junction deviation"); }, "δ");
+           [] { return tr("Junction deviation"); }, [] { return QString("δ"); });
   addNumber("feedOverrideEdit", kOverrideRow, 0, Quantity::time, {0.01, 2.0, false})->setUnit(kPercent);
   describe([](const Tuning& t) { return t.options.feed_override; },
-           [](Tuning& t, double v) { t.options.feed_override = v; }, [] { return tr("Feed override"); }, "Feed");
+           [](Tuning& t, double v) { t.options.feed_override = v; }, [] { return tr("Feed override"); },
+           [] { return tr("Feed"); });
   addNumber("rapidOverrideEdit", kOverrideRow, 1, Quantity::time, {0.01, 1.0, false})->setUnit(kPercent);
   describe([](const Tuning& t) { return t.options.rapid_override; },
-           [](Tuning& t, double v) { t.options.rapid_override = v; }, [] { return tr("Rapid override"); }, "Rapid");
+           [](Tuning& t, double v) { t.options.rapid_override = v; }, [] { return tr("Rapid override"); },
+           [] { return tr("Rapid"); });
 }
 
 void TuningPanel::setLengthUnit(LengthUnit unit) {
@@ -236,6 +238,11 @@ void TuningPanel::showRelevant() {
   form_->setRowVisible(deviation_, rule == CornerRule::junction);
 }
 
+void TuningPanel::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  if (!hasFocus() && !isAncestorOf(focusWidget())) verticalScrollBar()->setValue(0);
+}
+
 void TuningPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) retranslate();
   QScrollArea::changeEvent(event);
@@ -257,8 +264,7 @@ void TuningPanel::retranslate() {
                              tr("blend in tolerance"), tr("smooth in tolerance")};
   for (int i = 0; i < rules.size(); ++i) corner_->setItemText(i, rules[i]);
   for (auto& entry : entries_) {
-    entry.label->setText(entry.symbol.isEmpty() ? entry.title()
-                                                : QCoreApplication::translate("symbols", entry.symbol.toUtf8()));
+    entry.label->setText(entry.symbol ? entry.symbol() : entry.title());
     entry.label->setToolTip(entry.title());
     entry.field->setAccessibleName(entry.title());
   }

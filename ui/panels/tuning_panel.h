@@ -26,6 +26,7 @@ class TuningPanel : public QScrollArea {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Entry {
@@ -33,13 +34,13 @@ class TuningPanel : public QScrollArea {
     QLabel* label;
     std::function<double(const Tuning&)> read;
     std::function<void(Tuning&, double)> write;
-    std::function<QString()> title;  ///< full name, for people and undo
-    QString symbol;                  ///< short label; empty = the title
+    std::function<QString()> title;   ///< full name, for people and undo
+    std::function<QString()> symbol;  ///< short label; none = the title
   };
 
   NumberField* addNumber(const char* name, int row, int side, Quantity quantity, NumberField::Range range);
   void describe(std::function<double(const Tuning&)> read, std::function<void(Tuning&, double)> write,
-                std::function<QString()> title, const QString& symbol = {});
+                std::function<QString()> title, std::function<QString()> symbol = {});
   void buildLaw();
   void buildLimits();
   void buildCorner();

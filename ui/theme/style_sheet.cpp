@@ -84,7 +84,7 @@ QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: $acc
 QSlider::handle:horizontal { width: $knob; height: $knob; margin: $knobMargin 0; border-radius: $knobRadius;
   background: $surface; border: 2px solid $accent; }
 QSlider::handle:horizontal:hover, QSlider::handle:horizontal:focus { background: $accent; }
-QSlider:disabled::sub-page:horizontal { background: $line; }
+QSlider::sub-page:horizontal:disabled { background: $line; }
 QSlider::handle:horizontal:disabled { border-color: $line; }
 
 QProgressBar { background: $line; border: none; border-radius: 2px; max-height: 4px; min-height: 4px; }
@@ -94,11 +94,11 @@ QScrollArea { background: $surface; border: none; }
 QAbstractScrollArea { border: none; }
 QTableView, QTreeView, QListView { background: $surface; color: $text; border: none; alternate-background-color: $stripe;
   selection-background-color: $pressed; selection-color: $text; gridline-color: $line; }
-QTableView::item { padding: 0 6px; border: none; border-bottom: 1px solid $faintLine; }
+QTableView::item { padding: 0 6px; border: none; }
 QTableView::item:focus { background: $hover; }
 QHeaderView { background: $surface; }
 QHeaderView::section { background: $surface; color: $secondary; border: none; border-bottom: 1px solid $line; padding: 4px 8px; }
-QHeaderView::section:vertical { padding: 0 8px; border-bottom: 1px solid $faintLine; color: $text; }
+QHeaderView::section:vertical { padding: 0 8px; border: none; color: $text; }
 QHeaderView::section:hover { color: $text; }
 QHeaderView::down-arrow { image: url(:/icons/chevron-down.svg); width: 10px; height: 10px; }
 QHeaderView::up-arrow { image: url(:/icons/chevron-up.svg); width: 10px; height: 10px; }

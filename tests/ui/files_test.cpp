@@ -1,0 +1,220 @@
+#include <QDropEvent>
+#include <QMimeData>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUrl>
+
+#include "import_machine.h"
+#include "main_window.h"
+#include "panels/nc_panel.h"
+#include "preferences.h"
+#include "screenshot.h"
+#include "support/screenshot.h"
+
+using namespace toolpace;
+using namespace toolpace::studio;
+
+namespace {
+
+constexpr auto kSquare = "G21 G90 G94\nG1 F1200 X10\nY10\nX0\nY0\nM2\n";
+
+void write(const QString& path, const QByteArray& text) {
+  QFile file(path);
+  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("cannot write %s", qPrintable(path));
+}
+
+}  // namespace
+
+class FilesTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir folder_;
+  QString in(const QString& name) const { return folder_.filePath(name); }
+
+ private slots:
+  void initTestCase() { QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path()); }
+
+  void a_dropped_file_is_opened_and_planned() {
+    write(in("square.ngc"), kSquare);
+    MainWindow window(false);
+    window.show();
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(in("square.ngc"))});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &drop);
+    settle(window);
+    QCOMPARE(window.workspace().document()->name, QString("square.ngc"));
+    QCOMPARE(window.workspace().timeline()->outcome()->summary.path_length, 40.0);
+  }
+
+  void a_file_replaced_on_disk_is_read_again_and_the_cursor_stays() {
+    write(in("again.ngc"), kSquare);
+    MainWindow window(false);
+    window.show();
+    window.openProgram(in("again.ngc"));
+    settle(window);
+    window.workspace().setCursorTime(0.5);
+    QSignalSpy changed(&window.workspace(), &ui::Workspace::documentChanged);
+    write(in("new.ngc"), QByteArray(kSquare).replace("X10", "X20"));
+    QVERIFY(QFile::remove(in("again.ngc")));
+    QVERIFY(QFile::rename(in("new.ngc"), in("again.ngc")));
+    QVERIFY(changed.wait(5000));
+    settle(window);
+    QCOMPARE(window.workspace().timeline()->outcome()->summary.path_length, 60.0);
+    QCOMPARE(window.workspace().cursorTime(), 0.5);
+  }
+
+  void a_line_edited_in_place_changes_the_plan() {
+    MainWindow window(false);
+    window.show();
+    window.workspace().openText(kSquare, "square.ngc");
+    settle(window);
+    window.workspace().editLine(2, "G1 F1200 X15");
+    settle(window);
+    QCOMPARE(window.workspace().document()->line(2), QString("G1 F1200 X15"));
+    QVERIFY(window.workspace().timeline()->outcome()->summary.path_length > 40.0);
+  }
+
+  void errors_of_a_program_are_listed_with_their_line_and_the_rest_is_planned() {
+    MainWindow window(false);
+    window.setLanguage("en");
+    window.resize(1280, 800);
+    window.show();
+    window.workspace().openText("G21 G90 G94 F600\nG1 X10\nG1 Y10\nG2 X0 Y0 R1\nG1 X5\nM2\n", "bad-arc.ngc");
+    settle(window);
+    QVERIFY(!window.workspace().problems().empty());
+    QCOMPARE(window.workspace().problems().front().where.line, std::size_t{4});
+    QCOMPARE(window.workspace().timeline()->outcome()->summary.path_length, 20.0);
+    window.actions().next_problem->trigger();
+    QCOMPARE(window.findChild<ui::NcView*>("ncView")->currentLine(), 4);
+    ui::screenshot(window, "window-errors");
+  }
+
+  void a_missing_file_is_told_and_what_was_open_stays() {
+    MainWindow window(false);
+    window.show();
+    window.openExample();
+    settle(window);
+    QSignalSpy failed(&window.workspace(), &ui::Workspace::openFailed);
+    window.openProgram(in("nothing-here.ngc"));
+    settle(window);
+    QCOMPARE(failed.count(), 1);
+    QCOMPARE(window.workspace().document()->name, QString("butterfly.ngc"));
+    QVERIFY(QApplication::activeModalWidget() == nullptr);
+  }
+
+  void degenerate_programs_open_without_trouble() {
+    MainWindow window(false);
+    window.show();
+    for (const char* text : {"", "%\n", "M2\n", "G21 G90 F100\nG1 X0 Y0\nM2\n", "G21 F60\nG1 X1e-6\nM2\n",
+                             "G21 F60000\nG0 X1e7 Y1e7\nM2\n", "G21 F60\nG1 Z-5\nZ5\nM2\n", "\xff\xfe binary \x01"}) {
+      window.workspace().openText(text, "odd.ngc");
+      settle(window);
+      window.workspace().setCursorTime(1);
+      window.actions().fit->trigger();
+      QVERIFY(!window.grab().isNull());
+    }
+  }
+
+  void setpoints_are_saved_in_every_format() {
+    MainWindow window(false);
+    window.show();
+    window.openExample();
+    settle(window);
+    for (const char* name : {"out.csv", "out.npy", "out.npz", "out.halstream"}) {
+      window.saveSetpoints(in(name));
+      QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 10000);
+      QVERIFY2(QFileInfo(in(name)).size() > 10000, name);
+    }
+    QFile csv(in("out.csv"));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QVERIFY(csv.readLine().startsWith("t_s,x_mm,y_mm,z_mm,v_mm_s,a_mm_s2,j_mm_s3,line"));
+  }
+
+  void pictures_are_saved_as_png_svg_and_pdf() {
+    MainWindow window(false);
+    window.show();
+    window.openExample();
+    settle(window);
+    using Picture = MainWindow::Picture;
+    for (const char* ending : {".png", ".svg", ".pdf"}) {
+      QVERIFY(window.savePicture(Picture::contour, in(QString("contour") + ending)));
+      QVERIFY(window.savePicture(Picture::plots, in(QString("plots") + ending)));
+      QVERIFY(QFileInfo(in(QString("contour") + ending)).size() > 1000);
+      QVERIFY(QFileInfo(in(QString("plots") + ending)).size() > 1000);
+    }
+    QVERIFY(window.savePicture(Picture::window, in("window.png")));
+    QVERIFY(!window.savePicture(Picture::window, in("no/such/folder.png")));
+  }
+
+  void a_machine_is_saved_and_opened_again_with_the_same_values() {
+    MainWindow window(false);
+    window.show();
+    window.workspace().tuning().edit("a", "am", [](ui::Tuning& t) {
+      t.machine.path.acceleration = 1234.5;
+      t.machine.axes[1].jerk = 4e5;
+      t.options.lookahead = 17;
+    });
+    window.storeMachineAs(in("mine.toml"));
+    QVERIFY(window.workspace().tuning().undoStack().isClean());
+    window.workspace().tuning().reset(default_setup());
+    QVERIFY(window.openMachine(in("mine.toml")));
+    const auto& tuning = window.workspace().tuning().value();
+    QCOMPARE(tuning.machine.path.acceleration, 1234.5);
+    QCOMPARE(tuning.machine.axes[1].jerk, 4e5);
+    QCOMPARE(tuning.options.lookahead, std::optional<std::size_t>(17));
+    write(in("broken.toml"), "[path]\nmax_sped_mm_s = 3\n");
+    QVERIFY(!window.openMachine(in("broken.toml")));
+  }
+
+  void a_linuxcnc_configuration_is_imported_in_millimetres() {
+    const char* ini =
+        "[EMC]\nMACHINE = old lathe\n[TRAJ]\nLINEAR_UNITS = inch\nMAX_LINEAR_VELOCITY = 2\nMAX_LINEAR_ACCELERATION = "
+        "10\n"
+        "[EMCMOT]\nSERVO_PERIOD = 2000000\n[AXIS_X]\nMAX_VELOCITY = 1\nMAX_ACCELERATION = 5\nMIN_LIMIT = -4\nMAX_LIMIT "
+        "= 4\n";
+    const auto setup = import_linuxcnc_ini(ini, "lathe.ini", default_setup());
+    QVERIFY(setup.has_value());
+    QCOMPARE(setup->machine.name, std::string("old lathe"));
+    QCOMPARE(setup->machine.path.speed, 50.8);
+    QCOMPARE(setup->machine.axes[0].speed, 25.4);
+    QCOMPARE(setup->machine.axes[0].acceleration, 127.0);
+    QCOMPARE(setup->machine.axes[0].travel_min, -101.6);
+    QCOMPARE(setup->machine.period, 0.002);
+    QVERIFY(!import_linuxcnc_ini("[X]\na = b\n", "x.ini", default_setup()).has_value());
+  }
+
+  void grbl_settings_are_imported() {
+    const char* dump = "$0=10\n$11=0.020\n$100=250.000\n$110=6000.000\n$120=500.000\n$130=300.000\nok\n";
+    const auto setup = import_grbl_dump(dump, "dump.txt", default_setup());
+    QVERIFY(setup.has_value());
+    QCOMPARE(setup->options.corner.junction_deviation, 0.02);
+    QCOMPARE(setup->machine.axes[0].speed, 100.0);  // 6000 mm/min
+    QCOMPARE(setup->machine.axes[0].acceleration, 500.0);
+    QCOMPARE(setup->machine.axes[0].travel_min, -300.0);
+    QCOMPARE(setup->machine.axes[0].steps_per_unit, 250.0);
+    QVERIFY(!import_grbl_dump("hello\n", "x.txt", default_setup()).has_value());
+  }
+
+  void preferences_are_remembered() {
+    Preferences saved;
+    saved.dark = true;
+    saved.language = "zh_CN";
+    for (int i = 0; i < 12; ++i) remember(saved.recent_programs, QString("/tmp/%1.ngc").arg(i));
+    save_preferences(saved);
+    const Preferences loaded = load_preferences();
+    QVERIFY(loaded.dark);
+    QCOMPARE(loaded.language, QString("zh_CN"));
+    QCOMPARE(loaded.recent_programs.size(), 10);
+    QCOMPARE(loaded.recent_programs.front(), QString("/tmp/11.ngc"));
+  }
+};
+
+QTEST_MAIN(FilesTest)
+#include "files_test.moc"

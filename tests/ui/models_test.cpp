@@ -1,0 +1,89 @@
+#include <QTest>
+
+#include "models/document.h"
+#include "models/timeline.h"
+#include "models/units.h"
+#include "panels/nc_syntax.h"
+#include "support/planned.h"
+
+using namespace toolpace;
+using namespace toolpace::ui;
+
+class ModelsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void numbers_are_grouped_and_keep_their_digits() {
+    QCOMPARE(number_text(1000), QString("1000"));
+    QCOMPARE(number_text(1e6), QString("1\u2009000\u2009000"));
+    QCOMPARE(number_text(-12345.5), QString("-12\u2009345.5"));
+    QCOMPARE(number_text(0.001), QString("0.001"));
+    QCOMPARE(number_text(kUnlimited), QString("∞"));
+    QCOMPARE(number_text(0), QString("0"));
+  }
+
+  void durations_are_read_as_people_say_them() {
+    QCOMPARE(duration_text(12.3456), QString("12.346 s"));
+    QCOMPARE(duration_text(63.6), QString("1 min 03.6 s"));
+    QCOMPARE(duration_text(3720), QString("1 h 02 min"));
+  }
+
+  void lines_of_a_text_are_found_whatever_their_ends() {
+    Document document;
+    document.text = "G1\r\nX1\n\nY2";
+    document.line_starts = find_line_starts(document.text);
+    QCOMPARE(document.line_count(), 4);
+    QCOMPARE(document.line(1), QString("G1"));
+    QCOMPARE(document.line(3), QString());
+    QCOMPARE(document.line(4), QString("Y2"));
+    QCOMPARE(find_line_starts("a\n").size(), std::size_t{1});
+    QCOMPARE(find_line_starts("").size(), std::size_t{1});
+  }
+
+  void a_line_that_is_not_utf8_is_shown_as_latin1() {
+    Document document;
+    document.text = "(\xe4)";
+    document.line_starts = find_line_starts(document.text);
+    QCOMPARE(document.line(1), QString::fromUtf8("(ä)"));
+  }
+
+  void comments_and_line_numbers_are_quiet() {
+    const auto spans = nc_spans("N10 G1 (fast) X1 ; end");
+    QCOMPARE(spans.size(), std::size_t{5});
+    QCOMPARE(spans[0].kind, NcSpanKind::quiet);  // N10
+    QCOMPARE(spans[1].kind, NcSpanKind::code);   // G1
+    QCOMPARE(spans[2].kind, NcSpanKind::quiet);  // (fast)
+    QCOMPARE(spans[4].kind, NcSpanKind::quiet);  // ; end
+  }
+
+  void a_timeline_finds_state_line_and_loss() {
+    // 100 mm at 50 mm/s in a line: 2 s if the feed were kept all along; the rest is lost to the ramps at the ends.
+    const auto outcome = planned(Program().feed(100, 0, 0, 50));
+    const Timeline timeline(outcome);
+    const double whole = timeline.duration();
+    QVERIFY(whole > 2.0);
+    QCOMPARE(timeline.at(0).state.speed, 0.0);
+    QVERIFY(std::abs(timeline.at(whole / 2).state.speed - 50) < 1e-9);
+    QVERIFY(std::abs(timeline.at(whole / 2).position.x() - 50) < 1e-6);
+    QVERIFY(std::abs(timeline.at(1e9).position.x() - 100) < 1e-9);
+    const auto line = timeline.at(whole / 2).line;
+    QVERIFY(std::abs(timeline.lines()[line].loss() - (whole - 2.0)) < 1e-9);
+    QCOMPARE(timeline.worst_lines().size(), std::size_t{1});
+  }
+
+  void stepping_goes_from_line_to_line_and_stops_at_the_ends() {
+    const auto outcome = planned(Program().feed(10, 0, 0, 50).feed(10, 10, 0, 50).feed(0, 10, 0, 50));
+    const Timeline timeline(outcome);
+    double time = 0;
+    time = timeline.next_line(time);
+    QCOMPARE(time, outcome->node_time[1]);
+    time = timeline.next_line(time);
+    QCOMPARE(time, outcome->node_time[2]);
+    QCOMPARE(timeline.previous_line(time), outcome->node_time[1]);
+    QCOMPARE(timeline.previous_line(0), 0.0);
+    QCOMPARE(timeline.next_line(timeline.duration()), timeline.duration());
+  }
+};
+
+QTEST_MAIN(ModelsTest)
+#include "models_test.moc"

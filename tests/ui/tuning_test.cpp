@@ -1,0 +1,157 @@
+#include <QComboBox>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include "main_window.h"
+#include "panels/number_field.h"
+#include "screenshot.h"
+#include "support/screenshot.h"
+
+using namespace toolpace;
+using namespace toolpace::studio;
+
+class TuningTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<MainWindow> window_;
+
+  template <class T>
+  T& the(const char* name) {
+    auto* found = window_->findChild<T*>(name);
+    if (!found) qFatal("no %s", name);
+    return *found;
+  }
+  const ui::Tuning& tuning() { return window_->workspace().tuning().value(); }
+  QUndoStack& undo() { return window_->workspace().tuning().undoStack(); }
+
+  void type(const char* field, const QString& text) {
+    auto& edit = the<ui::NumberField>(field);
+    edit.setFocus();
+    edit.selectAll();
+    QTest::keyClicks(&edit, text);
+    QTest::keyClick(&edit, Qt::Key_Return);
+  }
+
+ private slots:
+  void init() {
+    window_ = std::make_unique<MainWindow>(false);
+    window_->setLanguage("en");
+    window_->resize(1280, 800);
+    window_->show();
+    window_->openExample();
+    settle(*window_);
+  }
+  void cleanup() { window_.reset(); }
+
+  void an_exact_entry_replans_at_once() {
+    const double before = window_->workspace().timeline()->duration();
+    type("amEdit", "500");
+    QCOMPARE(tuning().machine.path.acceleration, 500.0);
+    QVERIFY(window_->workspace().isStale());
+    settle(*window_);
+    QVERIFY(!window_->workspace().isStale());
+    QVERIFY(window_->workspace().timeline()->duration() > before);
+  }
+
+  void what_is_no_number_or_out_of_range_is_marked_and_not_taken() {
+    type("amEdit", "-5");
+    QCOMPARE(tuning().machine.path.acceleration, 3000.0);
+    QVERIFY(the<ui::NumberField>("amEdit").property("wrong").toBool());
+    type("amEdit", "fast");
+    QCOMPARE(tuning().machine.path.acceleration, 3000.0);
+    QTest::keyClick(&the<ui::NumberField>("amEdit"), Qt::Key_Escape);
+    QCOMPARE(the<ui::NumberField>("amEdit").text(), QString("3000"));
+    QVERIFY(!the<ui::NumberField>("amEdit").property("wrong").toBool());
+    QVERIFY(!undo().canUndo());
+  }
+
+  void an_empty_limit_means_none() {
+    type("axisXSpeed", "25");
+    QCOMPARE(tuning().machine.axes[0].speed, 25.0);
+    type("axisXSpeed", " ");
+    QCOMPARE(tuning().machine.axes[0].speed, kUnlimited);
+  }
+
+  void times_and_percentages_are_entered_in_their_units() {
+    type("periodEdit", "2.5");
+    QCOMPARE(tuning().machine.period, 0.0025);
+    type("feedOverrideEdit", "150");
+    QCOMPARE(tuning().options.feed_override, 1.5);
+  }
+
+  void a_decimal_comma_is_understood() {
+    type("periodEdit", "0,5");
+    QCOMPARE(tuning().machine.period, 0.0005);
+  }
+
+  void the_fields_follow_the_law() {
+    auto& law = the<QComboBox>("lawBox");
+    QVERIFY(!the<QWidget>("taccEdit").isVisible());
+    law.setCurrentIndex(law.findData(static_cast<int>(LawKind::five_phase_time)));
+    emit law.activated(law.currentIndex());
+    QVERIFY(the<QWidget>("taccEdit").isVisible());
+    QVERIFY(the<QWidget>("tdecEdit").isVisible());
+    law.setCurrentIndex(law.findData(static_cast<int>(LawKind::trapezoid)));
+    emit law.activated(law.currentIndex());
+    QVERIFY(!the<QWidget>("jmEdit").isVisible());
+    QCOMPARE(tuning().options.law, LawKind::trapezoid);
+    settle(*window_);
+    ui::screenshot(*window_, "window-trapezoid");
+  }
+
+  void one_drag_of_the_slider_is_one_undo_step() {
+    auto& slider = the<QSlider>("lookaheadSlider");
+    QCOMPARE(undo().count(), 0);
+    emit slider.sliderPressed();
+    for (int position = 900; position >= 200; position -= 20) slider.setValue(position);
+    emit slider.sliderReleased();
+    QCOMPARE(undo().count(), 1);
+    QVERIFY(tuning().options.lookahead.has_value());
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!tuning().options.lookahead.has_value());
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(tuning().options.lookahead.has_value());
+    settle(*window_);
+    QVERIFY(!window_->workspace().isStale());
+  }
+
+  void slider_entry_and_all_are_one_value() {
+    type("lookaheadEdit", "8");
+    QCOMPARE(tuning().options.lookahead, std::optional<std::size_t>(8));
+    QVERIFY(!the<QToolButton>("lookaheadAll").isChecked());
+    QTest::mouseClick(&the<QToolButton>("lookaheadAll"), Qt::LeftButton);
+    QVERIFY(!tuning().options.lookahead);
+    QCOMPARE(the<QSlider>("lookaheadSlider").value(), the<QSlider>("lookaheadSlider").maximum());
+    QTest::mouseClick(&the<QToolButton>("lookaheadAll"), Qt::LeftButton);
+    QCOMPARE(tuning().options.lookahead, std::optional<std::size_t>(8));
+  }
+
+  void a_long_drag_shows_pictures_on_the_way() {
+    int shown = 0;
+    connect(&window_->workspace(), &ui::Workspace::planChanged, this, [&shown] { ++shown; });
+    auto& slider = the<QSlider>("lookaheadSlider");
+    emit slider.sliderPressed();
+    for (int step = 0; step < 40; ++step) {
+      slider.setValue(100 + step * 20);
+      QTest::qWait(16);
+    }
+    emit slider.sliderReleased();
+    settle(*window_);
+    QVERIFY2(shown >= 10, qPrintable(QString("%1 plans shown").arg(shown)));
+  }
+
+  void impossible_parameters_are_a_problem_in_the_list_not_a_dialog() {
+    type("vmaxEdit", " ");
+    type("amEdit", " ");
+    type("dmEdit", " ");
+    settle(*window_);
+    QVERIFY(!window_->workspace().problems().empty());
+    QVERIFY(QApplication::activeModalWidget() == nullptr);
+    ui::screenshot(*window_, "window-problem");
+  }
+};
+
+QTEST_MAIN(TuningTest)
+#include "tuning_test.moc"

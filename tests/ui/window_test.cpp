@@ -1,0 +1,189 @@
+#include <QDockWidget>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+#include "main_window.h"
+#include "panels/nc_panel.h"
+#include "panels/number_field.h"
+#include "panels/sweep_panel.h"
+#include "panels/what_if_panel.h"
+#include "plots/profile_view.h"
+#include "preview/contour_view.h"
+#include "screenshot.h"
+#include "support/screenshot.h"
+
+using namespace toolpace;
+using namespace toolpace::studio;
+
+/// The window with the example, planned.
+class Opened : public MainWindow {
+ public:
+  explicit Opened(const QSize& size = {1280, 800}) : MainWindow(false) {
+    setLanguage("en");
+    resize(size);
+    show();
+    openExample();
+    settle(*this);
+  }
+  template <class T>
+  T& the(const char* name) {
+    auto* found = findChild<T*>(name);
+    if (!found) qFatal("no %s", name);
+    return *found;
+  }
+};
+
+class WindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void the_first_start_shows_the_planned_butterfly_and_where_to_drop_a_program() {
+    Opened window;
+    QVERIFY(window.workspace().timeline());
+    QVERIFY(window.workspace().timeline()->duration() > 1);
+    QVERIFY(window.the<QLabel>("dropHint").isVisible());
+    QCOMPARE(window.the<QLabel>("dropHint").text(), QString("drop an NC program here"));
+    QVERIFY(!window.workspace().isStale());
+    QVERIFY(window.the<QLabel>("cycleTimeLabel").text().endsWith(" s"));
+  }
+
+  void pictures_of_both_themes_both_languages_and_two_sizes() {
+    for (const bool dark : {false, true}) {
+      for (const char* language : {"en", "zh_CN"}) {
+        for (const QSize size : {QSize(1280, 800), QSize(2560, 1440)}) {
+          Opened window(size);
+          window.setLanguage(language);
+          window.setDark(dark);
+          window.workspace().setCursorTime(2.0);
+          const QString name = QString("window-%1-%2-%3").arg(dark ? "dark" : "light", language).arg(size.width());
+          QVERIFY(ui::colours_in(ui::screenshot(window, name)) > 100);
+          // Nothing scrolls sideways and nothing is pushed out of the window at the least size.
+          QCOMPARE(window.size(), size);
+        }
+      }
+    }
+  }
+
+  void one_cursor_moves_program_path_plots_and_read_out() {
+    Opened window;
+    auto& view = window.the<ui::NcView>("ncView");
+    window.workspace().setCursorLine(200);
+    QCOMPARE(view.currentLine(), 200);
+    QVERIFY(window.the<QLabel>("timeReadout").text().contains("N200"));
+    const double before = window.workspace().cursorTime();
+    QTest::keyClick(&window, Qt::Key_Right);
+    QVERIFY(window.workspace().cursorTime() > before);
+    QCOMPARE(view.currentLine(), 201);
+    QTest::keyClick(&window, Qt::Key_Left);
+    QCOMPARE(view.currentLine(), 200);
+    // A click on a line of the program goes there too.
+    view.setFocus();
+    QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, QPoint(150, view.viewport()->height() - 10));
+    QVERIFY(view.currentLine() != 200);
+    QVERIFY(window.the<QLabel>("timeReadout").text().contains(QString("N%1").arg(view.currentLine())));
+  }
+
+  void playing_moves_the_cursor_and_pauses_at_the_end() {
+    Opened window;
+    QTest::keyClick(&window, Qt::Key_Home);
+    QCOMPARE(window.workspace().cursorTime(), 0.0);
+    window.workspace().playback().setRate(100);
+    QTest::keyClick(&window, Qt::Key_Space);
+    QVERIFY(window.workspace().playback().isPlaying());
+    QTRY_VERIFY_WITH_TIMEOUT(!window.workspace().playback().isPlaying(), 5000);
+    QCOMPARE(window.workspace().cursorTime(), window.workspace().timeline()->duration());
+  }
+
+  void pinning_makes_b_and_swapping_exchanges_the_parameters() {
+    Opened window;
+    const double at_all = window.workspace().timeline()->duration();
+    QTest::mouseClick(&window.the<QToolButton>("pinButton"), Qt::LeftButton);
+    QVERIFY(window.workspace().pinned());
+    window.workspace().tuning().edit("N", "lookahead", [](ui::Tuning& t) { t.options.lookahead = 1; });
+    settle(window);
+    const double at_one = window.workspace().timeline()->duration();
+    QVERIFY(at_one > at_all);
+    QVERIFY(window.the<QLabel>("cycleDeltaLabel").text().startsWith("+"));
+    ui::screenshot(window, "window-a-and-b");
+    QTest::mouseClick(&window.the<QToolButton>("swapButton"), Qt::LeftButton);
+    settle(window);
+    QCOMPARE(window.workspace().timeline()->duration(), at_all);
+    QCOMPARE(window.workspace().pinned().timeline->duration(), at_one);
+    QVERIFY(!window.workspace().tuning().value().options.lookahead);
+    QTest::mouseClick(&window.the<QToolButton>("unpinButton"), Qt::LeftButton);
+    QVERIFY(!window.workspace().pinned());
+  }
+
+  void the_sweep_marks_the_knee() {
+    Opened window;
+    auto& panel = window.the<ui::SweepPanel>("sweepPanel");
+    QSignalSpy computed(&panel, &ui::SweepPanel::computed);
+    window.actions().sweep->trigger();
+    QVERIFY(computed.wait(20000));
+    const auto& sweep = panel.lastSweep();
+    QVERIFY(sweep.points.size() > 5);
+    QVERIFY(!sweep.points.back().lookahead);
+    QVERIFY(sweep.points[sweep.knee].cycle_time <= sweep.points.back().cycle_time * 1.01);
+    ui::screenshot(window, "window-sweep");
+  }
+
+  void raising_limits_tells_what_it_saves() {
+    Opened window;
+    auto& panel = window.the<ui::WhatIfPanel>("whatIfPanel");
+    QSignalSpy computed(&panel, &ui::WhatIfPanel::computed);
+    window.actions().what_if->trigger();
+    QVERIFY(computed.wait(20000));
+    auto& table = window.the<QTableView>("leverTable");
+    QVERIFY(table.model()->rowCount() >= 5);
+    const double best = table.model()->index(0, 1).data().toString().toDouble();
+    QVERIFY2(best > 0, "more acceleration must save something on the butterfly");
+    ui::screenshot(window, "window-limits");
+  }
+
+  void every_control_has_a_name_for_people_and_for_tests() {
+    Opened window;
+    for (const auto* control : window.findChildren<QWidget*>()) {
+      const bool is_control = qobject_cast<const QAbstractButton*>(control) ||
+                              qobject_cast<const ui::NumberField*>(control) ||
+                              qobject_cast<const QAbstractSlider*>(control) || control->inherits("QComboBox") ||
+                              control->inherits("QTableView");
+      if (!is_control || control->objectName().startsWith("qt_") || control->inherits("QScrollBar")) continue;
+      if (control->parentWidget() && control->parentWidget()->inherits("QAbstractItemView")) continue;
+      if (control->parentWidget() && control->parentWidget()->inherits("QDockWidget")) continue;
+      if (control->inherits("QToolBarExtension") || control->parentWidget()->inherits("QTabBar")) continue;
+      const auto* button = qobject_cast<const QToolButton*>(control);
+      if (button && button->defaultAction()) continue;  // named by its action
+      const QString what = control->metaObject()->className() + QString(" ") + control->objectName();
+      QVERIFY2(!control->objectName().isEmpty(), qPrintable(what));
+      const bool has_text = qobject_cast<const QAbstractButton*>(control) &&
+                            !static_cast<const QAbstractButton*>(control)->text().isEmpty();
+      QVERIFY2(!control->accessibleName().isEmpty() || has_text, qPrintable(what));
+    }
+  }
+
+  void touch_mode_makes_every_field_and_button_high_enough_for_a_finger() {
+    Opened window({1600, 1200});
+    window.setTouch(true);
+    QTest::qWait(50);
+    for (const char* name : {"amEdit", "lawBox", "playButton", "lookaheadSlider"}) {
+      QVERIFY2(window.the<QWidget>(name).height() >= 48, name);
+    }
+    ui::screenshot(window, "window-touch");
+    window.setTouch(false);
+  }
+
+  void inches_change_every_unit_that_is_shown() {
+    Opened window;
+    window.setInch(true);
+    QTest::qWait(50);
+    QVERIFY(window.the<QLabel>("positionReadout").text().endsWith(" in"));
+    QCOMPARE(window.the<ui::NumberField>("vmaxEdit").unitText(), QString("in/s"));
+    ui::screenshot(window, "window-inch");
+  }
+};
+
+QTEST_MAIN(WindowTest)
+#include "window_test.moc"

@@ -1,0 +1,136 @@
+#include "jobs/proof_service.h"
+
+#include <QTemporaryDir>
+
+#include "jobs/setpoint_export.h"
+#include "models/units.h"
+#include "toolpace/pipeline/prove.h"
+#include "toolpace/sample/sampler.h"
+
+namespace toolpace::ui {
+namespace {
+
+constexpr int kDelayMs = 200;
+
+Result<VerifyReport> verified(const Outcome& outcome, const Monitor& monitor) {
+  QTemporaryDir folder;
+  const QString file = folder.filePath("setpoints.npz");  // of all formats the quickest that keeps the lines
+  if (auto written = write_setpoints(outcome, file, monitor); !written) return tl::unexpected(written.error());
+  return prove(file.toStdString(), outcome, monitor);
+}
+
+Eigen::Vector3f offset_of(const ServoTrace& trace, const Setpoints& commanded, std::size_t row, std::size_t in_chunk) {
+  Eigen::Vector3f offset = Eigen::Vector3f::Zero();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (trace.actual[axis].empty()) continue;
+    offset[static_cast<Eigen::Index>(axis)] =
+        static_cast<float>(trace.actual[axis][row] - commanded.position[axis][in_chunk]);
+  }
+  return offset;
+}
+
+Result<ServoSummary> simulated(const Outcome& outcome, ErrorTrace& errors, const Monitor& monitor) {
+  auto simulation = ServoSimulation::create(ServoMachine{}, outcome.job->machine.period);
+  if (!simulation) return tl::unexpected(simulation.error());
+  Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
+  ServoTrace trace;
+  Setpoints chunk;
+  while (sampler.next(chunk)) {
+    if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+    const std::size_t before = errors.time.size();
+    simulation->take(chunk, trace);
+    for (std::size_t i = 0; i < chunk.size(); ++i) {
+      errors.time.push_back(chunk.time(i));
+      errors.offset.push_back(offset_of(trace, chunk, before + i, i));
+    }
+  }
+  const ServoSummary summary = simulation->finish(trace);
+  errors.error.assign(trace.contour_error.begin(), trace.contour_error.end());
+  return summary;
+}
+
+Result<std::shared_ptr<const Proof>> proof_of(std::shared_ptr<const Outcome> outcome, const Monitor& monitor) {
+  auto report = verified(*outcome, monitor);
+  if (!report) return tl::unexpected(report.error());
+  auto errors = std::make_shared<ErrorTrace>();
+  auto servo = simulated(*outcome, *errors, monitor);
+  if (!servo) return tl::unexpected(servo.error());
+  auto proof = std::make_shared<Proof>();
+  proof->outcome = outcome;
+  proof->report = std::move(*report);
+  proof->servo = *servo;
+  proof->scene = make_contour_scene(outcome, errors);
+  return proof;
+}
+
+Quantity quantity_of(const Check& check) {
+  Quantity quantity = Quantity::length;
+  switch (check.kind) {
+    case CheckKind::axis_speed:
+    case CheckKind::path_speed:
+    case CheckKind::speed_column: quantity = Quantity::speed; break;
+    case CheckKind::axis_acceleration:
+    case CheckKind::path_acceleration:
+    case CheckKind::path_deceleration:
+    case CheckKind::acceleration_column: quantity = Quantity::acceleration; break;
+    case CheckKind::axis_jerk:
+    case CheckKind::path_jerk:
+    case CheckKind::jerk_column: quantity = Quantity::jerk; break;
+    case CheckKind::time_step: quantity = Quantity::time; break;
+    default: break;
+  }
+  return check.axis && is_rotary(*check.axis) ? rotary(quantity) : quantity;
+}
+
+}  // namespace
+
+Diagnostics problems_of(const VerifyReport& report) {
+  Diagnostics problems;
+  for (const Check& check : report.checks) {
+    if (!check.broken) continue;
+    const std::string key = key_of(check.kind);
+    const QString axis = check.axis ? QString(QLatin1Char(kAxisNames[*check.axis])) + " " : QString();
+    const Quantity quantity = quantity_of(check);
+    const QString text = axis + QString::fromStdString(key) + ": " + value_text(check.value, quantity, LengthUnit::mm) +
+                         " > " + value_text(check.limit, quantity, LengthUnit::mm);
+    problems.push_back({Severity::error, "violation-" + key, text.toStdString(), {}, {{}, check.line, 0}, {}});
+  }
+  return problems;
+}
+
+ProofService::ProofService(QObject* parent) : QObject(parent) {
+  delay_.setSingleShot(true);
+  delay_.setInterval(kDelayMs);
+  connect(&delay_, &QTimer::timeout, this, &ProofService::start);
+  connect(&worker_, &Background::finished, this, [this] {
+    if (wanted_ && !delay_.isActive()) start();
+    if (!isRunning()) emit finished();
+  });
+}
+
+void ProofService::request(std::shared_ptr<const Outcome> outcome) {
+  wanted_ = std::move(outcome);
+  worker_.cancel();
+  wanted_ ? delay_.start() : delay_.stop();
+}
+
+void ProofService::start() {
+  if (worker_.isBusy() || !wanted_) return;
+  const double rows = wanted_->plan.cycle_time() / wanted_->job->machine.period;
+  if (rows > static_cast<double>(kProvenUnasked)) {
+    wanted_ = nullptr;
+    return emit finished();
+  }
+  worker_.start([this, outcome = std::exchange(wanted_, nullptr)](const Monitor& monitor) -> Background::Delivery {
+    auto proof = proof_of(outcome, monitor);
+    return [this, proof = std::move(proof)] {
+      if (proof) {
+        emit proven(*proof);
+      } else if (proof.error().kind != ErrorKind::cancelled) {
+        emit failed(proof.error());
+      }
+    };
+  });
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,52 @@
+#pragma once
+/// Proves a plan's setpoints and simulates the drives, in a worker, once the plan has come to rest.
+
+#include <QObject>
+#include <QTimer>
+#include <memory>
+
+#include "jobs/background.h"
+#include "preview/contour_scene.h"
+#include "toolpace/servo/servo_simulation.h"
+#include "toolpace/verify/report.h"
+
+namespace toolpace::ui {
+
+/// What an independent look at the setpoints found.
+struct Proof {
+  std::shared_ptr<const Outcome> outcome;
+  VerifyReport report;                        ///< of the setpoints, written to a file and read back
+  ServoSummary servo;                         ///< of drives as machine files describe them
+  std::shared_ptr<const ContourScene> scene;  ///< the preview with the contour errors in it
+};
+
+/// A plan of at most this many setpoints is proven without being asked; longer ones would keep a core busy for long.
+inline constexpr std::size_t kProvenUnasked = 2'000'000;
+
+class ProofService : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ProofService(QObject* parent = nullptr);
+
+  /// Starts a moment later, so that a drag is not slowed down; replaces what was asked before. Null = nothing.
+  void request(std::shared_ptr<const Outcome> outcome);
+  bool isRunning() const { return worker_.isBusy() || delay_.isActive(); }
+
+ signals:
+  void proven(std::shared_ptr<const toolpace::ui::Proof> proof);
+  void failed(const toolpace::Error& error);
+  void finished();
+
+ private:
+  void start();
+
+  Background worker_;
+  QTimer delay_;
+  std::shared_ptr<const Outcome> wanted_;
+};
+
+/// Broken checks as problems, each with its line.
+Diagnostics problems_of(const VerifyReport& report);
+
+}  // namespace toolpace::ui
