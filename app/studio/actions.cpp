@@ -15,6 +15,7 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   export_picture = add("exportPictureAction", "");
   export_plots = add("exportPlotsAction", "");
   export_window = add("exportWindowAction", "");
+  export_report = add("exportReportAction", "report", {QKeySequence("Ctrl+R")});
   open_machine = add("openMachineAction", "machine", {QKeySequence("Ctrl+M")});
   save_machine = add("saveMachineAction", "", {QKeySequence::Save});
   save_machine_as = add("saveMachineAsAction", "", {QKeySequence("Ctrl+Shift+S")});
@@ -104,6 +105,8 @@ void Actions::retranslate() {
   export_picture->setText(tr("&Contour preview…"));
   export_plots->setText(tr("&Plots…"));
   export_window->setText(tr("&Window…"));
+  export_report->setText(tr("&Report…"));
+  export_report->setIconText(tr("Report"));
   open_machine->setText(tr("&Open machine…"));
   save_machine->setText(tr("&Save machine"));
   save_machine_as->setText(tr("Save machine &as…"));

@@ -9,10 +9,12 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
+#include <QHeaderView>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QMimeData>
 #include <QSlider>
+#include <QTableView>
 #include <QToolBar>
 
 #include "panels/dock_title.h"
@@ -20,6 +22,8 @@
 #include "panels/nc_panel.h"
 #include "panels/problems_panel.h"
 #include "panels/results_panel.h"
+#include "panels/single_move_page.h"
+#include "panels/stepper_page.h"
 #include "panels/sweep_panel.h"
 #include "panels/transport_bar.h"
 #include "panels/tuning_panel.h"
@@ -138,6 +142,7 @@ void MainWindow::connectActions() {
   on(a.export_picture, [this] { exportPicture(Picture::contour); });
   on(a.export_plots, [this] { exportPicture(Picture::plots); });
   on(a.export_window, [this] { exportPicture(Picture::window); });
+  on(a.export_report, [this] { exportReport(); });
   on(a.open_machine, [this] { askMachine(); });
   on(a.save_machine, [this] { saveMachine(false); });
   on(a.save_machine_as, [this] { saveMachine(true); });
@@ -224,6 +229,7 @@ void MainWindow::showDocument() {
 
 void MainWindow::showPlan() {
   const ui::Planned& plan = workspace_.plan();
+  nc_->view().setColourMap(contour_->colourMap());
   nc_->view().setTimeline(plan.timeline);
   contour_->setScene(plan.scene);
   profile_->setSeries(plan.series);
@@ -327,7 +333,13 @@ void MainWindow::applyAppearance() {
   what_if_->setTheme(theme_);
   sweep_->setTheme(theme_);
   problems_->setTheme(theme_);
+  single_move_->setTheme(theme_);
+  stepper_->setTheme(theme_);
   transport_->setTheme(theme_);
+  constexpr int kRow = 22, kTouchRow = 48;
+  for (auto* table : findChildren<QTableView*>()) {
+    table->verticalHeader()->setDefaultSectionSize(preferences_.touch ? kTouchRow : kRow);
+  }
 }
 
 void MainWindow::setInch(bool inch) {
@@ -371,6 +383,8 @@ void MainWindow::retranslate() {
   title("limitsDock", tr("Limits"));
   title("lossDock", tr("Lines"));
   title("sweepDock", tr("Depth"));
+  title("singleMoveDock", tr("Single move"));
+  title("stepperDock", tr("Stepper pulses"));
   const std::pair<QMenu*, QString> menus[] = {{file_menu_, tr("&File")},       {edit_menu_, tr("&Edit")},
                                               {plan_menu_, tr("&Plan")},       {view_menu_, tr("&View")},
                                               {help_menu_, tr("&Help")},       {recent_menu_, tr("Open re&cent")},

@@ -27,6 +27,8 @@ class NcPanel;
 class ProblemsPanel;
 class ProfileView;
 class ResultsPanel;
+class SingleMovePage;
+class StepperPage;
 class SweepPanel;
 class TransportBar;
 class TuningPanel;
@@ -55,6 +57,7 @@ class MainWindow : public QMainWindow {
   void storeMachineAs(const QString& path);
   void saveSetpoints(const QString& path);  ///< in a worker; the status line tells when it is done
   enum class Picture { contour, plots, window };
+  bool saveReport(const QString& path);
   bool savePicture(Picture picture, const QString& path);
   void setDark(bool dark);
   void setTouch(bool touch);
@@ -89,6 +92,7 @@ class MainWindow : public QMainWindow {
   // main_window_layout.cpp
   void buildPanels();
   QDockWidget* addDock(const char* name, QWidget* content, Qt::DockWidgetArea area, bool titled);
+  void addTool(const char* name, QWidget* page, const QSize& size);
   void arrange();
   void buildToolBar();
   void buildMenus();
@@ -100,6 +104,7 @@ class MainWindow : public QMainWindow {
   void saveMachine(bool ask);
   void exportSetpoints();
   void exportPicture(Picture picture);
+  void exportReport();
   QString askFile(const QString& title, const QString& suffix, const QStringList& filters);
   void connectExporter();
   void goToProblem();
@@ -126,6 +131,8 @@ class MainWindow : public QMainWindow {
   ui::LossPanel* loss_ = nullptr;
   ui::SweepPanel* sweep_ = nullptr;
   ui::ProblemsPanel* problems_ = nullptr;
+  ui::SingleMovePage* single_move_ = nullptr;
+  ui::StepperPage* stepper_ = nullptr;
   ui::TransportBar* transport_ = nullptr;
   std::map<QString, QDockWidget*> docks_;
   std::map<QString, ui::DockTitle*> titles_;

@@ -1,3 +1,4 @@
+#include <QBuffer>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -10,6 +11,8 @@
 #include "panels/transport_bar.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
+#include "report.h"
+#include "toolpace/io/output_file.h"
 
 namespace toolpace::studio {
 namespace {
@@ -150,6 +153,37 @@ bool MainWindow::savePicture(Picture picture, const QString& path) {
                 path);
   }
   return saved;
+}
+
+void MainWindow::exportReport() {
+  if (!workspace_.timeline()) return;
+  const QString path = askFile(tr("Save the report"), "-report.html", {tr("Web page (*.html)")});
+  if (!path.isEmpty()) saveReport(path);
+}
+
+bool MainWindow::saveReport(const QString& path) {
+  if (!workspace_.timeline()) return false;
+  const auto png = [](const QPixmap& pixmap) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    pixmap.save(&buffer, "PNG");
+    return bytes;
+  };
+  ReportParts parts{workspace_.plan(),
+                    workspace_.pinned(),
+                    workspace_.document()->name,
+                    machine_button_->text(),
+                    png(contour_->grab()),
+                    png(profile_->grab()),
+                    preferences_.inch ? ui::LengthUnit::inch : ui::LengthUnit::mm};
+  const auto written = write_whole_file(path.toStdString(), report_html(parts).toStdString());
+  if (written) {
+    transport_->setMessage(tr("saved %1").arg(QFileInfo(path).fileName()));
+  } else {
+    showFailure(written.error(), path);
+  }
+  return written.has_value();
 }
 
 void MainWindow::goToProblem() {

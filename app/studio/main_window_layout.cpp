@@ -9,6 +9,8 @@
 #include "panels/nc_panel.h"
 #include "panels/problems_panel.h"
 #include "panels/results_panel.h"
+#include "panels/single_move_page.h"
+#include "panels/stepper_page.h"
 #include "panels/sweep_panel.h"
 #include "panels/transport_bar.h"
 #include "panels/tuning_panel.h"
@@ -58,6 +60,10 @@ void MainWindow::buildPanels() {
   addDock("lossDock", loss_, Qt::RightDockWidgetArea, false);
   addDock("sweepDock", sweep_, Qt::RightDockWidgetArea, false);
   addDock("problemsDock", problems_, Qt::RightDockWidgetArea, false);
+  single_move_ = new ui::SingleMovePage(this);
+  stepper_ = new ui::StepperPage(this);
+  addTool("singleMoveDock", single_move_, {900, 560});
+  addTool("stepperDock", stepper_, {900, 560});
   arrange();
   first_layout_ = saveState();
 
@@ -83,6 +89,14 @@ QDockWidget* MainWindow::addDock(const char* name, QWidget* content, Qt::DockWid
   return dock;
 }
 
+// A page beside the program: a window of its own until somebody docks it.
+void MainWindow::addTool(const char* name, QWidget* page, const QSize& size) {
+  auto* dock = addDock(name, page, Qt::BottomDockWidgetArea, true);
+  dock->setFloating(true);
+  dock->resize(size);
+  dock->hide();
+}
+
 void MainWindow::arrange() {
   const std::vector<QString> tabs = {"limitsDock", "lossDock", "sweepDock", "problemsDock"};
   splitDockWidget(docks_["tuningDock"], docks_["resultsDock"], Qt::Vertical);
@@ -105,7 +119,7 @@ void MainWindow::buildMenus() {
   export_menu_ = new QMenu(this);
   language_menu_ = new QMenu(this);
   panels_menu_ = new QMenu(this);
-  export_menu_->addActions({a.export_setpoints, a.export_picture, a.export_plots, a.export_window});
+  export_menu_->addActions({a.export_setpoints, a.export_picture, a.export_plots, a.export_window, a.export_report});
   language_menu_->addActions({a.english, a.chinese});
   connect(recent_menu_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   connect(machine_menu_, &QMenu::aboutToShow, this, &MainWindow::fillMachines);
@@ -131,6 +145,8 @@ void MainWindow::buildMenus() {
   plan_menu_->addActions({a.pin, a.swap, a.unpin});
   plan_menu_->addSeparator();
   plan_menu_->addActions({a.sweep, a.what_if, a.cancel});
+  plan_menu_->addSeparator();
+  plan_menu_->addActions({docks_["singleMoveDock"]->toggleViewAction(), docks_["stepperDock"]->toggleViewAction()});
   view_menu_ = menu("viewMenu");
   view_menu_->addActions({a.fit, a.view_xy, a.view_xz, a.view_yz, a.view_iso});
   view_menu_->addSeparator();
@@ -170,6 +186,7 @@ void MainWindow::buildToolBar() {
   tool_bar_->addActions({a.undo, a.redo});
   tool_bar_->addSeparator();
   export_button_ = menu_button("exportButton", export_menu_, tool_bar_);
+  tool_bar_->addAction(a.export_report);
 }
 
 void MainWindow::fillRecent() {

@@ -295,6 +295,18 @@
             <source>&amp;About Toolpace</source>
             <translation>关于 Toolpace(&amp;A)</translation>
         </message>
+        <message>
+            <source>Open</source>
+            <translation>打开</translation>
+        </message>
+        <message>
+            <source>&amp;Report…</source>
+            <translation>报告(&amp;R)…</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>报告</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::MainWindow</name>
@@ -501,6 +513,45 @@
         <message>
             <source>nothing opened yet</source>
             <translation>尚未打开过文件</translation>
+        </message>
+        <message>
+            <source>Single move</source>
+            <translation>单段运动</translation>
+        </message>
+        <message>
+            <source>Stepper pulses</source>
+            <translation>步进脉冲</translation>
+        </message>
+        <message>
+            <source>Save the report</source>
+            <translation>保存报告</translation>
+        </message>
+        <message>
+            <source>Web page (*.html)</source>
+            <translation>网页 (*.html)</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::studio::Report</name>
+        <message>
+            <source>Proof</source>
+            <translation>验证</translation>
+        </message>
+        <message>
+            <source>%1 setpoints were read back and keep every limit.</source>
+            <translation>已回读 %1 个设定点，全部满足限值。</translation>
+        </message>
+        <message>
+            <source>Contour</source>
+            <translation>轮廓</translation>
+        </message>
+        <message>
+            <source>Motion</source>
+            <translation>运动</translation>
+        </message>
+        <message>
+            <source>Machine and options</source>
+            <translation>机床与选项</translation>
         </message>
     </context>
     <context>
@@ -733,6 +784,37 @@
         </message>
     </context>
     <context>
+        <name>toolpace::ui::MovePlot</name>
+        <message>
+            <source>v</source>
+            <translation>v</translation>
+        </message>
+        <message>
+            <source>a</source>
+            <translation>a</translation>
+        </message>
+        <message>
+            <source>j</source>
+            <translation>j</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>s</translation>
+        </message>
+        <message>
+            <source>t</source>
+            <translation>t</translation>
+        </message>
+        <message>
+            <source>Speed, acceleration, jerk and distance of the move over time</source>
+            <translation>运动的速度、加速度、加加速度和位移随时间变化</translation>
+        </message>
+        <message>
+            <source>The numbers above are the durations of the phases</source>
+            <translation>上方数字为各阶段的时长</translation>
+        </message>
+    </context>
+    <context>
         <name>toolpace::ui::NcPanel</name>
         <message>
             <source>Find</source>
@@ -926,6 +1008,18 @@
             <source>B</source>
             <translation>B</translation>
         </message>
+        <message>
+            <source>Violations</source>
+            <translation>超限</translation>
+        </message>
+        <message>
+            <source>Contour error</source>
+            <translation>轮廓误差</translation>
+        </message>
+        <message>
+            <source>Chord error</source>
+            <translation>弦误差</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::ResultsPanel</name>
@@ -948,6 +1042,348 @@
         <message>
             <source>Cycle time of plan A</source>
             <translation>规划 A 的循环时间</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::SingleMovePage</name>
+        <message>
+            <source>The feed is reached.</source>
+            <translation>达到进给速度。</translation>
+        </message>
+        <message>
+            <source>The feed is not reached.</source>
+            <translation>未达到进给速度。</translation>
+        </message>
+        <message>
+            <source>L</source>
+            <translation>L</translation>
+        </message>
+        <message>
+            <source>F</source>
+            <translation>F</translation>
+        </message>
+        <message>
+            <source>fs</source>
+            <translation>fs</translation>
+        </message>
+        <message>
+            <source>fe</source>
+            <translation>fe</translation>
+        </message>
+        <message>
+            <source>Tacc</source>
+            <translation>Tacc</translation>
+        </message>
+        <message>
+            <source>Tdec</source>
+            <translation>Tdec</translation>
+        </message>
+        <message>
+            <source>A</source>
+            <translation>A</translation>
+        </message>
+        <message>
+            <source>D</source>
+            <translation>D</translation>
+        </message>
+        <message>
+            <source>J</source>
+            <translation>J</translation>
+        </message>
+        <message>
+            <source>J dec</source>
+            <translation>J 减速</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>长度</translation>
+        </message>
+        <message>
+            <source>Feed</source>
+            <translation>进给</translation>
+        </message>
+        <message>
+            <source>Start speed</source>
+            <translation>起始速度</translation>
+        </message>
+        <message>
+            <source>End speed</source>
+            <translation>终止速度</translation>
+        </message>
+        <message>
+            <source>Acceleration time</source>
+            <translation>加速时间</translation>
+        </message>
+        <message>
+            <source>Deceleration time</source>
+            <translation>减速时间</translation>
+        </message>
+        <message>
+            <source>Acceleration limit</source>
+            <translation>加速度限值</translation>
+        </message>
+        <message>
+            <source>Deceleration limit</source>
+            <translation>减速度限值</translation>
+        </message>
+        <message>
+            <source>Jerk limit</source>
+            <translation>加加速度限值</translation>
+        </message>
+        <message>
+            <source>Jerk limit while slowing down</source>
+            <translation>减速时加加速度限值</translation>
+        </message>
+        <message>
+            <source>peak speed</source>
+            <translation>峰值速度</translation>
+        </message>
+        <message>
+            <source>length speeding up</source>
+            <translation>加速段长度</translation>
+        </message>
+        <message>
+            <source>length slowing down</source>
+            <translation>减速段长度</translation>
+        </message>
+        <message>
+            <source>time speeding up</source>
+            <translation>加速时间</translation>
+        </message>
+        <message>
+            <source>time at the peak</source>
+            <translation>匀速时间</translation>
+        </message>
+        <message>
+            <source>time slowing down</source>
+            <translation>减速时间</translation>
+        </message>
+        <message>
+            <source>total time</source>
+            <translation>总时间</translation>
+        </message>
+        <message>
+            <source>jerk speeding up</source>
+            <translation>加速段加加速度</translation>
+        </message>
+        <message>
+            <source>jerk slowing down</source>
+            <translation>减速段加加速度</translation>
+        </message>
+        <message>
+            <source>peak acceleration</source>
+            <translation>峰值加速度</translation>
+        </message>
+        <message>
+            <source>peak deceleration</source>
+            <translation>峰值减速度</translation>
+        </message>
+        <message>
+            <source>Preset</source>
+            <translation>预设</translation>
+        </message>
+        <message>
+            <source>Fill the form with a known move</source>
+            <translation>用已知运动填写表单</translation>
+        </message>
+        <message>
+            <source>own values</source>
+            <translation>自定义</translation>
+        </message>
+        <message>
+            <source>Zheng, move 1 (feed reached)</source>
+            <translation>Zheng 运动 1（达到进给）</translation>
+        </message>
+        <message>
+            <source>Zheng, move 2 (feed not reached)</source>
+            <translation>Zheng 运动 2（未达到进给）</translation>
+        </message>
+        <message>
+            <source>S-curve from rest to rest</source>
+            <translation>静止到静止的 S 曲线</translation>
+        </message>
+        <message>
+            <source>Quintic, 20 to 40 mm/s</source>
+            <translation>五次多项式，20 至 40 mm/s</translation>
+        </message>
+        <message>
+            <source>Law</source>
+            <translation>速度规律</translation>
+        </message>
+        <message>
+            <source>Velocity law</source>
+            <translation>速度规律</translation>
+        </message>
+        <message>
+            <source>Trapezoid</source>
+            <translation>梯形</translation>
+        </message>
+        <message>
+            <source>Five-phase by time</source>
+            <translation>五段（按时间）</translation>
+        </message>
+        <message>
+            <source>Five-phase by jerk</source>
+            <translation>五段（按加加速度）</translation>
+        </message>
+        <message>
+            <source>Seven-phase</source>
+            <translation>七段</translation>
+        </message>
+        <message>
+            <source>Quintic</source>
+            <translation>五次多项式</translation>
+        </message>
+        <message>
+            <source>Time-optimal</source>
+            <translation>时间最优</translation>
+        </message>
+        <message>
+            <source>Units</source>
+            <translation>单位</translation>
+        </message>
+        <message>
+            <source>Names of the units; the numbers stay as they are</source>
+            <translation>单位名称；数值不变</translation>
+        </message>
+        <message>
+            <source>mm, s</source>
+            <translation>mm, s</translation>
+        </message>
+        <message>
+            <source>pulse, cycle</source>
+            <translation>脉冲, 周期</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::StepperPage</name>
+        <message>
+            <source>steps</source>
+            <translation>步</translation>
+        </message>
+        <message>
+            <source>step/s</source>
+            <translation>步/s</translation>
+        </message>
+        <message>
+            <source>The top speed is reached.</source>
+            <translation>达到最高速度。</translation>
+        </message>
+        <message>
+            <source>The top speed is not reached.</source>
+            <translation>未达到最高速度。</translation>
+        </message>
+        <message>
+            <source>Export the pulse table</source>
+            <translation>导出脉冲表</translation>
+        </message>
+        <message>
+            <source>Comma-separated (*.csv);;C header (*.h)</source>
+            <translation>逗号分隔 (*.csv);;C 头文件 (*.h)</translation>
+        </message>
+        <message>
+            <source>Written: %1</source>
+            <translation>已写入：%1</translation>
+        </message>
+        <message>
+            <source>Steps</source>
+            <translation>步数</translation>
+        </message>
+        <message>
+            <source>Top speed</source>
+            <translation>最高速度</translation>
+        </message>
+        <message>
+            <source>Tacc</source>
+            <translation>Tacc</translation>
+        </message>
+        <message>
+            <source>Tdec</source>
+            <translation>Tdec</translation>
+        </message>
+        <message>
+            <source>Timer clock</source>
+            <translation>定时器时钟</translation>
+        </message>
+        <message>
+            <source>Number of steps</source>
+            <translation>步数</translation>
+        </message>
+        <message>
+            <source>Acceleration time</source>
+            <translation>加速时间</translation>
+        </message>
+        <message>
+            <source>Deceleration time</source>
+            <translation>减速时间</translation>
+        </message>
+        <message>
+            <source>peak rate</source>
+            <translation>峰值频率</translation>
+        </message>
+        <message>
+            <source>total time</source>
+            <translation>总时间</translation>
+        </message>
+        <message>
+            <source>total ticks</source>
+            <translation>总计数</translation>
+        </message>
+        <message>
+            <source>first interval</source>
+            <translation>首个间隔</translation>
+        </message>
+        <message>
+            <source>shortest interval</source>
+            <translation>最短间隔</translation>
+        </message>
+        <message>
+            <source>last interval</source>
+            <translation>末个间隔</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>s</translation>
+        </message>
+        <message>
+            <source>ticks</source>
+            <translation>计数</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>导出…</translation>
+        </message>
+        <message>
+            <source>Write the intervals as CSV or as a C header</source>
+            <translation>将间隔写成 CSV 或 C 头文件</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Stop the export</source>
+            <translation>停止导出</translation>
+        </message>
+        <message>
+            <source>Progress of the export</source>
+            <translation>导出进度</translation>
+        </message>
+        <message>
+            <source>step rate  step/s</source>
+            <translation>步频  步/s</translation>
+        </message>
+        <message>
+            <source>interval  ticks</source>
+            <translation>间隔  计数</translation>
+        </message>
+        <message>
+            <source>pulse number</source>
+            <translation>脉冲序号</translation>
+        </message>
+        <message>
+            <source>Step rate and pulse interval over the pulse number</source>
+            <translation>步频和脉冲间隔随脉冲序号变化</translation>
         </message>
     </context>
     <context>

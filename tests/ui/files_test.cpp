@@ -153,6 +153,21 @@ class FilesTest : public QObject {
     QVERIFY(!window.savePicture(Picture::window, in("no/such/folder.png")));
   }
 
+  void a_report_holds_the_figures_and_the_pictures() {
+    MainWindow window(false);
+    window.setLanguage("en");
+    window.show();
+    window.openExample();
+    settle(window);
+    QVERIFY(window.saveReport(in("report.html")));
+    QFile file(in("report.html"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray html = file.readAll();
+    QVERIFY(html.contains("Cycle time"));
+    QVERIFY(html.contains("max_acceleration_mm_s2"));
+    QCOMPARE(html.count("data:image/png;base64,"), 2);
+  }
+
   void a_machine_is_saved_and_opened_again_with_the_same_values() {
     MainWindow window(false);
     window.show();
