@@ -16,6 +16,7 @@
 #include <QSlider>
 #include <QTableView>
 #include <QToolBar>
+#include <algorithm>
 
 #include "panels/dock_title.h"
 #include "panels/loss_panel.h"
@@ -261,6 +262,12 @@ void MainWindow::showProblems() {
   const auto& all = workspace_.problems();
   nc_->view().setProblems(all);
   problems_->setProblems(all);
+  const auto first_error =
+      std::find_if(all.begin(), all.end(), [](const Diagnostic& d) { return d.severity == Severity::error; });
+  const bool has_errors = first_error != all.end();
+  if (has_errors && !had_errors_) docks_["problemsDock"]->raise();
+  if (!has_errors && had_errors_) docks_["resultsDock"]->raise();
+  had_errors_ = has_errors;
   const QString count = all.empty() ? QString() : QString(" %1").arg(all.size());
   docks_["problemsDock"]->setWindowTitle(tr("Problems") + count);
 }

@@ -140,6 +140,7 @@ class MainWindow : public QMainWindow {
   QMenu *file_menu_, *edit_menu_, *plan_menu_, *view_menu_, *help_menu_, *recent_menu_, *machine_menu_, *export_menu_,
       *panels_menu_, *language_menu_;
   QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *unit_button_ = nullptr, *export_button_ = nullptr;
+  bool had_errors_ = false;
   bool following_ = true;  // the program scrolls along with the cursor
   std::size_t next_problem_ = 0, next_slow_ = 0;
 };

@@ -21,7 +21,7 @@
 namespace toolpace::studio {
 namespace {
 
-constexpr int kProgramWidth = 240, kRightWidth = 352, kTuningHeight = 404, kResultHeight = 284, kPlotHeight = 316;
+constexpr int kProgramWidth = 240, kRightWidth = 360, kTuningHeight = 412, kResultHeight = 276, kPlotHeight = 316;
 
 QToolButton* menu_button(const char* name, QMenu* menu, QToolBar* bar) {
   auto* button = new QToolButton(bar);

@@ -72,6 +72,17 @@
         </message>
     </context>
     <context>
+        <name>MoveUnits</name>
+        <message>
+            <source>pulse</source>
+            <translation>脉冲</translation>
+        </message>
+        <message>
+            <source>cycle</source>
+            <translation>周期</translation>
+        </message>
+    </context>
+    <context>
         <name>ParameterNames</name>
         <message>
             <source>Top speed of the path</source>
@@ -591,6 +602,10 @@
             <source>drop an NC program here</source>
             <translation>将 NC 程序拖放到这里</translation>
         </message>
+        <message>
+            <source>held by: %1</source>
+            <translation>受限于：%1</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::ContourLegend</name>
@@ -977,16 +992,8 @@
             <translation>· 暂停</translation>
         </message>
         <message>
-            <source>Top speed</source>
-            <translation>最高速度</translation>
-        </message>
-        <message>
             <source>Mean speed</source>
             <translation>平均速度</translation>
-        </message>
-        <message>
-            <source>Peak acceleration</source>
-            <translation>峰值加速度</translation>
         </message>
         <message>
             <source>Peak jerk</source>
@@ -1019,6 +1026,14 @@
         <message>
             <source>Chord error</source>
             <translation>弦误差</translation>
+        </message>
+        <message>
+            <source>Peak speed</source>
+            <translation>峰值速度</translation>
+        </message>
+        <message>
+            <source>Peak accel.</source>
+            <translation>峰值加速度</translation>
         </message>
     </context>
     <context>

@@ -28,14 +28,14 @@ void ResultModel::retranslate() {
       {tr("· cutting"), Quantity::time, true, false, [](P p) { return summary(p).feed_time; }},
       {tr("· rapid"), Quantity::time, true, false, [](P p) { return summary(p).rapid_time; }},
       {tr("· dwell"), Quantity::time, true, false, [](P p) { return summary(p).dwell_time; }},
-      {tr("Top speed"), Quantity::speed, false, false, [](P p) { return summary(p).max_speed; }},
-      {tr("Peak acceleration"), Quantity::acceleration, false, false, [](P p) { return summary(p).max_acceleration; }},
+      {tr("Peak speed"), Quantity::speed, false, false, [](P p) { return summary(p).max_speed; }},
+      {tr("Peak accel."), Quantity::acceleration, false, false, [](P p) { return summary(p).max_acceleration; }},
       {tr("Peak jerk"), Quantity::jerk, false, false, [](P p) { return summary(p).max_jerk; }},
       {tr("Violations"), Quantity::length, true, true, [proven](P p) { return proven(p, violations(p)); }},
       {tr("Contour error"), Quantity::length, true, false,
-       [proven](P p) { return proven(p, p.proof ? p.proof->servo.max_contour_error : 0); }},
+       [proven](P p) { return proven(p, p.proof ? p.proof->servo.max_contour_error : 0); }, true},
       {tr("Chord error"), Quantity::length, true, false,
-       [proven](P p) { return proven(p, p.proof ? p.proof->report.chord_error.value_or(std::nan("")) : 0); }},
+       [proven](P p) { return proven(p, p.proof ? p.proof->report.chord_error.value_or(std::nan("")) : 0); }, true},
       {tr("Mean speed"), Quantity::speed, false, false,
        [](P p) { return summary(p).cycle_time > 0 ? summary(p).path_length / summary(p).cycle_time : 0.0; }},
       {tr("Path length"), Quantity::length, false, false, [](P p) { return summary(p).path_length; }},
@@ -70,6 +70,7 @@ int ResultModel::columnCount(const QModelIndex& parent) const { return parent.is
 
 DisplayUnit ResultModel::unit_of(const Row& row) const {
   DisplayUnit unit = display_unit(row.quantity, unit_);
+  if (row.is_error) unit = unit_ == LengthUnit::inch ? DisplayUnit{unit.factor * 1e3, "mil"} : DisplayUnit{1e3, "µm"};
   if (row.quantity == Quantity::jerk) unit = {unit.factor * 1e-3, "10³ " + unit.text};  // as the plots have it
   return unit;
 }
@@ -86,7 +87,12 @@ QString ResultModel::difference(const Row& row, double a, double b) const {
   if (std::abs(delta) <= 1e-9 * std::max(std::abs(a), std::abs(b))) return "0";
   const QString sign = delta > 0 ? "+" : "−";
   if (row.read && row.quantity == Quantity::time && !row.is_count && b > 0) {
-    return sign + QString::number(std::abs(delta) / b * 100, 'f', std::abs(delta) / b < 0.1 ? 2 : 1) + " %";
+    return sign +
+           QString::number(std::abs(delta) / b * 100, 'f',
+                           std::abs(delta) >= b        ? 0
+                           : std::abs(delta) / b < 0.1 ? 2
+                                                       : 1) +
+           " %";
   }
   return sign + shown(row, std::abs(delta));
 }

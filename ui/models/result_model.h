@@ -38,6 +38,7 @@ class ResultModel : public QAbstractTableModel {
     bool less_is_better;
     bool is_count;
     std::function<double(const Planned&)> read;  ///< NaN = not known
+    bool is_error = false;                       ///< shown in µm or mil
   };
 
   DisplayUnit unit_of(const Row& row) const;

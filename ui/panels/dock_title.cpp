@@ -13,7 +13,7 @@ DockTitle::DockTitle(QWidget* parent)
     : QWidget(parent), title_(new QLabel(this)), stale_(new QLabel(this)), row_(new QHBoxLayout(this)) {
   setProperty("role", "dockTitle");
   setAttribute(Qt::WA_StyledBackground);
-  setMinimumHeight(kHeight);
+  setFixedHeight(kHeight);
   row_->setContentsMargins(8, 0, 4, 0);
   row_->setSpacing(4);
   title_->setProperty("role", "heading");
@@ -34,6 +34,10 @@ void DockTitle::setStale(bool stale) {
 }
 
 void DockTitle::addControl(QWidget* control) { row_->addWidget(control); }
+
+QSize DockTitle::sizeHint() const { return {QWidget::sizeHint().width(), kHeight}; }
+
+QSize DockTitle::minimumSizeHint() const { return {QWidget::minimumSizeHint().width(), kHeight}; }
 
 void DockTitle::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) setStale(stale_->isVisibleTo(this));

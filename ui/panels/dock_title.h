@@ -17,6 +17,9 @@ class DockTitle : public QWidget {
   void setStale(bool stale);
   void addControl(QWidget* control);
 
+  QSize sizeHint() const override;  ///< what a dock makes room for
+  QSize minimumSizeHint() const override;
+
  protected:
   void changeEvent(QEvent* event) override;
 

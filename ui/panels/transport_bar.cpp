@@ -49,7 +49,9 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
   place_ = label("positionReadout", false);
   motion_ = label("motionReadout", false);
   message_ = label("messageReadout", true);
-  row->addStretch(1);
+  message_->setSizePolicy(QSizePolicy::Ignored,
+                          QSizePolicy::Preferred);  // a long message is no reason to widen the window
+  row->setStretchFactor(message_, 1);
   busy_ = label("busyLabel", true);
   progress_ = new QProgressBar(this);
   progress_->setObjectName("progressBar");
@@ -99,7 +101,7 @@ void TransportBar::showInstant() {
   motion_->setText(QString("v %1 %2   a %3 %4")
                        .arg(fixed(instant_->state.speed * speed.factor, 2, 7), speed.text,
                             fixed(instant_->state.acceleration * acceleration.factor, 0, 6), acceleration.text));
-  message_->setText(cause_title(instant_->cause));
+  setMessage(cause_title(instant_->cause));
 }
 
 void TransportBar::setPlaying(bool playing) {
@@ -116,7 +118,10 @@ void TransportBar::setBusy(bool busy) {
 
 void TransportBar::setProgress(double fraction) { progress_->setValue(static_cast<int>(fraction * 100)); }
 
-void TransportBar::setMessage(const QString& text) { message_->setText(text); }
+void TransportBar::setMessage(const QString& text) {
+  message_->setText(text);
+  message_->setToolTip(text);
+}
 
 void TransportBar::setLengthUnit(LengthUnit unit) {
   unit_ = unit;
