@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 namespace toolpace::nc {
@@ -18,14 +20,28 @@ Error io_error(const std::filesystem::path& path, const char* code, std::string 
   return {ErrorKind::io, code, std::move(what), std::move(remedy), {path.string(), 0, 0}, {}};
 }
 
-bool read_all(int descriptor, std::string& text) {
+constexpr std::size_t kMostStreamed = std::size_t{1}
+                                      << 30;  ///< bytes; an endless pipe or device must not fill the memory
+constexpr int kPatience = 100;                ///< [ms] between looks at the monitor
+
+/// Reads what has no size of its own (pipe, terminal, device) to its end. Nothing on success.
+std::optional<Error> read_stream(int descriptor, const std::filesystem::path& path, std::string& text,
+                                 const Monitor& monitor) {
   std::array<char, 65536> buffer;
   for (;;) {
+    if (monitor.is_cancelled()) return cancelled_error();
+    pollfd ready{descriptor, POLLIN, 0};
+    if (::poll(&ready, 1, kPatience) == 0) continue;
     const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return false;
-    if (count == 0) return true;
+    if (count < 0) {
+      return io_error(path, "file-not-read", fmt::format("reading failed: {}", std::strerror(errno)), "check the disk");
+    }
+    if (count == 0) return {};
     text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (text.size() > kMostStreamed) {
+      return io_error(path, "stream-too-long", "more than 1 GiB came and no end", "write it to a file and read that");
+    }
   }
 }
 
@@ -45,7 +61,7 @@ class Descriptor {
 
 }  // namespace
 
-Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
+Result<MappedFile> MappedFile::open(const std::filesystem::path& path, const Monitor& monitor) {
   const bool standard_input = path == "-";
   const Descriptor file(standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.value() < 0) {
@@ -73,10 +89,7 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
       return result;
     }
   }
-  if (!read_all(file.value(), result.storage_)) {
-    return tl::unexpected(
-        io_error(path, "file-not-read", fmt::format("reading failed: {}", std::strerror(errno)), "check the disk"));
-  }
+  if (auto error = read_stream(file.value(), path, result.storage_, monitor)) return tl::unexpected(std::move(*error));
   return result;
 }
 

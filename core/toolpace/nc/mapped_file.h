@@ -5,14 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
 
 namespace toolpace::nc {
 
 class MappedFile {
  public:
-  /// Errors: io (missing, a directory, unreadable).
-  static Result<MappedFile> open(const std::filesystem::path& path);
+  /// Errors: io (missing, a directory, unreadable, a pipe or device that does not end within 1 GiB), cancelled.
+  static Result<MappedFile> open(const std::filesystem::path& path, const Monitor& monitor = {});
 
   MappedFile(MappedFile&& other) noexcept;
   MappedFile& operator=(MappedFile&& other) noexcept;

@@ -124,7 +124,7 @@ Result<Reading> read_text(std::string_view text, const std::string& name, const 
 }
 
 Result<Reading> read_file(const std::filesystem::path& file, const ReadOptions& options, const Monitor& monitor) {
-  const auto mapped = nc::MappedFile::open(file);
+  const auto mapped = nc::MappedFile::open(file, monitor);
   if (!mapped) return tl::unexpected(mapped.error());
   return read_text(mapped->text(), file.string(), options, monitor);
 }
