@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "interrupt.h"
 #include "report.h"
 
 namespace toolpace::cli {
@@ -41,7 +42,8 @@ ReadOptions ReadingFlags::options() const {
 }
 
 Result<Reading> ReadingFlags::read() const {
-  auto reading = read_file(program, options());
+  auto reading = read_file(program, options(), terminal_monitor("reading"));
+  end_progress();
   if (reading) report(reading->diagnostics);
   return reading;
 }

@@ -13,7 +13,7 @@ SOURCE_DIR = pathlib.Path(os.environ["TOOLPACE_SOURCE_DIR"])
 EXAMPLES = SOURCE_DIR / "examples" / "nc"
 MACHINES = SOURCE_DIR / "resources" / "machines"
 
-FINE, LIMIT_BROKEN, BAD_USAGE, BAD_INPUT, FILE_TROUBLE = 0, 1, 2, 3, 4
+FINE, LIMIT_BROKEN, BAD_USAGE, BAD_INPUT, FILE_TROUBLE, INTERRUPTED = 0, 1, 2, 3, 4, 130
 
 
 @dataclasses.dataclass
