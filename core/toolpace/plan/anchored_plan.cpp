@@ -73,12 +73,6 @@ Span span_of_block(const SpeedLimits& limits, std::size_t i, bool touched) {
   return s;
 }
 
-/// Where anchors may stand.
-enum class AnchorSites : std::uint8_t {
-  touched,         ///< nodes that the optimum touches
-  touched_changed  ///< … and those where the ramp limits change
-};
-
 Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap, AnchorSites sites) {
   const std::vector<double> square = fastest_squares(limits, cap);
   const std::vector<double> position = node_positions(limits);
@@ -290,22 +284,12 @@ MotionPlan write_plan(const Anchors& anchors, const Layout& l) {
 }  // namespace
 
 MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, LawKind law,
-                               const Monitor& monitor) {
-  std::vector<AnchorSites> trials = {AnchorSites::touched};
-  if (limits.dynamics.size() > 1) trials.push_back(AnchorSites::touched_changed);
+                               AnchorSites sites, const Monitor& monitor) {
+  const Anchors anchors = find_anchors(limits, cap, sites);
   return visit_law(law, [&](auto chosen) {
     using Law = decltype(chosen);
-    MotionPlan plan;
-    double best = std::numeric_limits<double>::infinity();
-    for (const AnchorSites sites : trials) {
-      const Anchors anchors = find_anchors(limits, cap, sites);
-      const Layout l = AnchorPlanner<Law>(anchors, monitor).run();
-      if (monitor.is_cancelled()) return MotionPlan{};
-      if (!(l.time < best)) continue;
-      best = l.time;
-      plan = write_plan<Law>(anchors, l);
-    }
-    return plan;
+    const Layout l = AnchorPlanner<Law>(anchors, monitor).run();
+    return monitor.is_cancelled() ? MotionPlan{} : write_plan<Law>(anchors, l);
   });
 }
 
