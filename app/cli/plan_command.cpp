@@ -13,9 +13,11 @@
 #include "outcome_json.h"
 #include "reading_flags.h"
 #include "report.h"
+#include "servo_json.h"
 #include "toolpace/io/program_pulse_writer.h"
 #include "toolpace/io/setpoint_writer.h"
 #include "toolpace/law/law_table.h"
+#include "toolpace/pipeline/follow.h"
 #include "toolpace/pipeline/prove.h"
 #include "toolpace/sample/program_pulses.h"
 #include "toolpace/sample/sampler.h"
@@ -188,6 +190,10 @@ int run_plan(const PlanFlags& flags) {
     json["setpoints"] = pass->rows;
     json["max_chord_error_mm"] = pass->chord_error;
     add_verification(json, proof);
+    const auto servo = follow(*outcome, {}, terminal_monitor("simulating"));
+    end_progress();
+    if (!servo && servo.error().kind == ErrorKind::cancelled) return report(servo.error());
+    json["servo"] = servo ? nlohmann::json(servo_json(*servo)) : nlohmann::json(nullptr);
     json["plan_wall_s"] = planned.count();
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else if (flags.setpoints != "-") {
