@@ -16,6 +16,7 @@ struct ReadingFlags {
   bool block_delete = false;
   std::string tools, parameters;
   std::vector<std::string> sub_paths;
+  ReadLimits limits = {};
 
   /// Adds PROGRAM and the reading flags to a command.
   void add_to(CLI::App& command);

@@ -50,7 +50,7 @@ void Flow::jump(std::size_t offset, std::size_t line) {
 bool Flow::count_turn() {
   if (++turns_ <= limits_.loop_turns) return true;
   return lose("too-many-turns", fmt::format("the program's loops turn more than {} times", limits_.loop_turns),
-              "check that the loop ends; the bound can be raised");
+              "check that the loop ends; --max-loop-turns raises the bound");
 }
 
 const ControlLine* Flow::current_line(int& at) {
@@ -261,7 +261,7 @@ bool Flow::call_label(const std::string& label, Scanner& text, std::size_t colum
 bool Flow::enter(const std::string& label, std::size_t column, int repeats, bool is_numbered) {
   if (calls_.size() >= limits_.call_depth) {
     return lose("calls-too-deep", fmt::format("more than {} calls within each other", limits_.call_depth),
-                "check for a sub-program that calls itself", column);
+                "check for a sub-program that calls itself; --max-call-depth raises the bound", column);
   }
   const bool fanuc = reader_.dialect() == Dialect::fanuc;
   Call call;

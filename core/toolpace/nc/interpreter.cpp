@@ -60,12 +60,12 @@ bool Interpreter::check_bounds() {
     end_ = End::ended;
     return faults_.fail("too-many-blocks",
                         fmt::format("the program makes more than {} motion blocks", options_.limits.blocks),
-                        "check that its loops end; the bound can be raised");
+                        "check that its loops end; --max-blocks raises the bound");
   }
   if (lines_run_ > options_.limits.lines) {
     end_ = End::ended;
     return faults_.fail("too-many-lines", fmt::format("the program runs more than {} lines", options_.limits.lines),
-                        "check that its loops end; the bound can be raised");
+                        "check that its loops end; --max-lines raises the bound");
   }
   if (log_.is_full()) end_ = End::ended;
   return true;
@@ -162,6 +162,10 @@ bool Interpreter::run_block(Scanner& text) {
 
 void Interpreter::log_modal() {
   const Modal& m = state_.modal;
+  const bool in_order = flow_.turns() == 0 && flow_.depth() == 0;
+  if (in_order && logged_modal_ == m && logged_tool_ == state_.loaded.number && logged_.empty()) return;
+  logged_modal_ = m;
+  logged_tool_ = state_.loaded.number;
   ModalSnapshot s;
   s.motion = m.motion;
   s.plane = m.plane;
@@ -183,7 +187,7 @@ void Interpreter::log_modal() {
   s.spindle_speed = m.spindle_speed;
   s.feed = m.feed;
   // Loops and calls come by often: each line is listed once.
-  if (flow_.turns() > 0 || flow_.depth() > 0) {
+  if (!in_order) {
     if (!logged_.insert((static_cast<std::uint64_t>(flow_.file()) << 32) | flow_.line_number()).second) return;
   }
   reading_.modal.record(flow_.file(), flow_.line_number(), s);

@@ -81,6 +81,8 @@ class Interpreter {
   bool anything_read_ = false;
   bool at_percent_end_ = false;
   std::size_t lines_run_ = 0;
+  std::optional<Modal> logged_modal_;  ///< the state at the last entry of the modal log, and the tool
+  int logged_tool_ = 0;
   std::unordered_set<std::uint64_t> logged_;  ///< places in the modal log, once lines are run out of order
   struct ModalCall {
     bool active = false;

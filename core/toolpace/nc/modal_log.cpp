@@ -44,6 +44,8 @@ void ModalLog::record(std::size_t file, std::size_t line, const ModalSnapshot& s
     states_.push_back(state);
   }
   in_order_ = in_order_ && file == 0 && (changes_.empty() || changes_.back().line <= line);
+  // While lines run in order, a line that changes nothing need not be listed.
+  if (in_order_ && !changes_.empty() && changes_.back().state == index && changes_.back().feed == snapshot.feed) return;
   changes_.push_back({static_cast<std::uint32_t>(line), static_cast<std::uint16_t>(file),
                       static_cast<std::uint16_t>(index), snapshot.feed});
 }

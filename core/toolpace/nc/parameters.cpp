@@ -7,7 +7,6 @@
 namespace toolpace::nc {
 
 double vacant() { return std::numeric_limits<double>::quiet_NaN(); }
-bool is_vacant(double value) { return std::isnan(value); }
 
 Parameters::Parameters() : numbered_(kParameterCount, 0.0), frames_(1) { numbered_[kActiveSystem] = 1.0; }
 

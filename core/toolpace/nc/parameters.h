@@ -31,7 +31,7 @@ inline constexpr int kRotationWithinSystem = 9;
 
 /// A vacant variable (Fanuc #0) is a NaN that no calculation makes.
 double vacant();
-bool is_vacant(double value);
+inline bool is_vacant(double value) { return value != value; }
 
 class Parameters {
  public:

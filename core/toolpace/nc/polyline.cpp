@@ -180,7 +180,8 @@ void PolylineReader::append(const Row& row, bool has_feed) {
     feed = programmed * kPerMinute * (angular && !linear ? kRadiansPerDegree : 1.0);
   }
   if (moves.size() >= options_.limits.blocks) {
-    fault(0, "too-many-blocks", fmt::format("more than {} points", options_.limits.blocks), "the bound can be raised");
+    fault(0, "too-many-blocks", fmt::format("more than {} points", options_.limits.blocks),
+          "--max-blocks raises the bound");
     return;
   }
   moves.kind.push_back(MoveKind::feed);
