@@ -117,7 +117,12 @@ class Limiter {
   }
 
   std::uint32_t index_of(const Dynamics& dynamics) {
-    if (limits_.dynamics.empty() || !(limits_.dynamics.back() == dynamics)) limits_.dynamics.push_back(dynamics);
+    if (limits_.dynamics.empty() || !(limits_.dynamics.back() == dynamics)) {
+      const bool by_axis = dynamics.up.acceleration < machine_.path.acceleration ||
+                           dynamics.down.acceleration < machine_.path.deceleration;
+      limits_.dynamics.push_back(dynamics);
+      limits_.dynamics_cause.push_back(by_axis ? Cause::axis_acceleration : Cause::acceleration);
+    }
     return static_cast<std::uint32_t>(limits_.dynamics.size() - 1);
   }
 
