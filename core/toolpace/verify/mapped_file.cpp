@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <utility>
@@ -54,6 +55,12 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& file) {
 
 MappedFile::MappedFile(MappedFile&& other) noexcept
     : mapping_(std::exchange(other.mapping_, nullptr)), size_(other.size_), copy_(std::move(other.copy_)) {}
+
+void MappedFile::release_before(std::size_t offset) const {
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const std::size_t bytes = std::min(offset, size_) / page * page;
+  if (mapping_ != nullptr && bytes > 0) ::madvise(mapping_, bytes, MADV_DONTNEED);
+}
 
 MappedFile::~MappedFile() {
   if (mapping_ != nullptr) ::munmap(mapping_, size_);

@@ -19,6 +19,9 @@ class MappedFile {
   MappedFile& operator=(MappedFile&&) = delete;
   ~MappedFile();
 
+  /// Tells the system that the bytes before this offset are not needed soon; they can still be read.
+  void release_before(std::size_t offset) const;
+
   std::string_view bytes() const {
     return mapping_ != nullptr ? std::string_view(mapping_, size_) : std::string_view(copy_);
   }

@@ -13,6 +13,8 @@
 namespace toolpace::verify_detail {
 namespace {
 
+constexpr std::uint64_t kRowsBetweenReleases = 1 << 18;
+
 struct Array {
   std::string_view type;
   std::vector<std::uint64_t> shape;
@@ -112,11 +114,19 @@ class NumpySetpoints final : public SetpointFile {
     }
     append_lines(rows, n);
     at_ += n;
+    if (at_ >= next_release_) {
+      const char* const begin = bytes().data();
+      file_.release_before(static_cast<std::size_t>(data_.data() - begin) + at_ * width_ * sizeof(double));
+      // The lines lie behind the table: what is between is not in memory yet and costs nothing to give up.
+      if (columns_.line)
+        file_.release_before(static_cast<std::size_t>(lines_.data() - begin) + at_ * sizeof(std::int64_t));
+      next_release_ = at_ + kRowsBetweenReleases;
+    }
     rows.count += n;
     return n;
   }
 
-  void rewind() override { at_ = 0; }
+  void rewind() override { at_ = next_release_ = 0; }
   double progress() const override { return rows_ == 0 ? 1.0 : static_cast<double>(at_) / static_cast<double>(rows_); }
   Error shape_error(std::string what) const {
     return setpoints_error("setpoints-shape", std::move(what), {name_, 0, 0});
@@ -158,7 +168,7 @@ class NumpySetpoints final : public SetpointFile {
   MappedFile file_;
   std::string name_;
   std::string_view data_, lines_;
-  std::uint64_t rows_ = 0, width_ = 0, at_ = 0;
+  std::uint64_t rows_ = 0, width_ = 0, at_ = 0, next_release_ = 0;
   std::size_t axes_ = 3;
 };
 

@@ -19,6 +19,7 @@ struct Column {
   std::size_t axis = 0;
 };
 
+constexpr std::size_t kBytesBetweenReleases = std::size_t{1} << 24;
 constexpr std::size_t kLongestNumber = 64;  // no double that reads back needs more
 
 Column meaning_of(std::string_view name) {
@@ -62,10 +63,15 @@ class TextSetpoints final : public SetpointFile {
       if (auto row = read_row(rows); !row) return tl::unexpected(row.error());
     }
     rows.count += taken;
+    if (at_ >= next_release_) {
+      file_.release_before(at_);
+      next_release_ = at_ + kBytesBetweenReleases;
+    }
     return taken;
   }
 
   void rewind() override {
+    next_release_ = 0;
     at_ = body_;
     line_ = body_line_;
   }
@@ -183,7 +189,7 @@ class TextSetpoints final : public SetpointFile {
   char separator_;
   std::string_view text_;
   std::vector<Column> order_;
-  std::size_t at_ = 0, body_ = 0;
+  std::size_t at_ = 0, body_ = 0, next_release_ = 0;
   std::size_t line_ = 0, body_line_ = 0;
 };
 
