@@ -14,9 +14,8 @@ namespace {
 /// Rounds of lowering caps where a node is crossed too fast to stop in its window: Newton steps first, then to speeds that
 /// are safe in any case, which no node needs twice.
 constexpr int kNewtonRounds = 9, kSafeRounds = 24;
-/// Shorter windows whose plans are rivals of the wanted one's, and how many blocks may be planned for them in all.
-/// Anchored plans cost ten times as much as hulls.
-constexpr std::size_t kRivals = 6, kAnchoredRivals = 2, kRivalBlocks = 10000;
+/// Blocks that may be planned for shorter windows, whose plans are rivals of the wanted one's. Anchored plans cost more.
+constexpr std::size_t kRivalBlocks = 10000, kAnchoredRivalBlocks = 3000;
 constexpr int kPasses = 1, kPassesForOptimum = 8;
 /// By how much ramp limits may differ inside a zone; the later ones are tried for chains that are short enough.
 constexpr double kZoneRatios[] = {1.3, 1.1, 1.8};
@@ -68,18 +67,14 @@ struct Plan {
     return plan_anchored_ramps(limits, cap, law, method.sites, monitor);
   }
 
-  /// Without a window; also says which way was the best.
-  MotionPlan whole(Method& best) const {
-    const std::vector<Method> methods = methods_for(limits, law);
-    best = methods.front();
+  /// Without a window.
+  MotionPlan whole() const {
     MotionPlan plan;
     const std::vector<double> cap = joined_caps(limits);
-    for (const Method& method : methods) {
+    for (const Method& method : methods_for(limits, law)) {
       MotionPlan other = by(method, cap);
       if (monitor.is_cancelled()) return {};
-      if (!is_slower(plan, other)) continue;
-      plan = std::move(other);
-      best = method;
+      if (is_slower(plan, other)) plan = std::move(other);
     }
     // The hull and the trapezoid under limits that are the same everywhere have no faster rival in block ramps.
     if (law == LawKind::trapezoid || (is_jerk_hull(law) && limits.dynamics.size() == 1)) return plan;
@@ -105,25 +100,24 @@ struct Plan {
 
 MotionPlan plan_across_blocks(const SpeedLimits& limits, LawKind law, std::size_t blocks, const Monitor& monitor) {
   const Plan planner{limits, law, monitor};
-  Method method{};
-  MotionPlan plan = planner.whole(method);
+  MotionPlan plan = planner.whole();
   if (blocks >= limits.size() || monitor.is_cancelled()) return plan;
   if (StopWindow(limits, law, blocks).holds(plan)) return plan;
   plan = {};
   // What can stop in a shorter window can stop in this one: the shorter ones' plans are rivals, so that a deeper look-ahead
   // does not cost time where its own plan came out worse.
-  const std::size_t most = is_jerk_hull(law) ? kRivals : kAnchoredRivals;
-  const std::size_t rivals = std::min({blocks - 1, most, kRivalBlocks / limits.size()});
-  const auto consider = [&](MotionPlan other) {
-    if (is_slower(plan, other)) plan = std::move(other);
-  };
-  for (std::size_t n = blocks - rivals; n < blocks && !monitor.is_cancelled(); ++n) {
-    consider(planner.in_window(method, StopWindow(limits, law, n)));
-    consider(plan_block_ramps(limits, law, n, monitor));
+  const std::vector<Method> methods = methods_for(limits, law);
+  const std::size_t budget = (is_jerk_hull(law) ? kRivalBlocks : kAnchoredRivalBlocks) / methods.size();
+  const std::size_t rivals = std::min(blocks - 1, budget / limits.size());
+  for (std::size_t n = blocks - rivals; n <= blocks && !monitor.is_cancelled(); ++n) {
+    const StopWindow window(limits, law, n);
+    for (const Method& method : methods) {
+      MotionPlan other = planner.in_window(method, window);
+      if (is_slower(plan, other)) plan = std::move(other);
+    }
+    MotionPlan block = plan_block_ramps(limits, law, n, monitor);
+    if (is_slower(plan, block)) plan = std::move(block);
   }
-  const StopWindow window(limits, law, blocks);
-  for (const Method& each : methods_for(limits, law)) consider(planner.in_window(each, window));
-  consider(plan_block_ramps(limits, law, blocks, monitor));
   return plan;
 }
 
