@@ -350,7 +350,12 @@ typename NewtonRound<D>::Vec NewtonRound<D>::change(const Row& r) const {
   return dz;
 }
 
-inline double room(double use) { return use < 1 ? 1.02 : use * 1.02; }
+/// How far a step may take the use of a share of a limit. While the pace changes, a little beyond the limit is a way
+/// through; at the end beyond the share, but nothing may be broken anew.
+inline double room(double use, double share, bool hurry) {
+  const double most = hurry ? 1.02 : 0.9998 / share;
+  return use < most ? most : hurry ? use * 1.02 : use;
+}
 
 template <int D>
 double NewtonRound<D>::box_step(const Vec& z, const Vec& dz, const double* limit, double share) const {
@@ -358,7 +363,7 @@ double NewtonRound<D>::box_step(const Vec& z, const Vec& dz, const double* limit
   for (int a = 0; a < D; ++a) {
     const double l = limit[a] * share;
     if (!(l < 1e300)) continue;
-    const double use = std::abs(z[a]) / l, after = std::abs(z[a] + dz[a]) / l, most = room(use);
+    const double use = std::abs(z[a]) / l, after = std::abs(z[a] + dz[a]) / l, most = room(use, share, options_.hurry);
     if (after <= most) continue;
     const double to = (dz[a] > 0 ? most * l - z[a] : -most * l - z[a]) / dz[a];
     step = std::min(step, std::max(to, 0.0));
@@ -372,7 +377,7 @@ double NewtonRound<D>::ball_step(const Vec& z_, const Vec& dz_, double limit, do
   Vec z = z_, dz = dz_;
   for (int a = count; a < D; ++a) z[a] = dz[a] = 0;
   const double l = limit * share;
-  const double most = room(z.norm() / l) * l;
+  const double most = room(z.norm() / l, share, options_.hurry) * l;
   if ((z + dz).norm() <= most) return 1;
   const double a = dz.squaredNorm(), b = z.dot(dz), c = z.squaredNorm() - most * most;
   const double root = std::sqrt(std::max(b * b - a * c, 0.0));

@@ -41,6 +41,9 @@ class WindowOptimiser {
       {0.1, 0.9, 5}, {0.03, 0.97, 3}, {0.01, 0.99, 4}, {0.004, 0.997, 4}, {0.001, 0.999, 5}};
   static constexpr double kShares[] = {0.999, 0.99, 0.97, 0.96};  ///< left free for the settling at the end
 
+  /// Aimed at while settling; what lies between them and the limits is room for the steps.
+  static constexpr double kSettled[] = {0.9985, 0.985, 0.975, 0.975};
+
   bool step(MotionWindow<D>& m, const Level& level) {
     RoundOptions o;
     o.weight = level.weight;
@@ -54,7 +57,7 @@ class WindowOptimiser {
 
   /// At fixed duration, to a motion that keeps every limit; where that fails, a little slower there, and again.
   bool settle(MotionWindow<D>& m, const Monitor& monitor) {
-    constexpr int kAttempts = 7, kRounds = 6;
+    constexpr int kAttempts = 8, kRounds = 8;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       Use use;
       for (int i = 0; i <= kRounds; ++i) {
@@ -66,12 +69,12 @@ class WindowOptimiser {
         o.weight = 1;
         o.edge = 0.999;
         o.hurry = false;
-        std::fill(std::begin(o.share), std::end(o.share), 0.9995 - 0.004 * attempt);
+        std::copy(std::begin(kSettled), std::end(kSettled), o.share);
         if (!round_.solve(m, o)) return false;
         warp_.apply(m, round_.bend, round_.pace);
         passes_.apply(path_, m);
       }
-      slow_down(m, use, 0.02 * (1 << attempt));
+      slow_down(m, use, 0.01 * (1 << attempt));
     }
     return false;
   }
@@ -79,7 +82,7 @@ class WindowOptimiser {
   /// Slows down by the share `by` around what is over, fading out smoothly.
   void slow_down(MotionWindow<D>& m, const Use& use, double by) {
     const std::size_t n = m.size();
-    constexpr std::size_t kReach = 30;
+    constexpr std::size_t kReach = 60;
     std::vector<double> free(n, 1.0), low;
     for (const std::size_t at : use.over) free[std::min(at + 1, n - 1)] = 0;
     smooth_minimum(free, kReach, low);
