@@ -42,7 +42,7 @@ class WindowOptimiser {
   static constexpr double kShares[] = {0.999, 0.99, 0.97, 0.96};  ///< left free for the settling at the end
 
   /// Aimed at while settling; what lies between them and the limits is room for the steps.
-  static constexpr double kSettled[] = {0.9985, 0.985, 0.975, 0.975};
+  static constexpr double kSettled[] = {0.9985, 0.992, 0.98, 0.98};
 
   bool step(MotionWindow<D>& m, const Level& level) {
     RoundOptions o;
