@@ -20,6 +20,8 @@ constexpr int kPasses = 1, kPassesForOptimum = 8;
 /// By how much ramp limits may differ inside a zone; the later ones are tried for chains that are short enough.
 constexpr double kZoneRatios[] = {1.3, 1.1, 1.8};
 constexpr std::size_t kShortChain = 20000;
+/// In longer chains zones are made only where limits differ by more than this, as between a fast and a slow axis.
+constexpr double kWideSpread = 2.0;
 
 bool is_jerk_hull(LawKind law) { return law == LawKind::seven_phase || law == LawKind::time_optimal; }
 
@@ -34,6 +36,20 @@ struct Method {
   AnchorSites sites = AnchorSites::touched;  ///< of anchors
 };
 
+/// By how much accelerations or jerks differ over the chain, as a ratio.
+double spread_of(const SpeedLimits& limits) {
+  double spread = 1.0;
+  for (double RampLimits::*value : {&RampLimits::acceleration, &RampLimits::jerk}) {
+    for (RampLimits Dynamics::*side : {&Dynamics::up, &Dynamics::down}) {
+      const auto [low, high] =
+          std::minmax_element(limits.dynamics.begin(), limits.dynamics.end(),
+                              [&](const Dynamics& a, const Dynamics& b) { return a.*side.*value < b.*side.*value; });
+      spread = std::max(spread, (*high).*side.*value / ((*low).*side.*value));
+    }
+  }
+  return spread;
+}
+
 /// The ways to try for a law. Under limits that are the same everywhere the first is the best one.
 std::vector<Method> methods_for(const SpeedLimits& limits, LawKind law) {
   using Kind = Method::Kind;
@@ -44,7 +60,10 @@ std::vector<Method> methods_for(const SpeedLimits& limits, LawKind law) {
     return {{Kind::anchors}, {Kind::anchors, 1.0, AnchorSites::touched_changed}};
   }
   if (uniform) return {{Kind::hull}};
-  if (limits.size() > kShortChain) return {{Kind::hull}, {Kind::zones, kZoneRatios[0]}};
+  if (limits.size() > kShortChain) {
+    if (spread_of(limits) < kWideSpread) return {{Kind::hull}};
+    return {{Kind::hull}, {Kind::zones, kZoneRatios[0]}};
+  }
   std::vector<Method> all = {{Kind::hull}, {Kind::anchors}, {Kind::anchors, 1.0, AnchorSites::touched_changed}};
   for (const double ratio : kZoneRatios) all.push_back({Kind::zones, ratio});
   return all;
