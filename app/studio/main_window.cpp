@@ -231,7 +231,8 @@ void MainWindow::showDocument() {
 void MainWindow::showPlan() {
   const ui::Planned& plan = workspace_.plan();
   nc_->view().setColourMap(contour_->colourMap());
-  nc_->view().setTimeline(plan.timeline);
+  const auto speed = static_cast<std::size_t>(ui::ColourBy::speed);
+  nc_->view().setTimeline(plan.timeline, plan ? plan.scene->range[speed].high : 0);
   contour_->setScene(plan.scene);
   profile_->setSeries(plan.series);
   results_->setPlans(plan, workspace_.pinned());

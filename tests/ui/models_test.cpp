@@ -1,3 +1,4 @@
+#include <QFile>
 #include <QTest>
 
 #include "models/document.h"
@@ -54,6 +55,14 @@ class ModelsTest : public QObject {
     QCOMPARE(spans[1].kind, NcSpanKind::code);   // G1
     QCOMPARE(spans[2].kind, NcSpanKind::quiet);  // (fast)
     QCOMPARE(spans[4].kind, NcSpanKind::quiet);  // ; end
+  }
+
+  void every_text_has_a_chinese_translation() {
+    QFile file(TOOLPACE_SOURCE_DIR "/resources/translations/toolpace_zh_CN.ts");
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    QVERIFY(text.count("<message") > 300);
+    QCOMPARE(text.count("unfinished"), 0);
   }
 
   void a_timeline_finds_state_line_and_loss() {

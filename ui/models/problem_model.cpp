@@ -1,16 +1,10 @@
 #include "models/problem_model.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 
 #include "theme/icons.h"
 
 namespace toolpace::ui {
-
-QString message_text(const std::string& code, const std::string& english) {
-  const QString translated = QCoreApplication::translate("codes", code.c_str());
-  return translated == QString::fromStdString(code) ? QString::fromStdString(english) : translated;
-}
 
 void ProblemModel::setProblems(Diagnostics problems) {
   beginResetModel();
@@ -58,7 +52,9 @@ QVariant ProblemModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant ProblemModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
   return section == kPlace ? tr("Line") : tr("Message");
 }
 

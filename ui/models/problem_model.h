@@ -3,13 +3,11 @@
 
 #include <QAbstractTableModel>
 
+#include "models/diagnostic_text.h"
 #include "theme/theme.h"
 #include "toolpace/base/result.h"
 
 namespace toolpace::ui {
-
-/// Message of a diagnostic in the language of the window; English where its code has no translation.
-QString message_text(const std::string& code, const std::string& english);
 
 class ProblemModel : public QAbstractTableModel {
   Q_OBJECT

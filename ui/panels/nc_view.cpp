@@ -50,14 +50,12 @@ void NcView::setDocument(std::shared_ptr<const Document> document) {
   viewport()->update();
 }
 
-void NcView::setTimeline(std::shared_ptr<const Timeline> timeline) {
+void NcView::setTimeline(std::shared_ptr<const Timeline> timeline, double full_speed) {
   timeline_ = std::move(timeline);
-  fastest_ = worst_loss_ = 0;
+  fastest_ = full_speed;
+  worst_loss_ = 0;
   if (timeline_) {
-    for (const auto& stats : timeline_->lines()) {
-      fastest_ = std::max(fastest_, stats.mean_speed());
-      worst_loss_ = std::max(worst_loss_, stats.loss());
-    }
+    for (const auto& stats : timeline_->lines()) worst_loss_ = std::max(worst_loss_, stats.loss());
   }
   viewport()->update();
 }

@@ -24,7 +24,8 @@ class NcView : public QAbstractScrollArea {
   explicit NcView(QWidget* parent = nullptr);
 
   void setDocument(std::shared_ptr<const Document> document);
-  void setTimeline(std::shared_ptr<const Timeline> timeline);
+  /// @param full_speed  [mm/s] that the upper end of the colour map stands for, as in the preview
+  void setTimeline(std::shared_ptr<const Timeline> timeline, double full_speed);
   void setProblems(const Diagnostics& problems);
   void setTheme(const Theme& theme);
   void setColourMap(ColourMap map);

@@ -11,6 +11,7 @@ namespace toolpace::ui {
 namespace {
 
 constexpr int kRowHeight = 22;
+constexpr int kLeastColumn = 56;
 constexpr double kHeadlineScale = 1.6;
 
 QToolButton* button(const char* name, QWidget* parent) {
@@ -71,8 +72,9 @@ ResultsPanel::ResultsPanel(QWidget* parent)
   style_table(table_);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  table_->horizontalHeader()->setSectionResizeMode(ResultModel::kTitle, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setMinimumSectionSize(kLeastColumn);
+  table_->horizontalHeader()->setSectionResizeMode(ResultModel::kTitle, QHeaderView::Stretch);
   column->addWidget(table_, 1);
   connect(pin_, &QToolButton::clicked, this, &ResultsPanel::pinRequested);
   connect(swap_, &QToolButton::clicked, this, &ResultsPanel::swapRequested);
