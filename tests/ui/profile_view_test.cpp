@@ -1,11 +1,13 @@
 #include "plots/profile_view.h"
 
-#include <QImageReader>
+#include <QClipboard>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <cmath>
 
 #include "plots/limit_ribbon.h"
 #include "plots/overview_strip.h"
@@ -212,6 +214,54 @@ class ProfileViewTest : public QObject {
     QVERIFY(!view->exportPicture(folder.filePath("missing/plots.png")));
   }
 
+  void a_contour_error_is_a_fourth_plot() {
+    auto trace = std::make_shared<ErrorTrace>();
+    for (double t = 0; t < butterfly_->duration(); t += 0.001) {
+      trace->time.push_back(t);
+      trace->error.push_back(static_cast<float>(0.003 + 0.002 * std::sin(7 * t) + (t > 2 && t < 2.002 ? 0.01 : 0)));
+    }
+    const SampleSeries samples(trace);
+    QVERIFY(qAbs(samples.largest() - 0.0149) < 0.0002);
+    const Curve far = samples.curve({0, butterfly_->duration(), 300});
+    QVERIFY(far.time.size() <= 600);
+    QCOMPARE(static_cast<float>(*std::max_element(far.value.begin(), far.value.end())), samples.largest());
+    const Curve near = samples.curve({1.0, 1.1, 300});
+    QVERIFY(near.time.front() <= 1.0 && near.time.back() >= 1.1);
+    QVERIFY(SampleSeries(nullptr).curve({0, 1, 10}).time.isEmpty());
+
+    auto view = shown();
+    view->setErrorTrace(trace);
+    view->setCursorTime(2.0);
+    QCOMPARE(view->plot().axisRectCount(), 4);
+    screenshot(*view, "profile-error");
+    view->setVisibleRange(1.9, 2.1);
+    QCOMPARE(view->plot().axisRect(3)->axis(QCPAxis::atBottom)->range().lower, view->visibleRange().first);
+    view->setErrorTrace(nullptr);
+    QCOMPARE(view->plot().axisRectCount(), 3);
+    screenshot(*view, "profile-error-gone");
+  }
+
+  void the_visible_values_stand_in_a_table_and_are_copied() {
+    auto view = shown();
+    view->setVisibleRange(1.0, 1.5);
+    QTest::mouseClick(view->findChild<QToolButton*>("showTable"), Qt::LeftButton);
+    auto* table = view->findChild<QTableView*>("profileTable");
+    QVERIFY(table->isVisible());
+    screenshot(*view, "profile-table");
+    const auto* model = table->model();
+    QCOMPARE(model->index(0, 0).data().toString(), QString("1.0000"));
+    QCOMPARE(model->index(model->rowCount() - 1, 0).data().toString(), QString("1.5000"));
+    QVERIFY(model->headerData(2, Qt::Horizontal, Qt::DisplayRole).toString().contains("mm/s"));
+    QSignalSpy asked(view.get(), &ProfileView::cursorTimeRequested);
+    emit table->activated(model->index(model->rowCount() - 1, 0));
+    QVERIFY(qAbs(asked[0][0].toDouble() - 1.5) < 1e-9);
+    QTest::mouseClick(view->findChild<QToolButton*>("showTable"), Qt::LeftButton);
+    QTest::keyClick(&view->plot(), Qt::Key_C, Qt::ControlModifier);
+    const QStringList lines = QApplication::clipboard()->text().split('\n');
+    QCOMPARE(lines.size(), model->rowCount() + 2);
+    QCOMPARE(lines[1].split('\t').size(), 5);
+  }
+
   void nothing_loaded_and_dwells_alone_draw_quietly() {
     ProfileView view;
     view.resize(600, 300);
@@ -234,7 +284,7 @@ class ProfileViewTest : public QObject {
       QVERIFY(!button->objectName().isEmpty());
       QVERIFY2(!button->accessibleName().isEmpty() && !button->toolTip().isEmpty(), qPrintable(button->objectName()));
     }
-    for (const char* name : {"profilePlot", "limitRibbon", "overviewStrip", "profileReadout"}) {
+    for (const char* name : {"profilePlot", "profileTable", "limitRibbon", "overviewStrip", "profileReadout"}) {
       auto* widget = view.findChild<QWidget*>(name);
       QVERIFY2(widget && !widget->accessibleName().isEmpty(), name);
     }

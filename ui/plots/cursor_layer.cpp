@@ -12,7 +12,7 @@ QRectF CursorLayer::area() const {
 
 double CursorLayer::xOf(double at) const {
   const auto rects = mParentPlot->axisRects();
-  return rects.isEmpty() ? 0.0 : rects.last()->axis(QCPAxis::atBottom)->coordToPixel(at);
+  return rects.isEmpty() ? 0.0 : rects.first()->axis(QCPAxis::atBottom)->coordToPixel(at);
 }
 
 void CursorLayer::applyDefaultAntialiasingHint(QCPPainter* painter) const {

@@ -52,9 +52,14 @@ ProfilePlot::ProfilePlot(QWidget* parent) : QCustomPlot(parent) {
   plotLayout()->setRowSpacing(0);
   plotLayout()->setMargins(QMargins(0, 4, 0, 0));
   for (std::size_t i = 0; i < kPlots; ++i) buildRow(i);
+  time_title_ = new QCPItemText(this);
+  time_title_->position->setType(QCPItemPosition::ptAbsolute);
+  time_title_->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  time_title_->setClipToAxisRect(false);
   addLayer(kCursorLayer, layer("overlay"), QCustomPlot::limBelow);
   layer(kCursorLayer)->setMode(QCPLayer::lmBuffered);
   cursor_ = new CursorLayer(this, kCursorLayer);
+  buildErrorRow();
   connect(this, &QCustomPlot::afterLayout, this, &ProfilePlot::laidOut);
   retranslate();
   dress();
@@ -68,7 +73,6 @@ void ProfilePlot::buildRow(std::size_t index) {
   row.value = row.rect->axis(QCPAxis::atLeft);
   QCPAxis* time = row.rect->axis(QCPAxis::atBottom);
   time_axes_.push_back(time);
-  time->setTickLabels(index + 1 == kPlots);
   time->ticker()->setTickCount(8);
   row.value->ticker()->setTickCount(4);
   row.value->setNumberFormat("gb");
@@ -88,6 +92,47 @@ void ProfilePlot::buildRow(std::size_t index) {
   row.curve = graph("curve");
 }
 
+void ProfilePlot::buildErrorRow() {
+  error_rect_ = new QCPAxisRect(this, true);
+  error_rect_->setAutoMargins(QCP::msNone);
+  plotLayout()->addElement(static_cast<int>(kPlots), 0, error_rect_);
+  QCPAxis* time = error_rect_->axis(QCPAxis::atBottom);
+  time->ticker()->setTickCount(8);
+  time_axes_.push_back(time);
+  error_curve_ = addGraph(time, error_rect_->axis(QCPAxis::atLeft));
+  error_curve_->setName("e.curve");
+  error_curve_->setSelectable(QCP::stNone);
+  setErrorTrace(nullptr);
+}
+
+void ProfilePlot::setErrorTrace(std::shared_ptr<const ErrorTrace> trace) {
+  error_ = SampleSeries(std::move(trace));
+  const bool shown = plotLayout()->elementCount() > static_cast<int>(kPlots);
+  if (error_.is_empty() && shown) {
+    plotLayout()->take(error_rect_);
+    plotLayout()->simplify();
+  } else if (!error_.is_empty() && !shown) {
+    plotLayout()->addElement(static_cast<int>(kPlots), 0, error_rect_);
+  }
+  error_rect_->setVisible(!error_.is_empty());
+  error_curve_->setVisible(!error_.is_empty());
+  updateErrorScale();
+  layOut();
+  refill();
+}
+
+/// Contour errors are micrometres; in inches they are thousandths.
+double ProfilePlot::errorFactor() const {
+  return unit_ == LengthUnit::mm ? 1000.0 : 1000.0 * display_unit(Quantity::length, unit_).factor;
+}
+
+void ProfilePlot::updateErrorScale() {
+  const double most = error_.largest() * errorFactor();
+  QCPAxis* axis = error_rect_->axis(QCPAxis::atLeft);
+  axis->setRange(most > 0 ? -0.03 * most : -0.03, most > 0 ? 1.09 * most : 1.0);
+  axis->setLabel(unit_ == LengthUnit::mm ? QStringLiteral("e\nµm") : QStringLiteral("e\n10⁻³ in"));
+}
+
 void ProfilePlot::setTheme(const Theme& theme) {
   theme_ = theme;
   dress();
@@ -105,14 +150,18 @@ void ProfilePlot::dress() {
   setBackground(theme_.surface);
   cursor_->theme = theme_;
   for (auto& row : rows_) dressRow(row);
+  dressRect(error_rect_);
+  error_curve_->setPen(QPen(theme_.error, 1.2));
+  time_title_->setColor(theme_.secondary);
+  time_title_->setFont(font());
   replot(rpQueuedReplot);
 }
 
-void ProfilePlot::dressRow(Row& row) {
+void ProfilePlot::dressRect(QCPAxisRect* rect) {
   QColor faint = theme_.line;
   faint.setAlphaF(0.7f);
-  for (auto* axis : {row.value, row.rect->axis(QCPAxis::atBottom), row.rect->axis(QCPAxis::atRight),
-                     row.rect->axis(QCPAxis::atTop)}) {
+  QCPAxis* value = rect->axis(QCPAxis::atLeft);
+  for (auto* axis : {value, rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atRight), rect->axis(QCPAxis::atTop)}) {
     axis->setVisible(true);
     axis->setBasePen(QPen(theme_.line, 1));
     axis->setTickPen(QPen(theme_.line, 1));
@@ -126,11 +175,15 @@ void ProfilePlot::dressRow(Row& row) {
     axis->grid()->setPen(QPen(faint, 1));
     axis->grid()->setZeroLinePen(Qt::NoPen);
     axis->setTickLengthIn(0);
-    axis->setTickLengthOut(axis == row.value ? 4 : 0);
+    axis->setTickLengthOut(axis == value ? 4 : 0);
   }
-  row.value->grid()->setZeroLinePen(QPen(theme_.secondary, 1));
-  row.rect->axis(QCPAxis::atRight)->setTicks(false);
-  row.rect->axis(QCPAxis::atTop)->setTicks(false);
+  value->grid()->setZeroLinePen(QPen(theme_.secondary, 1));
+  rect->axis(QCPAxis::atRight)->setTicks(false);
+  rect->axis(QCPAxis::atTop)->setTicks(false);
+}
+
+void ProfilePlot::dressRow(Row& row) {
+  dressRect(row.rect);
   QColor ghost_feed = theme_.secondary;
   ghost_feed.setAlphaF(0.4f);
   row.feed->setPen(QPen(ghost_feed, 2));
@@ -189,7 +242,8 @@ void ProfilePlot::updateScales() {
     row.value->setRange((low - (low < 0 ? margin : 0.03 * (high - low))) / power, (high + margin) / power);
     row.value->setLabel(QString("%1\n%2%3").arg(kSymbols[i], power_text(power), unit.text));
   }
-  time_axes_.back()->setLabel(tr("t  s"));
+  time_title_->setText(tr("t  s"));
+  updateErrorScale();
 }
 
 void ProfilePlot::setRange(double begin, double end) {
@@ -240,6 +294,7 @@ void ProfilePlot::refill() {
     const MotionCurves curves = shown_[axis] && series_ ? axis_curves(*series_, window, axis) : MotionCurves{};
     for (std::size_t i = 0; i < kPlots; ++i) fill(rows_[i].axis[axis], curve_of(curves, i), rows_[i].factor);
   }
+  fill(error_curve_, error_.curve(window), errorFactor());
   updateMarks();
   last_replot_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
   replot(rpQueuedReplot);
@@ -252,6 +307,10 @@ void ProfilePlot::updateMarks() {
   const std::array values = {s.speed, s.acceleration, s.jerk};
   for (std::size_t i = 0; i < kPlots; ++i) {
     cursor_->marks.push_back({rows_[i].value, values[i] * rows_[i].factor, theme_.accent});
+  }
+  if (!error_.is_empty()) {
+    const double error = error_.at(*cursor_->time) * errorFactor();
+    cursor_->marks.push_back({error_rect_->axis(QCPAxis::atLeft), error, theme_.error});
   }
 }
 
@@ -268,7 +327,7 @@ void ProfilePlot::setMeasures(std::optional<double> first, std::optional<double>
 
 std::pair<double, double> ProfilePlot::edges() const { return {rows_[0].rect->left(), rows_[0].rect->right() + 1.0}; }
 
-double ProfilePlot::timeAt(double x) const { return time_axes_.back()->pixelToCoord(x); }
+double ProfilePlot::timeAt(double x) const { return time_axes_.front()->pixelToCoord(x); }
 
 std::optional<std::size_t> ProfilePlot::measureAt(double x) const {
   for (std::size_t i = 0; i < 2; ++i) {
@@ -347,18 +406,30 @@ void ProfilePlot::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-void ProfilePlot::resizeEvent(QResizeEvent* event) {
+/// All plots equally high, the last one with the numbers of the time axis below it, their title where the titles of the
+/// strips stand.
+void ProfilePlot::layOut() {
   const QFontMetrics metrics(font());
-  const int line = metrics.height(), left = metrics.horizontalAdvance("-0000") + 2 * line + 16;
-  for (std::size_t i = 0; i < kPlots; ++i) {
-    const bool last = i + 1 == kPlots;
-    rows_[i].rect->setMargins(QMargins(left, i == 0 ? 2 : 6, 12, last ? line * 2 + 4 : 2));
+  const int line = metrics.height(), left = metrics.horizontalAdvance("-0000") + 2 * line + 16, below = line + 6;
+  const auto rects = axisRects();
+  const double each = std::max((height() - below - 2.0) / static_cast<double>(rects.size()), 20.0);
+  QList<double> shares;
+  for (qsizetype i = 0; i < rects.size(); ++i) {
+    const bool last = i + 1 == rects.size();
+    rects[i]->setMargins(QMargins(left, i == 0 ? 2 : 6, 12, last ? below : 2));
+    rects[i]->axis(QCPAxis::atBottom)->setTickLabels(last);
+    rects[i]
+        ->axis(QCPAxis::atLeft)
+        ->ticker()
+        ->setTickCount(std::clamp(static_cast<int>((each - 8) / (line * 1.4)), 2, 5));
+    shares.append(last ? each + below : each);
   }
-  // The rows share what is left after the last one's time axis, so that all three plots are equally high.
-  const double axis = line * 2.0 + 2, each = std::max((height() - axis) / 3.0, 20.0);
-  plotLayout()->setRowStretchFactors({each, each, each + axis});
-  for (auto& row : rows_)
-    row.value->ticker()->setTickCount(std::clamp(static_cast<int>((each - 8) / (line * 1.4)), 2, 5));
+  plotLayout()->setRowStretchFactors(shares);
+  time_title_->position->setCoords(left - 8.0, height() - below / 2.0 - 1);
+}
+
+void ProfilePlot::resizeEvent(QResizeEvent* event) {
+  layOut();
   QCustomPlot::resizeEvent(event);
   refill();
 }

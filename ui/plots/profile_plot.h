@@ -10,6 +10,7 @@
 #include "models/units.h"
 #include "plots/cursor_layer.h"
 #include "plots/profile_curves.h"
+#include "plots/sample_series.h"
 
 namespace toolpace::ui {
 
@@ -24,10 +25,12 @@ class ProfilePlot : public QCustomPlot {
   void setTheme(const Theme& theme);
   void setUnit(LengthUnit unit);
   void setAxisShown(std::size_t axis, bool shown);  ///< X, Y, Z
+  /// Contour error as a fourth plot; null takes it away.
+  void setErrorTrace(std::shared_ptr<const ErrorTrace> trace);
   void retranslate();
 
   void setRange(double begin, double end);  ///< [s]; kept inside the plan
-  QCPRange range() const { return time_axes_.back()->range(); }
+  QCPRange range() const { return time_axes_.front()->range(); }
   void fit();
   void zoom(double factor, double around);  ///< [s]
 
@@ -69,6 +72,11 @@ class ProfilePlot : public QCustomPlot {
   };
 
   void buildRow(std::size_t index);
+  void buildErrorRow();
+  void layOut();
+  void dressRect(QCPAxisRect* rect);
+  void updateErrorScale();
+  double errorFactor() const;
   void dress();
   void dressRow(Row& row);
   void updateScales();
@@ -79,7 +87,11 @@ class ProfilePlot : public QCustomPlot {
   double duration() const;
 
   std::array<Row, kPlots> rows_;
-  std::vector<QCPAxis*> time_axes_;
+  QCPAxisRect* error_rect_ = nullptr;  // in the layout only while there is a trace
+  QCPGraph* error_curve_ = nullptr;
+  SampleSeries error_{nullptr};
+  QCPItemText* time_title_ = nullptr;
+  std::vector<QCPAxis*> time_axes_;  // of the rows, then of the error
   CursorLayer* cursor_;
   std::shared_ptr<const ProfileSeries> series_, ghost_;
   std::array<bool, kAxes> shown_ = {};

@@ -1,19 +1,25 @@
 #include "plots/profile_view.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSaveFile>
+#include <QStackedWidget>
 #include <QSvgGenerator>
+#include <QTableView>
 #include <QToolButton>
 
 #include "plots/limit_ribbon.h"
 #include "plots/overview_strip.h"
 #include "plots/profile_plot.h"
+#include "plots/value_table.h"
 
 namespace toolpace::ui {
 namespace {
@@ -24,7 +30,10 @@ PhaseState state_at(const ProfileSeries& series, double time) { return motion_at
 
 ProfileView::ProfileView(QWidget* parent) : QWidget(parent) {
   setObjectName("profileView");
-  plot_ = new ProfilePlot(this);
+  pages_ = new QStackedWidget(this);
+  plot_ = new ProfilePlot(pages_);
+  pages_->addWidget(plot_);
+  buildTable();
   ribbon_ = new LimitRibbon(this);
   overview_ = new OverviewStrip(this);
   buildHeader();
@@ -32,7 +41,7 @@ ProfileView::ProfileView(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(header_);
-  column->addWidget(plot_, 1);
+  column->addWidget(pages_, 1);
   column->addWidget(ribbon_);
   column->addWidget(overview_);
   connect(plot_, &ProfilePlot::timeClicked, this, &ProfileView::cursorTimeRequested);
@@ -43,11 +52,33 @@ ProfileView::ProfileView(QWidget* parent) : QWidget(parent) {
   connect(plot_, &ProfilePlot::rangeChanged, this, [this](double begin, double end) {
     ribbon_->setRange(begin, end);
     overview_->setRange(begin, end);
+    values_->setRange(begin, end);
     emit visibleRangeChanged(begin, end);
   });
   retranslate();
   updateReadout();
 }
+
+void ProfileView::buildTable() {
+  values_ = new ValueTable(this);
+  table_ = new QTableView(pages_);
+  table_->setObjectName("profileTable");
+  table_->setModel(values_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  pages_->addWidget(table_);
+  connect(table_, &QTableView::activated, this,
+          [this](const QModelIndex& index) { emit cursorTimeRequested(values_->timeOf(index.row())); });
+}
+
+void ProfileView::setTableShown(bool shown) {
+  show_table_->setChecked(shown);
+  pages_->setCurrentIndex(shown ? 1 : 0);
+}
+
+void ProfileView::setErrorTrace(std::shared_ptr<const ErrorTrace> trace) { plot_->setErrorTrace(std::move(trace)); }
 
 void ProfileView::buildHeader() {
   header_ = new QWidget(this);
@@ -70,6 +101,7 @@ void ProfileView::buildHeader() {
   }
   measure_ = button("measure", true);
   fit_ = button("fitTime", false);
+  show_table_ = button("showTable", true);
   row->addStretch(1);
   readout_ = new QLabel(header_);
   readout_->setObjectName("profileReadout");
@@ -79,6 +111,7 @@ void ProfileView::buildHeader() {
   row->addWidget(readout_, 100);
   connect(measure_, &QToolButton::toggled, this, &ProfileView::setMeasuring);
   connect(fit_, &QToolButton::clicked, this, &ProfileView::fit);
+  connect(show_table_, &QToolButton::toggled, this, &ProfileView::setTableShown);
 }
 
 void ProfileView::retranslate() {
@@ -98,6 +131,10 @@ void ProfileView::retranslate() {
   fit_->setText(tr("Fit"));
   fit_->setAccessibleName(tr("Fit time"));
   fit_->setToolTip(tr("Show the whole program"));
+  show_table_->setText(tr("Table"));
+  show_table_->setAccessibleName(tr("Table"));
+  show_table_->setToolTip(tr("The visible values as a table; Ctrl+C copies them"));
+  table_->setAccessibleName(tr("Visible values"));
   plot_->retranslate();
   plot_->replot(QCustomPlot::rpQueuedReplot);
   ribbon_->update();
@@ -113,6 +150,7 @@ void ProfileView::changeEvent(QEvent* event) {
 }
 
 void ProfileView::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Copy)) return QApplication::clipboard()->setText(values_->text());
   if (event->key() == Qt::Key_M && event->modifiers() == Qt::NoModifier) return measure_->toggle();
   QWidget::keyPressEvent(event);
 }
@@ -121,6 +159,7 @@ void ProfileView::setSeries(std::shared_ptr<const ProfileSeries> series) {
   series_ = series;
   ribbon_->setSeries(series);
   overview_->setSeries(series);
+  values_->setSeries(series);
   plot_->setSeries(std::move(series));
   updateReadout();
 }
@@ -140,6 +179,7 @@ void ProfileView::setTheme(const Theme& theme) {
 void ProfileView::setUnit(LengthUnit unit) {
   unit_ = unit;
   plot_->setUnit(unit);
+  values_->setUnit(unit);
   updateReadout();
 }
 

@@ -9,9 +9,12 @@
 
 #include "models/units.h"
 #include "plots/profile_series.h"
+#include "preview/contour_scene.h"
 #include "theme/theme.h"
 
 class QLabel;
+class QStackedWidget;
+class QTableView;
 class QToolButton;
 
 namespace toolpace::ui {
@@ -19,6 +22,7 @@ namespace toolpace::ui {
 class LimitRibbon;
 class OverviewStrip;
 class ProfilePlot;
+class ValueTable;
 
 class ProfileView : public QWidget {
   Q_OBJECT
@@ -31,12 +35,16 @@ class ProfileView : public QWidget {
   /// Plan B, dashed; null = none.
   void setGhost(std::shared_ptr<const ProfileSeries> series);
 
+  /// Contour error of a simulation as a fourth plot; null = none.
+  void setErrorTrace(std::shared_ptr<const ErrorTrace> trace);
+
   void setTheme(const Theme& theme);
   void setUnit(LengthUnit unit);
   void setCursorTime(std::optional<double> time);  ///< [s]
   void setVisibleRange(double begin, double end);  ///< [s]
   void setMeasuring(bool on);
   void setAxisShown(std::size_t axis, bool shown);  ///< 0 = X …
+  void setTableShown(bool shown);                   ///< the visible values as a table instead of curves
   void fit();
 
   std::pair<double, double> visibleRange() const;
@@ -59,6 +67,7 @@ class ProfileView : public QWidget {
 
  private:
   void buildHeader();
+  void buildTable();
   void retranslate();
   void updateReadout();
   /// With a fixed number of decimals, so that digits do not jump while the cursor moves.
@@ -70,8 +79,12 @@ class ProfileView : public QWidget {
   QLabel* readout_;
   QToolButton* measure_;
   QToolButton* fit_;
+  QToolButton* show_table_;
   std::array<QToolButton*, 3> axes_ = {};
+  QStackedWidget* pages_;
   ProfilePlot* plot_;
+  QTableView* table_;
+  ValueTable* values_;
   LimitRibbon* ribbon_;
   OverviewStrip* overview_;
   std::shared_ptr<const ProfileSeries> series_;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSettleMs = 140;
 constexpr std::size_t kSmoothWhileMoving = 40'000, kSmoothAtRest = 600'000;  // pieces
-constexpr double kFitMargin = 36, kPickRadius = 8;                           // px
+constexpr double kFitMargin = 28, kPickRadius = 8;                           // px
 constexpr double kLeastScale = 1e-7, kMostScale = 1e9;                       // px/mm
 
 }  // namespace

@@ -92,7 +92,7 @@ void ContourCanvas::drawHighlight(QPainter& painter) const {
   path.moveTo(projection_.map(scene_->point(from)));
   for (std::size_t i = from + 1; i < to; i += stride) path.lineTo(projection_.map(scene_->point(i)));
   path.lineTo(projection_.map(scene_->point(to)));
-  painter.strokePath(path, QPen(faded(theme_.accent, 0.30), 8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.strokePath(path, QPen(faded(theme_.accent, 0.30), 6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
 void ContourCanvas::drawCursor(QPainter& painter) const {

@@ -1,0 +1,81 @@
+#include "plots/value_table.h"
+
+#include <algorithm>
+
+namespace toolpace::ui {
+namespace {
+
+struct ColumnStyle {
+  const char* title;
+  Quantity quantity;
+  int decimals;
+};
+constexpr std::array<ColumnStyle, ValueTable::kColumns> kColumnStyles = {{{"t", Quantity::time, 4},
+                                                                          {"s", Quantity::length, 3},
+                                                                          {"v", Quantity::speed, 3},
+                                                                          {"a", Quantity::acceleration, 1},
+                                                                          {"j", Quantity::jerk, 0}}};
+
+}  // namespace
+
+void ValueTable::setSeries(std::shared_ptr<const ProfileSeries> series) {
+  beginResetModel();
+  series_ = std::move(series);
+  endResetModel();
+}
+
+void ValueTable::setRange(double begin, double end) {
+  begin_ = begin;
+  end_ = end;
+  if (rowCount() > 0) emit dataChanged(index(0, 0), index(kRows - 1, kColumns - 1));
+}
+
+void ValueTable::setUnit(LengthUnit unit) {
+  beginResetModel();
+  unit_ = unit;
+  endResetModel();
+}
+
+double ValueTable::timeOf(int row) const {
+  const double total = series_ ? series_->duration() : 0.0;
+  const double begin = std::clamp(begin_, 0.0, total), end = std::clamp(end_, begin, total);
+  return begin + (end - begin) * row / (kRows - 1);
+}
+
+int ValueTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() || !series_ || series_->is_empty() ? 0 : kRows;
+}
+
+int ValueTable::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant ValueTable::data(const QModelIndex& index, int role) const {
+  if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole || !series_ || series_->is_empty()) return {};
+  const double time = timeOf(index.row());
+  const PhaseState s = motion_at(series_->outcome->plan, time);
+  const std::array values = {time, s.distance, s.speed, s.acceleration, s.jerk};
+  const auto column = static_cast<std::size_t>(index.column());
+  const ColumnStyle& style = kColumnStyles[column];
+  const int extra = unit_ == LengthUnit::inch && index.column() != kTime ? 1 : 0;
+  return QString::number(values[column] * display_unit(style.quantity, unit_).factor, 'f', style.decimals + extra);
+}
+
+QVariant ValueTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  const ColumnStyle& style = kColumnStyles[static_cast<std::size_t>(section)];
+  return QString("%1  %2").arg(style.title, display_unit(style.quantity, unit_).text);
+}
+
+QString ValueTable::text() const {
+  QString out;
+  for (int row = -1; row < rowCount(); ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      const QVariant cell =
+          row < 0 ? headerData(column, Qt::Horizontal, Qt::DisplayRole) : data(index(row, column), Qt::DisplayRole);
+      out += cell.toString() + (column + 1 < kColumns ? '\t' : '\n');
+    }
+  }
+  return out;
+}
+
+}  // namespace toolpace::ui
