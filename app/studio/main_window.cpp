@@ -86,6 +86,7 @@ void MainWindow::connectWorkspace() {
   connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPinned);
   connect(&workspace_, &Workspace::proofChanged, this, [this] {
     contour_->setScene(workspace_.plan().proof->scene);
+    profile_->setErrorTrace(workspace_.plan().proof->scene->trace);
     results_->setPlans(workspace_.plan(), workspace_.pinned());
   });
   connect(&workspace_, &Workspace::problemsChanged, this, &MainWindow::showProblems);
@@ -235,6 +236,7 @@ void MainWindow::showPlan() {
   nc_->view().setTimeline(plan.timeline, plan ? plan.scene->range[speed].high : 0);
   contour_->setScene(plan.scene);
   profile_->setSeries(plan.series);
+  profile_->setErrorTrace(plan.proof ? plan.proof->scene->trace : nullptr);
   results_->setPlans(plan, workspace_.pinned());
   what_if_->setTimeline(plan.timeline);
   loss_->setTimeline(plan.timeline);

@@ -232,11 +232,15 @@ class ProfileViewTest : public QObject {
     auto view = shown();
     view->setErrorTrace(trace);
     view->setCursorTime(2.0);
+    QCOMPARE(view->plot().axisRectCount(), 3);
+    QTest::mouseClick(view->findChild<QToolButton*>("showError"), Qt::LeftButton);
     QCOMPARE(view->plot().axisRectCount(), 4);
     screenshot(*view, "profile-error");
     view->setVisibleRange(1.9, 2.1);
     QCOMPARE(view->plot().axisRect(3)->axis(QCPAxis::atBottom)->range().lower, view->visibleRange().first);
     view->setErrorTrace(nullptr);
+    QCOMPARE(view->plot().axisRectCount(), 4);
+    QTest::mouseClick(view->findChild<QToolButton*>("showError"), Qt::LeftButton);
     QCOMPARE(view->plot().axisRectCount(), 3);
     screenshot(*view, "profile-error-gone");
   }

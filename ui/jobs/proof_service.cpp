@@ -42,6 +42,8 @@ Result<ServoSummary> simulated(const Outcome& outcome, ErrorTrace& errors, const
     for (std::size_t i = 0; i < chunk.size(); ++i) {
       errors.time.push_back(chunk.time(i));
       errors.offset.push_back(offset_of(trace, chunk, before + i, i));
+      errors.commanded.emplace_back(static_cast<float>(chunk.position[0][i]), static_cast<float>(chunk.position[1][i]),
+                                    static_cast<float>(chunk.position[2][i]));
     }
   }
   const ServoSummary summary = simulation->finish(trace);

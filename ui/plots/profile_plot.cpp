@@ -102,22 +102,26 @@ void ProfilePlot::buildErrorRow() {
   error_curve_ = addGraph(time, error_rect_->axis(QCPAxis::atLeft));
   error_curve_->setName("e.curve");
   error_curve_->setSelectable(QCP::stNone);
-  setErrorTrace(nullptr);
+  setErrorShown(false);
+}
+
+void ProfilePlot::setErrorShown(bool shown) {
+  const bool was = plotLayout()->elementCount() > static_cast<int>(kPlots);
+  if (was && !shown) {
+    plotLayout()->take(error_rect_);
+    plotLayout()->simplify();
+  } else if (!was && shown) {
+    plotLayout()->addElement(static_cast<int>(kPlots), 0, error_rect_);
+  }
+  error_rect_->setVisible(shown);
+  error_curve_->setVisible(shown);
+  layOut();
+  refill();
 }
 
 void ProfilePlot::setErrorTrace(std::shared_ptr<const ErrorTrace> trace) {
   error_ = SampleSeries(std::move(trace));
-  const bool shown = plotLayout()->elementCount() > static_cast<int>(kPlots);
-  if (error_.is_empty() && shown) {
-    plotLayout()->take(error_rect_);
-    plotLayout()->simplify();
-  } else if (!error_.is_empty() && !shown) {
-    plotLayout()->addElement(static_cast<int>(kPlots), 0, error_rect_);
-  }
-  error_rect_->setVisible(!error_.is_empty());
-  error_curve_->setVisible(!error_.is_empty());
   updateErrorScale();
-  layOut();
   refill();
 }
 
@@ -129,7 +133,8 @@ double ProfilePlot::errorFactor() const {
 void ProfilePlot::updateErrorScale() {
   const double most = error_.largest() * errorFactor();
   QCPAxis* axis = error_rect_->axis(QCPAxis::atLeft);
-  axis->setRange(most > 0 ? -0.03 * most : -0.03, most > 0 ? 1.09 * most : 1.0);
+  // Between two simulations the old heights stay, so that the plot does not jump.
+  if (!error_.is_empty()) axis->setRange(most > 0 ? -0.03 * most : -0.03, most > 0 ? 1.09 * most : 1.0);
   axis->setLabel(unit_ == LengthUnit::mm ? QStringLiteral("e\nµm") : QStringLiteral("e\n10⁻³ in"));
 }
 
@@ -308,7 +313,7 @@ void ProfilePlot::updateMarks() {
   for (std::size_t i = 0; i < kPlots; ++i) {
     cursor_->marks.push_back({rows_[i].value, values[i] * rows_[i].factor, theme_.accent});
   }
-  if (!error_.is_empty()) {
+  if (!error_.is_empty() && error_rect_->visible()) {
     const double error = error_.at(*cursor_->time) * errorFactor();
     cursor_->marks.push_back({error_rect_->axis(QCPAxis::atLeft), error, theme_.error});
   }
@@ -425,7 +430,7 @@ void ProfilePlot::layOut() {
     shares.append(last ? each + below : each);
   }
   plotLayout()->setRowStretchFactors(shares);
-  time_title_->position->setCoords(left - 8.0, height() - below / 2.0 - 1);
+  time_title_->position->setCoords(left - 30.0, height() - below / 2.0 - 1);
 }
 
 void ProfilePlot::resizeEvent(QResizeEvent* event) {

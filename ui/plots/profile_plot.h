@@ -25,7 +25,8 @@ class ProfilePlot : public QCustomPlot {
   void setTheme(const Theme& theme);
   void setUnit(LengthUnit unit);
   void setAxisShown(std::size_t axis, bool shown);  ///< X, Y, Z
-  /// Contour error as a fourth plot; null takes it away.
+  void setErrorShown(bool shown);                   ///< the contour error as a fourth plot
+  /// What it shows; null = not known yet.
   void setErrorTrace(std::shared_ptr<const ErrorTrace> trace);
   void retranslate();
 

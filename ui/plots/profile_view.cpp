@@ -80,6 +80,11 @@ void ProfileView::setTableShown(bool shown) {
 
 void ProfileView::setErrorTrace(std::shared_ptr<const ErrorTrace> trace) { plot_->setErrorTrace(std::move(trace)); }
 
+void ProfileView::setErrorShown(bool shown) {
+  show_error_->setChecked(shown);
+  plot_->setErrorShown(shown);
+}
+
 void ProfileView::buildHeader() {
   header_ = new QWidget(this);
   auto* row = new QHBoxLayout(header_);
@@ -101,6 +106,7 @@ void ProfileView::buildHeader() {
   }
   measure_ = button("measure", true);
   fit_ = button("fitTime", false);
+  show_error_ = button("showError", true);
   show_table_ = button("showTable", true);
   row->addStretch(1);
   readout_ = new QLabel(header_);
@@ -111,6 +117,7 @@ void ProfileView::buildHeader() {
   row->addWidget(readout_, 100);
   connect(measure_, &QToolButton::toggled, this, &ProfileView::setMeasuring);
   connect(fit_, &QToolButton::clicked, this, &ProfileView::fit);
+  connect(show_error_, &QToolButton::toggled, this, &ProfileView::setErrorShown);
   connect(show_table_, &QToolButton::toggled, this, &ProfileView::setTableShown);
 }
 
@@ -131,6 +138,9 @@ void ProfileView::retranslate() {
   fit_->setText(tr("Fit"));
   fit_->setAccessibleName(tr("Fit time"));
   fit_->setToolTip(tr("Show the whole program"));
+  show_error_->setText(tr("Error"));
+  show_error_->setAccessibleName(tr("Contour error"));
+  show_error_->setToolTip(tr("Contour error of the simulated drives as a fourth plot"));
   show_table_->setText(tr("Table"));
   show_table_->setAccessibleName(tr("Table"));
   show_table_->setToolTip(tr("The visible values as a table; Ctrl+C copies them"));

@@ -35,8 +35,9 @@ class ProfileView : public QWidget {
   /// Plan B, dashed; null = none.
   void setGhost(std::shared_ptr<const ProfileSeries> series);
 
-  /// Contour error of a simulation as a fourth plot; null = none.
+  /// Contour error of a simulation; null = not simulated. A fourth plot shows it once somebody asks for it.
   void setErrorTrace(std::shared_ptr<const ErrorTrace> trace);
+  void setErrorShown(bool shown);
 
   void setTheme(const Theme& theme);
   void setUnit(LengthUnit unit);
@@ -79,6 +80,7 @@ class ProfileView : public QWidget {
   QLabel* readout_;
   QToolButton* measure_;
   QToolButton* fit_;
+  QToolButton* show_error_;
   QToolButton* show_table_;
   std::array<QToolButton*, 3> axes_ = {};
   QStackedWidget* pages_;

@@ -22,7 +22,7 @@ struct ErrorTrace {
   std::vector<double> time;                ///< [s], ascending
   std::vector<float> error;                ///< contour error [mm], ≥ 0
   std::vector<Eigen::Vector3f> commanded;  ///< where it was asked to be [mm]
-  std::vector<Eigen::Vector3f> offset;     ///< actual minus nearest commanded position [mm]
+  std::vector<Eigen::Vector3f> offset;     ///< actual minus commanded position at that time [mm]
 };
 
 struct ContourScene {

@@ -119,7 +119,11 @@ std::size_t draw_trace(QImage& image, const ErrorTrace& trace, const Projection&
   if (count < 2) return 0;
   const Screen screen(projection, Eigen::Vector3d::Zero());
   const auto at = [&](std::size_t i) {
-    return screen.map(trace.commanded[i] + static_cast<float>(enlargement) * trace.offset[i]);
+    const Eigen::Vector3f way = trace.commanded[std::min(i + 1, count - 1)] - trace.commanded[i > 0 ? i - 1 : 0];
+    const float length = way.squaredNorm();
+    Eigen::Vector3f across = trace.offset[i];
+    if (length > 0) across -= across.dot(way) / length * way;
+    return screen.map(trace.commanded[i] + static_cast<float>(enlargement) * across);
   };
   LineRaster lines(image, width, true);
   QPointF from = at(0);

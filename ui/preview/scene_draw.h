@@ -25,7 +25,7 @@ struct SceneStyle {
 /// @return number of pieces drawn
 std::size_t draw_scene(QImage& image, const ContourScene& scene, const Projection& projection, const SceneStyle& style);
 
-/// Draws where the tool really went, its distance from the commanded place enlarged.
+/// Draws where the tool really went, its distance across the commanded path enlarged; being late along it is left out.
 /// @return number of pieces drawn
 std::size_t draw_trace(QImage& image, const ErrorTrace& trace, const Projection& projection, double enlargement,
                        QRgb colour, double width);
