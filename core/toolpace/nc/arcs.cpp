@@ -179,6 +179,11 @@ bool run_arc(Context& context, const Block& block, Code code) {
   const bool found = block.has('r') ? find_centre_by_radius(context, block, clockwise, arc)
                                     : find_centre_by_offset(context, block, arc);
   if (!found) return false;
+  if (!(std::hypot(arc.start[0] - arc.centre[0], arc.start[1] - arc.centre[1]) <= kFarthest)) {
+    return context.faults.fail("arc-radius-too-large",
+                               fmt::format("an arc with a radius of more than {:g} mm", kFarthest), "check I J K or R",
+                               block.column_of(GGroup::motion));
+  }
   Feedrate feed;
   if (!find_feedrate(context, block, length_of_arc(arc, end[plane.normal] - from[plane.normal]), 0.0, feed))
     return false;

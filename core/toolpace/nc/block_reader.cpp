@@ -84,6 +84,8 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
   if (!expressions_.read_value(text, value)) return false;
   if (is_vacant(value)) return true;  // a word with a vacant value is as if it were not there
   if (letter == 'g') return read_g(value, column, block);
+  const bool is_argument = block.has(GGroup::macro) && letter != 'n' && letter != 'o';
+  if (is_argument) return store_word(word_index(letter), value, column, block);  // M U V W too
   if (letter == 'm') return read_m(value, column, block) && skip_printer_text(text, block);
   if (letter == 'n') {
     if (dialect_ == Dialect::linuxcnc) {
@@ -105,7 +107,8 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
 }
 
 bool BlockReader::store_word(std::size_t index, double value, std::size_t column, Block& block) {
-  if (block.has(GGroup::macro)) block.arguments.push_back({static_cast<char>('a' + index), value});
+  if (block.has(GGroup::macro) && index < kRadiusWord)
+    block.arguments.push_back({static_cast<char>('a' + index), value});
   const std::uint32_t bit = 1u << index;
   if ((block.words & bit) != 0 && !block.has(GGroup::macro)) {
     return faults_.fail("word-twice", fmt::format("word {} stands twice in this block", word_text(index)),

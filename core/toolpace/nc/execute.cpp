@@ -11,6 +11,8 @@
 namespace toolpace::nc {
 namespace {
 
+constexpr double kHighestFeed = 1e9;  // [units/min]
+
 constexpr bool is_cycle(Code code) { return (code >= 730 && code <= 760) || (code >= 810 && code <= 890); }
 
 // Codes outside the motion group that take the block's axis words for themselves.
@@ -156,6 +158,9 @@ bool Interpreter::set_feed_mode(const Block& block) {
 bool Interpreter::set_feed(const Block& block) {
   Modal& modal = state_.modal;
   const double feed = block.of('f');
+  if (feed > kHighestFeed) {
+    return faults_.fail("feed-too-large", fmt::format("F{:g}", feed), "check the feedrate", block.column_of('f'));
+  }
   if (!(feed >= 0.0))
     return faults_.fail("feed-negative", fmt::format("F{:g}", feed), "a feedrate is not below 0", block.column_of('f'));
   if (modal.feed_mode == 930) return true;  // belongs to its block alone

@@ -56,6 +56,10 @@ bool Interpreter::run(const Monitor& monitor) {
 }
 
 bool Interpreter::check_bounds() {
+  if (out_.take_too_far()) {
+    return faults_.fail("coordinate-too-large", fmt::format("a move to more than {:g} mm away", kFarthest),
+                        "check the numbers and the offsets");
+  }
   if (out_.is_full()) {
     end_ = End::ended;
     return faults_.fail("too-many-blocks",

@@ -62,6 +62,10 @@ bool MoveWriter::begin_row() {
 }
 
 void MoveWriter::append(MoveKind kind, const AxisVector& end, double feed, std::uint32_t detail) {
+  if (!(end.cwiseAbs().maxCoeff() <= kFarthest)) {
+    too_far_ = true;
+    return;
+  }
   moves_.kind.push_back(kind);
   moves_.line.push_back(line_);
   moves_.file.push_back(file_);

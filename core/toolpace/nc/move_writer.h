@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "toolpace/nc/moves.h"
 #include "toolpace/nc/state.h"
@@ -15,6 +16,8 @@ struct Feedrate {
   double angular = 0.0;
 };
 
+inline constexpr double kFarthest = 1e9;  ///< [mm, rad] rows that lead farther are refused: no machine goes there
+
 class MoveWriter {
  public:
   MoveWriter(Moves& moves, std::size_t most_rows) : moves_(moves), most_rows_(most_rows) {}
@@ -23,6 +26,8 @@ class MoveWriter {
   void stop() { enabled_ = false; }
   bool is_enabled() const { return enabled_; }
   bool is_full() const { return full_; }
+  /// True once after a row that led farther than kFarthest, and was not written.
+  bool take_too_far() { return std::exchange(too_far_, false); }
 
   void set_place(std::size_t line, std::size_t file) {
     line_ = static_cast<std::uint32_t>(line);
@@ -52,6 +57,7 @@ class MoveWriter {
   std::size_t most_rows_;
   bool enabled_ = true;
   bool full_ = false;
+  bool too_far_ = false;
   std::uint32_t line_ = 0;
   std::uint16_t file_ = 0;
   std::uint16_t mode_ = 0;

@@ -53,6 +53,11 @@ bool check_spline(Context& context, const Block& block) {
 bool spline_feedrate(Context& context, const Block& block, const std::vector<Eigen::Vector3d>& polygon,
                      Feedrate& feed) {
   double length = 0.0;
+  for (const auto& point : polygon) {
+    if (point.cwiseAbs().maxCoeff() <= kFarthest) continue;
+    return context.faults.fail("coordinate-too-large", fmt::format("a control point more than {:g} mm away", kFarthest),
+                               "check the numbers", block.column_of(GGroup::motion));
+  }
   for (std::size_t i = 1; i < polygon.size(); ++i) length += (polygon[i] - polygon[i - 1]).norm();
   return find_feedrate(context, block, length, 0.0, feed);
 }

@@ -42,6 +42,19 @@ TEST(BadInput, NumbersThatNoDoubleHoldsAreRefused) {
   EXPECT_EQ(codes(read_program("G1 X1e400 F5\nM2\n")), (Codes{"word-unused@1:6"}));
 }
 
+TEST(BadInput, PlacesThatNoMachineReachesAreRefused) {
+  const std::string far = "1" + std::string(200, '0');
+  const auto code = [](const std::string& text) {
+    return read_program("G21 F100\n" + text + "\nM2\n").diagnostics.at(0).code;
+  };
+  EXPECT_EQ(code("G0 X" + far), "coordinate-too-large");
+  EXPECT_EQ(code("G10 L2 P1 X" + far + "\nG54\nG0 X0"), "coordinate-too-large");
+  EXPECT_EQ(code("G2 X1 Y0 I" + far), "arc-radius-too-large");
+  EXPECT_EQ(code("G2 X1 Y0 R" + far), "arc-radius-too-large");
+  EXPECT_EQ(code("G5 X1 Y1 I" + far + " J0 P0 Q0"), "coordinate-too-large");
+  EXPECT_EQ(code("G1 X1 F" + far), "feed-too-large");
+}
+
 TEST(BadInput, ALineOfTenMegabytesIsOneError) {
   const auto reading = read_program("G1 F5 X" + std::string(10'000'000, '1') + "\nG0 X1\nM2\n");
   EXPECT_EQ(codes(reading), (Codes{"line-too-long@1:1"}));

@@ -33,6 +33,13 @@ TEST(Fanuc, MacroCallsHaveTheirOwnLocals) {
   EXPECT_EQ(ends(reading), (Values{1, 30, 50, 1, 30, 50, 5}));
 }
 
+TEST(Fanuc, MacroArgumentsMayBeLettersThatMeanOtherThingsElsewhere) {
+  const auto reading =
+      read_as(Dialect::fanuc, "O1\nG21 F100\nG65 P9010 U1 V2 W3 M4 @5\nM30\nO9010\nG1 X#21 Y#22 Z#23\nX#13\nM99\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{1, 4}));
+}
+
 TEST(Fanuc, VacantVariablesLeaveWordsOut) {
   const auto reading =
       read_as(Dialect::fanuc, "O1\nG21 G90 F100\nG1 X1 Y2\nG1 X3 Y#20\nIF [#20 EQ #0] GOTO 9\nG1 X99\nN9 G1 X4\nM30\n");
