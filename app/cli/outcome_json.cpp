@@ -58,6 +58,11 @@ nlohmann::json outcome_json(const Outcome& outcome) {
     if (s.time_by_cause[i] > 0)
       j["time_by_limit_s"][std::string(cause_name(static_cast<Cause>(i)))] = s.time_by_cause[i];
   }
+  j["corners"] = {{"blended", s.blends.corners},
+                  {"stopped", s.blends.stops},
+                  {"merged_segments", s.blends.merged},
+                  {"max_deviation_mm", std::max(s.blends.deviation, s.tube_deviation)}};
+  j["smooth"] = {{"windows", s.tube_windows}, {"fallbacks", s.tube_fallbacks}};
   j["bound_s"] = s.bound ? nlohmann::json(*s.bound) : nlohmann::json(nullptr);
   Diagnostics warnings = outcome.job->program->diagnostics;
   warnings.insert(warnings.end(), outcome.warnings.begin(), outcome.warnings.end());
