@@ -37,7 +37,7 @@ CurveBounds arc_bounds(const Path& path, std::size_t i) {
 CurveBounds sampled_bounds(const Path& path, std::size_t i) {
   CurveBounds bounds{AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
   for (int k = 0; k < kSplineSamples; ++k) {
-    const Frame f = frame_at(path, i, path.length[i] * k / (kSplineSamples - 1));
+    const ParameterDerivatives f = derivatives_at_share(path, i, static_cast<double>(k) / (kSplineSamples - 1));
     bounds.first = bounds.first.cwiseMax(f.first.cwiseAbs());
     bounds.second = bounds.second.cwiseMax(f.second.cwiseAbs());
     bounds.third = bounds.third.cwiseMax(f.third.cwiseAbs());

@@ -68,9 +68,26 @@ Frame frame_at(const Path& path, std::size_t i, double s) {
   return frame;
 }
 
-AxisVector start_direction(const Path& path, std::size_t i) { return frame_at(path, i, 0.0).first; }
+ParameterDerivatives derivatives_at_share(const Path& path, std::size_t i, double share) {
+  const std::uint32_t detail = path.detail[i];
+  if (path.kind[i] == SegmentKind::spline) {
+    const SplinePiece& piece = path.spline_pieces[detail];
+    return by_arc_length(
+        spline_derivatives(path.splines[piece.spline], piece.begin + share * (piece.end - piece.begin)));
+  }
+  if (detail < Path::kCurveBlend) return by_arc_length(blend_derivatives(path.corner_blends[detail], 2 * share));
+  return by_arc_length(blend_derivatives(path.curve_blends[detail - Path::kCurveBlend], share));
+}
 
-AxisVector end_direction(const Path& path, std::size_t i) { return frame_at(path, i, path.length[i]).first; }
+AxisVector start_direction(const Path& path, std::size_t i) {
+  if (path.kind[i] >= SegmentKind::spline) return derivatives_at_share(path, i, 0.0).first;
+  return frame_at(path, i, 0.0).first;
+}
+
+AxisVector end_direction(const Path& path, std::size_t i) {
+  if (path.kind[i] >= SegmentKind::spline) return derivatives_at_share(path, i, 1.0).first;
+  return frame_at(path, i, path.length[i]).first;
+}
 
 bool is_rotary_only(const Path& path, std::size_t i) {
   return path.kind[i] == SegmentKind::line && path.node[i].head<3>() == path.node[i + 1].head<3>();
