@@ -3,6 +3,9 @@
 namespace toolpace {
 namespace {
 
+constexpr double kNoParameterSpeed = 1e-9;  // of a piece's mean |dp/du|
+constexpr double kBeside = 1e-3;            // of a piece
+
 Frame arc_frame(const Path& path, std::size_t i, double s) {
   const ArcCurve& arc = path.arcs[path.detail[i]];
   const double angle = angle_at(arc, path.length[i], s);
@@ -72,8 +75,14 @@ ParameterDerivatives derivatives_at_share(const Path& path, std::size_t i, doubl
   const std::uint32_t detail = path.detail[i];
   if (path.kind[i] == SegmentKind::spline) {
     const SplinePiece& piece = path.spline_pieces[detail];
-    return by_arc_length(
-        spline_derivatives(path.splines[piece.spline], piece.begin + share * (piece.end - piece.begin)));
+    const auto at = [&](double u) {
+      return spline_derivatives(path.splines[piece.spline], piece.begin + u * (piece.end - piece.begin));
+    };
+    ParameterDerivatives d = at(share);
+    // Coincident control points: the curve starts (or ends, or turns) without speed in its parameter. Look beside it.
+    const double mean = path.length[i] / (piece.end - piece.begin);
+    if (d.first.head<3>().norm() <= kNoParameterSpeed * mean) d = at(share + (share < 0.5 ? kBeside : -kBeside));
+    return by_arc_length(d);
   }
   if (detail < Path::kCurveBlend) return by_arc_length(blend_derivatives(path.corner_blends[detail], 2 * share));
   return by_arc_length(blend_derivatives(path.curve_blends[detail - Path::kCurveBlend], share));

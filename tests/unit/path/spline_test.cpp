@@ -90,6 +90,15 @@ TEST(Spline, ParameterInvertsLength) {
   }
 }
 
+TEST(Spline, ACurveThatStartsWithoutParameterSpeedHasADirection) {
+  // G5 with I0 J0: the first two control points coincide.
+  const SplineDetail slow{3, {{0, 0, 0}, {0, 0, 0}, {10, 5, 0}, {20, 0, 0}}, {}, {0, 0, 0, 0, 1, 1, 1, 1}};
+  const auto path = build_path(one_spline(slow), 0.0);
+  ASSERT_TRUE(path);
+  EXPECT_NEAR(start_direction(*path, 0).norm(), 1, 1e-12);
+  EXPECT_TRUE(end_direction(*path, path->size() - 1).allFinite());
+}
+
 TEST(Spline, CurveWithACuspIsCutIntoABoundedNumberOfPieces) {
   // Control points that fold back make a cusp, where curvature is unbounded.
   const SplineDetail cusp{3, {{0, 0, 0}, {10, 10, 0}, {0, 10, 0}, {10, 0, 0}}, {}, {0, 0, 0, 0, 1, 1, 1, 1}};
