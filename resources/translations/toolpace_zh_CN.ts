@@ -1224,6 +1224,30 @@
     <context>
         <name>toolpace::ui::ProfileView</name>
         <message>
+            <source>Visible values</source>
+            <translation>可见数值</translation>
+        </message>
+        <message>
+            <source>The visible values as a table; Ctrl+C copies them</source>
+            <translation>以表格显示可见数值；Ctrl+C 复制</translation>
+        </message>
+        <message>
+            <source>Table</source>
+            <translation>表格</translation>
+        </message>
+        <message>
+            <source>Contour error of the simulated drives as a fourth plot</source>
+            <translation>以第四幅图显示驱动仿真的轮廓误差</translation>
+        </message>
+        <message>
+            <source>Contour error</source>
+            <translation>轮廓误差</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>误差</translation>
+        </message>
+        <message>
             <source>Motion</source>
             <translation>运动</translation>
         </message>
