@@ -35,7 +35,8 @@ double solve_parameter(const Blend& blend, double piece, double length, double s
     (at < s ? low : high) = t;
     const double slope = blend_derivatives(blend, t).first.template head<3>().norm();
     double next = slope > 0 ? t + (s - at) / slope : (low + high) / 2;
-    if (!(next > low && next < high)) next = (low + high) / 2;
+    // Inside includes the ends: a step that rounding puts on a bracket's end has arrived there.
+    if (!(next >= low && next <= high)) next = (low + high) / 2;
     if (std::abs(next - t) <= kParameterAccuracy * top) return next;
     t = next;
   }

@@ -21,8 +21,9 @@ constexpr double kChainShare =
 constexpr int kSearchSteps = 40;
 constexpr int kSamples = 16;  // where the distance of a curve blend is looked at
 
+/// Size of a difference as the tolerance counts it: one length in mm and degrees together, as a Fréchet test does.
 double in_tube_unit(const AxisVector& d) {
-  return std::max(d.head<3>().norm(), d.tail<3>().norm() / kRadiansPerDegree);
+  return std::hypot(d.head<3>().norm(), d.tail<3>().norm() / kRadiansPerDegree);
 }
 
 class Blender {

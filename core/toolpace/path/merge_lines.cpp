@@ -87,7 +87,7 @@ class Merger {
       if (!(along > before && along < 1)) return kNever;
       before = along;
       const AxisVector e = d - along * chord;
-      most = std::max({most, e.head<3>().norm(), e.tail<3>().norm() / kRadiansPerDegree});
+      most = std::max(most, std::hypot(e.head<3>().norm(), e.tail<3>().norm() / kRadiansPerDegree));
     }
     const double root = std::sqrt(square);
     for (const std::size_t k : {begin, end - 1}) {
