@@ -44,6 +44,12 @@ class Program {
     const auto detail = static_cast<std::uint32_t>(reading_.moves.arcs.size() - 1);
     return add(MoveKind::arc, cx + c * dx - s * dy, cy + s * dx + c * dy, from[2] + rise, feed, detail);
   }
+  /// Path mode of the moves that follow.
+  Program& control(PathControl control) {
+    reading_.moves.modes.push_back(reading_.moves.modes[0]);
+    reading_.moves.modes.back().control = control;
+    return *this;
+  }
   Program& dwell(double seconds) {
     reading_.moves.dwells.push_back(seconds);
     push(MoveKind::dwell, here(), 0, static_cast<std::uint32_t>(reading_.moves.dwells.size() - 1));
@@ -66,7 +72,7 @@ class Program {
     m.kind.push_back(kind);
     m.line.push_back(static_cast<std::uint32_t>(m.size()));
     m.file.push_back(0);
-    m.mode.push_back(0);
+    m.mode.push_back(static_cast<std::uint16_t>(m.modes.size() - 1));
     m.detail.push_back(detail);
     m.end.push_back(end);
     m.feed.push_back(feed);

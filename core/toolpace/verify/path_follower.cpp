@@ -84,11 +84,14 @@ void PathFollower::take_match(const AxisVector& point) {
   double least = std::numeric_limits<double>::infinity();
   for (const Stretch& stretch : reachable_) {
     if (stretch.cell < match_.cell) continue;
+    // Nor back within a chord: where a stroke turns round, the way there and the way back are equally near.
+    const double low = stretch.cell == match_.cell ? std::max(stretch.low, match_.t) : stretch.low;
+    if (low > stretch.high) continue;
     if (vertices_.at(stretch.cell + 1) == nullptr) break;
     const AxisVector b = vertices_.at(stretch.cell + 1)->point, a = vertices_.at(stretch.cell)->point;
     const AxisVector d = b - a, e = point - a;
     const double square = dot(d, d);
-    const double t = square > 0 ? std::clamp(dot(d, e) / square, stretch.low, stretch.high) : stretch.low;
+    const double t = square > 0 ? std::clamp(dot(d, e) / square, low, stretch.high) : low;
     const AxisVector off = e - t * d;
     const double distance = std::sqrt(dot(off, off));
     // Of places equally near the earliest is taken: the walk may still go on from there.

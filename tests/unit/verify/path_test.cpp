@@ -120,6 +120,20 @@ TEST(PathCheck, MeasuresACutCornerAndGivesItNoExemption) {
   EXPECT_NEAR(*wide.chord_error, 0.01 / std::sqrt(2.0), 1e-5);
 }
 
+// Within the tolerance of a tip that the servo rule lets pass at 2000 mm/s² · 1 ms / 2 = 1 mm/s lie some twenty rows, on the
+// way there and on the way back; the step of speed is where the tip is passed.
+TEST(PathCheck, FindsTheTipOfAStrokeInsideAWideTolerance) {
+  const TemporaryDirectory dir;
+  Program program;
+  program.line(10, 0).line(10, 10).control(PathControl::exact_path);
+  for (int i = 0; i < 5; ++i) program.line(20 * i, 0, 2).line(20 * i, 0, -10.16 - 0.0001 * i).line(20 * i, 0, 2);
+  toolpace::Setup setup = axis_limited_setup();
+  setup.options.corner.rule = CornerRule::blend;
+  write_setpoints(planned(program, setup), dir / "a.csv");
+  const VerifyReport report = verified(dir / "a.csv", setup.machine, &program.moves(), 0.010001);
+  EXPECT_TRUE(report.passes()) << broken(report);
+}
+
 TEST(PathCheck, NoticesAMissingEndAndAWrongLine) {
   const TemporaryDirectory dir;
   Program program;
