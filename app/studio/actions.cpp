@@ -45,6 +45,8 @@ void Actions::addPlan() {
   swap = add("swapAction", "swap", {QKeySequence("Ctrl+T")});
   sweep = add("sweepAction", "sweep", {QKeySequence("Ctrl+L")});
   what_if = add("whatIfAction", "", {QKeySequence("Ctrl+I")});
+  hold = add("holdAction", "pause", {QKeySequence("Ctrl+H")});
+  no_hold = add("noHoldAction", "", {QKeySequence("Ctrl+Shift+H")});
 }
 
 void Actions::addView() {
@@ -128,6 +130,8 @@ void Actions::retranslate() {
   swap->setText(tr("S&wap A and B"));
   sweep->setText(tr("Sweep the look-a&head"));
   what_if->setText(tr("What would more &limits save?"));
+  hold->setText(tr("Feed &hold at the cursor"));
+  no_hold->setText(tr("Take the feed h&old away"));
   fit->setText(tr("&Fit"));
   view_xy->setText(tr("View along &Z (XY)"));
   view_xz->setText(tr("View along &Y (XZ)"));

@@ -27,7 +27,7 @@ class Actions : public QObject {
   QAction *undo, *redo, *find, *edit_line;
   QAction *play, *previous_line, *next_line, *to_start, *to_end, *cancel, *next_problem, *slowest_place;
   QAction *fit, *view_xy, *view_xz, *view_yz, *view_iso;
-  QAction *pin, *unpin, *swap, *sweep, *what_if;
+  QAction *pin, *unpin, *swap, *sweep, *what_if, *hold, *no_hold;
   QAction *dark, *touch, *inch, *english, *chinese, *reset_layout;
   QAction *show_keys, *about;
 

@@ -9,42 +9,37 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
-#include <QHeaderView>
-#include <QLibraryInfo>
 #include <QLocale>
 #include <QMimeData>
 #include <QSlider>
-#include <QTableView>
-#include <QToolBar>
 #include <algorithm>
 
-#include "panels/dock_title.h"
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
 #include "panels/problems_panel.h"
 #include "panels/results_panel.h"
-#include "panels/single_move_page.h"
-#include "panels/stepper_page.h"
 #include "panels/sweep_panel.h"
 #include "panels/transport_bar.h"
 #include "panels/tuning_panel.h"
 #include "panels/what_if_panel.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
-#include "theme/appearance.h"
-#include "theme/icons.h"
 
 namespace toolpace::studio {
 namespace {
 
 constexpr auto kExample = ":/butterfly.ngc";
 
-bool uses_rotary(const Moves& moves) {
-  const AxisVector& at = moves.start;
+/// Which of A, B and C a program turns.
+std::array<bool, 3> turned_axes(const Moves& moves) {
+  std::array<bool, 3> turned = {};
   for (const auto& end : moves.end) {
-    if (end.tail<3>() != at.tail<3>()) return true;
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+      const auto axis = static_cast<Eigen::Index>(3 + i);
+      turned[i] = turned[i] || end[axis] != moves.start[axis];
+    }
   }
-  return false;
+  return turned;
 }
 
 }  // namespace
@@ -66,6 +61,7 @@ MainWindow::MainWindow(bool remember)
   actions_->touch->setChecked(preferences_.touch);
   applyAppearance();
   setInch(preferences_.inch);
+  if (const auto map = ui::colour_map_named(preferences_.colour_map)) contour_->setColourMap(*map);
   if (!preferences_.geometry.isEmpty()) restoreGeometry(preferences_.geometry);
   if (!preferences_.layout.isEmpty()) restoreState(preferences_.layout);
   showProblems();
@@ -77,125 +73,6 @@ MainWindow::~MainWindow() {
   // Taking a translator away retranslates everything, so it has to happen while everything is still there.
   QCoreApplication::removeTranslator(&translator_);
   QCoreApplication::removeTranslator(&qt_translator_);
-}
-
-void MainWindow::connectWorkspace() {
-  using ui::Workspace;
-  connect(&workspace_, &Workspace::documentChanged, this, &MainWindow::showDocument);
-  connect(&workspace_, &Workspace::planChanged, this, &MainWindow::showPlan);
-  connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPinned);
-  connect(&workspace_, &Workspace::proofChanged, this, [this] {
-    contour_->setScene(workspace_.plan().proof->scene);
-    profile_->setErrorTrace(workspace_.plan().proof->scene->trace);
-    results_->setPlans(workspace_.plan(), workspace_.pinned());
-  });
-  connect(&workspace_, &Workspace::problemsChanged, this, &MainWindow::showProblems);
-  connect(&workspace_, &Workspace::cursorChanged, this, &MainWindow::showCursor);
-  connect(&workspace_, &Workspace::openFailed, this, &MainWindow::showFailure);
-  connect(&workspace_, &Workspace::busyChanged, transport_, &ui::TransportBar::setBusy);
-  connect(&workspace_, &Workspace::progressed, transport_, &ui::TransportBar::setProgress);
-  connect(&workspace_, &Workspace::staleChanged, this, [this](bool stale) {
-    for (const auto& [name, title] : titles_) title->setStale(stale && name == "tuningDock");
-  });
-  connect(&workspace_.playback(), &ui::Playback::playingChanged, transport_, &ui::TransportBar::setPlaying);
-  connect(&workspace_.tuning().undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
-}
-
-void MainWindow::connectPanels() {
-  const auto go_to_line = [this](int line) {
-    following_ = false;  // the line that was chosen stays chosen, even where it does not move
-    workspace_.setCursorLine(static_cast<std::uint32_t>(line));
-    following_ = true;
-  };
-  connect(&nc_->view(), &ui::NcView::lineActivated, this, go_to_line);
-  connect(&nc_->view(), &ui::NcView::lineEdited, &workspace_, &ui::Workspace::editLine);
-  const auto show_line = [this, go_to_line](int line) {
-    nc_->view().setCurrentLine(line);
-    go_to_line(line);
-  };
-  connect(problems_, &ui::ProblemsPanel::lineRequested, this, show_line);
-  connect(loss_, &ui::LossPanel::lineRequested, this, show_line);
-  connect(contour_, &ui::ContourView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
-  connect(profile_, &ui::ProfileView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
-  connect(results_, &ui::ResultsPanel::pinRequested, &workspace_, &ui::Workspace::pin);
-  connect(results_, &ui::ResultsPanel::unpinRequested, &workspace_, &ui::Workspace::unpin);
-  connect(results_, &ui::ResultsPanel::swapRequested, &workspace_, &ui::Workspace::swap);
-  connect(sweep_, &ui::SweepPanel::depthRequested, this, [this](std::optional<std::size_t> depth) {
-    workspace_.tuning().edit(tr("Look-ahead"), "lookahead", [depth](ui::Tuning& t) { t.options.lookahead = depth; });
-  });
-  using ui::TransportBar;
-  connect(transport_, &TransportBar::firstRequested, this, [this] { workspace_.setCursorTime(0); });
-  connect(transport_, &TransportBar::lastRequested, this, [this] { workspace_.setCursorTime(1e300); });
-  connect(transport_, &TransportBar::previousRequested, this, [this] { workspace_.stepLine(-1); });
-  connect(transport_, &TransportBar::nextRequested, this, [this] { workspace_.stepLine(+1); });
-  connect(transport_, &TransportBar::playRequested, &workspace_, &ui::Workspace::togglePlay);
-  connect(transport_, &TransportBar::rateChanged, &workspace_.playback(), &ui::Playback::setRate);
-  connect(transport_, &TransportBar::cancelRequested, &workspace_, &ui::Workspace::cancel);
-}
-
-void MainWindow::connectActions() {
-  Actions& a = *actions_;
-  const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
-  on(a.open, [this] { askProgram(); });
-  on(a.reload, [this] { workspace_.reload(); });
-  on(a.open_example, [this] { openExample(); });
-  on(a.close_window, [this] { close(); });
-  on(a.export_setpoints, [this] { exportSetpoints(); });
-  on(a.export_picture, [this] { exportPicture(Picture::contour); });
-  on(a.export_plots, [this] { exportPicture(Picture::plots); });
-  on(a.export_window, [this] { exportPicture(Picture::window); });
-  on(a.export_report, [this] { exportReport(); });
-  on(a.open_machine, [this] { askMachine(); });
-  on(a.save_machine, [this] { saveMachine(false); });
-  on(a.save_machine_as, [this] { saveMachine(true); });
-  on(a.default_machine, [this] {
-    machine_ = {};
-    workspace_.tuning().replace(tr("Default limits"), default_setup());
-    showTitle();
-  });
-  auto& undo = workspace_.tuning().undoStack();
-  on(a.undo, [&undo] { undo.undo(); });
-  on(a.redo, [&undo] { undo.redo(); });
-  connect(&undo, &QUndoStack::canUndoChanged, a.undo, &QAction::setEnabled);
-  connect(&undo, &QUndoStack::canRedoChanged, a.redo, &QAction::setEnabled);
-  a.undo->setEnabled(false);
-  a.redo->setEnabled(false);
-  on(a.find, [this] { nc_->openFindBar(); });
-  on(a.edit_line, [this] { nc_->view().editCurrentLine(); });
-  on(a.play, [this] { workspace_.togglePlay(); });
-  on(a.previous_line, [this] { workspace_.stepLine(-1); });
-  on(a.next_line, [this] { workspace_.stepLine(+1); });
-  on(a.to_start, [this] { workspace_.setCursorTime(0); });
-  on(a.to_end, [this] { workspace_.setCursorTime(1e300); });
-  on(a.cancel, [this] { workspace_.cancel(); });
-  on(a.next_problem, [this] { goToProblem(); });
-  on(a.slowest_place, [this] { goToSlowest(); });
-  on(a.pin, [this] { workspace_.pin(); });
-  on(a.unpin, [this] { workspace_.unpin(); });
-  on(a.swap, [this] { workspace_.swap(); });
-  on(a.sweep, [this] {
-    docks_["sweepDock"]->show();
-    docks_["sweepDock"]->raise();
-    sweep_->compute();
-  });
-  on(a.what_if, [this] {
-    docks_["limitsDock"]->show();
-    docks_["limitsDock"]->raise();
-    what_if_->compute();
-  });
-  on(a.fit, [this] { contour_->fit(), profile_->fit(); });
-  on(a.view_xy, [this] { contour_->setView(ui::View::xy); });
-  on(a.view_xz, [this] { contour_->setView(ui::View::xz); });
-  on(a.view_yz, [this] { contour_->setView(ui::View::yz); });
-  on(a.view_iso, [this] { contour_->setView(ui::View::iso); });
-  on(a.dark, [this](bool dark) { setDark(dark); });
-  on(a.touch, [this](bool touch) { setTouch(touch); });
-  on(a.inch, [this](bool inch) { setInch(inch); });
-  on(a.english, [this] { setLanguage("en"); });
-  on(a.chinese, [this] { setLanguage("zh_CN"); });
-  on(a.reset_layout, [this] { restoreState(first_layout_); });
-  on(a.show_keys, [this] { showKeys(); });
-  on(a.about, [this] { showAbout(); });
 }
 
 void MainWindow::openProgram(const QString& path) { workspace_.openFile(path); }
@@ -216,7 +93,7 @@ void MainWindow::showDocument() {
   const auto& document = workspace_.document();
   nc_->view().setDocument(document);
   nc_->setHintVisible(document->path.isEmpty());
-  tuning_->setRotaryVisible(uses_rotary(document->reading->moves));
+  tuning_->setRotaryAxes(turned_axes(document->reading->moves));
   if (!document->path.isEmpty()) {
     preferences_.last_program = QFileInfo(document->path).absoluteFilePath();
     studio::remember(preferences_.recent_programs, preferences_.last_program);
@@ -248,6 +125,8 @@ void MainWindow::showPlan() {
     contour_->setTolerance(rounds ? corner.tolerance : 0);
   }
   actions_->pin->setEnabled(static_cast<bool>(plan));
+  actions_->hold->setEnabled(static_cast<bool>(plan));
+  actions_->no_hold->setEnabled(workspace_.tuning().value().options.hold_at.has_value());
   showPinned();
   showCursor(workspace_.cursorTime());
 }
@@ -293,6 +172,28 @@ void MainWindow::showCursor(double time) {
   }
 }
 
+void MainWindow::holdAt(std::optional<double> time) {
+  if (!workspace_.timeline() || workspace_.tuning().value().options.hold_at == time) return;
+  if (time && workspace_.tuning().value().options.corner.rule == CornerRule::smooth) {
+    return transport_->setMessage(tr("no feed hold with smooth corners: the motion has left the path"));
+  }
+  workspace_.tuning().edit(tr("Feed hold"), "hold", [time](ui::Tuning& t) { t.options.hold_at = time; });
+}
+
+void MainWindow::showPlotMenu(const QPoint& at) {
+  const auto time = profile_->timeAt(at);
+  if (!time) return;
+  QMenu menu(this);
+  menu.setObjectName("plotMenu");
+  menu.addAction(tr("Feed hold here, at %1").arg(ui::duration_text(*time)), this, [this, time] { holdAt(time); })
+      ->setObjectName("holdHereAction");
+  menu.addActions({actions_->no_hold});
+  menu.addSeparator();
+  menu.addAction(tr("Cursor here"), this, [this, time] { workspace_.setCursorTime(*time); });
+  menu.addActions({actions_->fit, actions_->export_plots});
+  menu.exec(profile_->mapToGlobal(at));
+}
+
 void MainWindow::showTitle() {
   const auto& document = workspace_.document();
   setWindowTitle(document ? document->name : QString());
@@ -315,101 +216,6 @@ void MainWindow::showFailure(const Error& error, const QString& path) {
   docks_["problemsDock"]->raise();
   transport_->setMessage(QString::fromStdString(failure.message));
   emit openedOrFailed();
-}
-
-void MainWindow::setDark(bool dark) {
-  preferences_.dark = dark;
-  actions_->dark->setChecked(dark);
-  applyAppearance();
-}
-
-void MainWindow::setTouch(bool touch) {
-  preferences_.touch = touch;
-  actions_->touch->setChecked(touch);
-  applyAppearance();
-}
-
-void MainWindow::applyAppearance() {
-  theme_ = preferences_.dark ? ui::dark_theme() : ui::light_theme();
-  ui::apply_theme(*qApp, theme_, preferences_.touch);
-  actions_->setTheme(theme_);
-  for (auto* button : {machine_button_, export_button_}) {
-    button->setIcon(ui::icon(button == machine_button_ ? "machine" : "export", theme_));
-  }
-  nc_->view().setTheme(theme_);
-  contour_->setTheme(theme_);
-  profile_->setTheme(theme_);
-  results_->setTheme(theme_);
-  what_if_->setTheme(theme_);
-  sweep_->setTheme(theme_);
-  problems_->setTheme(theme_);
-  single_move_->setTheme(theme_);
-  stepper_->setTheme(theme_);
-  transport_->setTheme(theme_);
-  constexpr int kRow = 22, kTouchRow = 48;
-  for (auto* table : findChildren<QTableView*>()) {
-    table->verticalHeader()->setDefaultSectionSize(preferences_.touch ? kTouchRow : kRow);
-  }
-}
-
-void MainWindow::setInch(bool inch) {
-  preferences_.inch = inch;
-  actions_->inch->setChecked(inch);
-  const auto unit = inch ? ui::LengthUnit::inch : ui::LengthUnit::mm;
-  contour_->setUnit(unit);
-  profile_->setUnit(unit);
-  tuning_->setLengthUnit(unit);
-  results_->setLengthUnit(unit);
-  loss_->setLengthUnit(unit);
-  transport_->setLengthUnit(unit);
-  unit_button_->setText(inch ? "in" : "mm");
-}
-
-void MainWindow::setLanguage(const QString& language) {
-  const bool chinese = language.startsWith("zh");
-  preferences_.language = chinese ? "zh_CN" : "en";
-  (chinese ? actions_->chinese : actions_->english)->setChecked(true);
-  QCoreApplication::removeTranslator(&translator_);
-  QCoreApplication::removeTranslator(&qt_translator_);
-  if (chinese) {
-    if (qt_translator_.load("qtbase_zh_CN", QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
-      QCoreApplication::installTranslator(&qt_translator_);
-    }
-    if (translator_.load(":/translations/toolpace_zh_CN.qm")) QCoreApplication::installTranslator(&translator_);
-  }
-  retranslate();
-}
-
-void MainWindow::retranslate() {
-  actions_->retranslate();
-  const auto title = [this](const char* dock, const QString& text) {
-    docks_[dock]->setWindowTitle(text);
-    if (const auto found = titles_.find(dock); found != titles_.end()) found->second->setTitle(text);
-  };
-  title("programDock", tr("NC program"));
-  title("plotsDock", tr("Motion along the path"));
-  title("tuningDock", tr("Tuning"));
-  title("resultsDock", tr("Result"));
-  title("limitsDock", tr("Limits"));
-  title("lossDock", tr("Lines"));
-  title("sweepDock", tr("Depth"));
-  title("singleMoveDock", tr("Single move"));
-  title("stepperDock", tr("Stepper pulses"));
-  const std::pair<QMenu*, QString> menus[] = {{file_menu_, tr("&File")},       {edit_menu_, tr("&Edit")},
-                                              {plan_menu_, tr("&Plan")},       {view_menu_, tr("&View")},
-                                              {help_menu_, tr("&Help")},       {recent_menu_, tr("Open re&cent")},
-                                              {machine_menu_, tr("&Machine")}, {export_menu_, tr("&Export")},
-                                              {panels_menu_, tr("&Panels")},   {language_menu_, tr("&Language")}};
-  for (const auto& [menu, text] : menus) menu->setTitle(text);
-  export_button_->setText(tr("Export"));
-  export_button_->setToolTip(tr("Save setpoints and pictures"));
-  machine_button_->setToolTip(tr("Machine file: limits and defaults"));
-  machine_button_->setAccessibleName(tr("Machine"));
-  unit_button_->setToolTip(tr("Switch between millimetres and inches"));
-  unit_button_->setAccessibleName(unit_button_->toolTip());
-  tool_bar_->setWindowTitle(tr("Tools"));
-  showProblems();
-  showTitle();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

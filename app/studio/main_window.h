@@ -18,6 +18,7 @@
 #include "theme/theme.h"
 
 class QDockWidget;
+class QMenuBar;
 
 namespace toolpace::ui {
 class ContourView;
@@ -73,13 +74,11 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   // main_window.cpp
-  void connectWorkspace();
-  void connectPanels();
-  void connectActions();
   void showPlan();
   void showPinned();
   void showDocument();
@@ -87,6 +86,11 @@ class MainWindow : public QMainWindow {
   void showCursor(double time);
   void showTitle();
   void showFailure(const Error& error, const QString& path);
+  // main_window_wiring.cpp
+  void connectWorkspace();
+  void connectPanels();
+  void connectActions();
+  // main_window_look.cpp
   void applyAppearance();
   void retranslate();
   // main_window_layout.cpp
@@ -94,6 +98,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* addDock(const char* name, QWidget* content, Qt::DockWidgetArea area, bool titled);
   void addTool(const char* name, QWidget* page, const QSize& size);
   void arrange();
+  void shareHeights();
   void buildToolBar();
   void buildMenus();
   void fillRecent();
@@ -107,6 +112,8 @@ class MainWindow : public QMainWindow {
   void exportReport();
   QString askFile(const QString& title, const QString& suffix, const QStringList& filters);
   void connectExporter();
+  void holdAt(std::optional<double> time);  ///< [s]; nothing = no feed hold
+  void showPlotMenu(const QPoint& at);
   void goToProblem();
   void goToSlowest();
   void showKeys();
@@ -137,6 +144,7 @@ class MainWindow : public QMainWindow {
   std::map<QString, QDockWidget*> docks_;
   std::map<QString, ui::DockTitle*> titles_;
   QToolBar* tool_bar_ = nullptr;
+  QMenuBar* menu_bar_ = nullptr;  // in the tool bar: one row of chrome instead of two
   QMenu *file_menu_, *edit_menu_, *plan_menu_, *view_menu_, *help_menu_, *recent_menu_, *machine_menu_, *export_menu_,
       *panels_menu_, *language_menu_;
   QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *unit_button_ = nullptr, *export_button_ = nullptr;

@@ -1,7 +1,9 @@
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QResizeEvent>
 #include <QStatusBar>
 #include <QToolBar>
+#include <algorithm>
 
 #include "main_window.h"
 #include "panels/dock_title.h"
@@ -21,7 +23,9 @@
 namespace toolpace::studio {
 namespace {
 
-constexpr int kProgramWidth = 240, kRightWidth = 360, kTuningHeight = 412, kResultHeight = 276, kPlotHeight = 316;
+constexpr int kProgramWidth = 240, kRightWidth = 360, kTuningHeight = 384;
+constexpr double kPlotShare = 0.52;  // of the height below the tool bar
+constexpr int kChrome = 80;          // tool bar and transport bar
 
 QToolButton* menu_button(const char* name, QMenu* menu, QToolBar* bar) {
   auto* button = new QToolButton(bar);
@@ -103,14 +107,36 @@ void MainWindow::arrange() {
   for (const auto& tab : tabs) tabifyDockWidget(docks_["resultsDock"], docks_[tab]);
   docks_["resultsDock"]->raise();
   resizeDocks({docks_["programDock"], docks_["tuningDock"]}, {kProgramWidth, kRightWidth}, Qt::Horizontal);
-  resizeDocks({docks_["tuningDock"], docks_["resultsDock"]}, {kTuningHeight, kResultHeight}, Qt::Vertical);
-  resizeDocks({docks_["plotsDock"]}, {kPlotHeight}, Qt::Vertical);
+  shareHeights();
+}
+
+// Plots and preview share the height of the window, and the tuning gets what it needs; until somebody drags a border,
+// this holds at every size.
+void MainWindow::shareHeights() {
+  const int whole = std::max(height() - kChrome, 1);
+  const int plots = static_cast<int>(whole * kPlotShare);
+  const int tuning = std::min(kTuningHeight, whole * 3 / 5);
+  resizeDocks({docks_["tuningDock"], docks_["resultsDock"]}, {tuning, whole - tuning}, Qt::Vertical);
+  resizeDocks({docks_["plotsDock"]}, {plots}, Qt::Vertical);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  const int before = event->oldSize().height() - kChrome, after = event->size().height() - kChrome;
+  if (event->oldSize().height() <= 0) {
+    if (preferences_.layout.isEmpty()) shareHeights();
+  } else if (before > 0 && after > 0 && before != after && !docks_["plotsDock"]->isFloating()) {
+    resizeDocks({docks_["plotsDock"]}, {docks_["plotsDock"]->height() * after / before}, Qt::Vertical);
+  }
 }
 
 void MainWindow::buildMenus() {
   Actions& a = *actions_;
+  menu_bar_ = new QMenuBar(this);
+  menu_bar_->setObjectName("menuBar");
+  menu_bar_->setNativeMenuBar(false);
   const auto menu = [this](const char* name) {
-    auto* result = menuBar()->addMenu(QString());
+    auto* result = menu_bar_->addMenu(QString());
     result->setObjectName(name);
     return result;
   };
@@ -144,6 +170,8 @@ void MainWindow::buildMenus() {
   plan_menu_->addSeparator();
   plan_menu_->addActions({a.pin, a.swap, a.unpin});
   plan_menu_->addSeparator();
+  plan_menu_->addActions({a.hold, a.no_hold});
+  plan_menu_->addSeparator();
   plan_menu_->addActions({a.sweep, a.what_if, a.cancel});
   plan_menu_->addSeparator();
   plan_menu_->addActions({docks_["singleMoveDock"]->toggleViewAction(), docks_["stepperDock"]->toggleViewAction()});
@@ -168,8 +196,11 @@ void MainWindow::buildToolBar() {
   tool_bar_ = addToolBar(QString());
   tool_bar_->setObjectName("toolBar");
   tool_bar_->setMovable(false);
-  tool_bar_->setIconSize({20, 20});
+  tool_bar_->setIconSize({16, 16});
   tool_bar_->setContextMenuPolicy(Qt::PreventContextMenu);
+  menu_bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  tool_bar_->addWidget(menu_bar_);
+  tool_bar_->addSeparator();
   open_button_ = menu_button("openButton", recent_menu_, tool_bar_);
   open_button_->setPopupMode(QToolButton::MenuButtonPopup);
   open_button_->setDefaultAction(a.open);

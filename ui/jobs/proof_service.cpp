@@ -5,6 +5,7 @@
 #include "jobs/setpoint_export.h"
 #include "models/units.h"
 #include "toolpace/pipeline/prove.h"
+#include "toolpace/plan/bound.h"
 #include "toolpace/sample/sampler.h"
 
 namespace toolpace::ui {
@@ -30,7 +31,7 @@ Eigen::Vector3f offset_of(const ServoTrace& trace, const Setpoints& commanded, s
 }
 
 Result<ServoSummary> simulated(const Outcome& outcome, ErrorTrace& errors, const Monitor& monitor) {
-  auto simulation = ServoSimulation::create(ServoMachine{}, outcome.job->machine.period);
+  auto simulation = ServoSimulation::create(outcome.job->machine.servo, outcome.job->machine.period);
   if (!simulation) return tl::unexpected(simulation.error());
   Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
   ServoTrace trace;
@@ -61,6 +62,10 @@ Result<std::shared_ptr<const Proof>> proof_of(std::shared_ptr<const Outcome> out
   proof->outcome = outcome;
   proof->report = std::move(*report);
   proof->servo = *servo;
+  // The motion through the tube leaves the path that the bound is of.
+  if (outcome->plan.splines.empty()) {
+    proof->bound = lower_bound(outcome->limits, outcome->job->options.law) + outcome->summary.dwell_time;
+  }
   proof->scene = make_contour_scene(outcome, errors);
   return proof;
 }

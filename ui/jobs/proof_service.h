@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QTimer>
 #include <memory>
+#include <optional>
 
 #include "jobs/background.h"
 #include "preview/contour_scene.h"
@@ -16,7 +17,8 @@ namespace toolpace::ui {
 struct Proof {
   std::shared_ptr<const Outcome> outcome;
   VerifyReport report;                        ///< of the setpoints, written to a file and read back
-  ServoSummary servo;                         ///< of drives as machine files describe them
+  ServoSummary servo;                         ///< of the machine's drives
+  std::optional<double> bound;                ///< no plan on this path is faster [s]; none off the path
   std::shared_ptr<const ContourScene> scene;  ///< the preview with the contour errors in it
 };
 

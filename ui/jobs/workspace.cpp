@@ -83,6 +83,9 @@ void Workspace::takeDocument(std::shared_ptr<const Document> document) {
     emit planChanged();
     emit cursorChanged(cursor_);
   }
+  if (another && tuning_.value().options.hold_at) {  // a moment of the other program
+    return tuning_.edit(tr("Feed hold"), "hold", [](Tuning& t) { t.options.hold_at.reset(); });
+  }
   replan();
 }
 

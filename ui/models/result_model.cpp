@@ -23,23 +23,28 @@ void ResultModel::retranslate() {
   beginResetModel();
   using P = const Planned&;
   const auto proven = [](P p, double value) { return p.proof ? value : std::nan(""); };
+  const auto bound = [](P p) { return p.proof && p.proof->bound ? *p.proof->bound : std::nan(""); };
+  using enum Shown;
   rows_ = {
-      {tr("Cycle time"), Quantity::time, true, false, [](P p) { return summary(p).cycle_time; }},
-      {tr("· cutting"), Quantity::time, true, false, [](P p) { return summary(p).feed_time; }},
-      {tr("· rapid"), Quantity::time, true, false, [](P p) { return summary(p).rapid_time; }},
-      {tr("· dwell"), Quantity::time, true, false, [](P p) { return summary(p).dwell_time; }},
-      {tr("Peak speed"), Quantity::speed, false, false, [](P p) { return summary(p).max_speed; }},
-      {tr("Peak accel."), Quantity::acceleration, false, false, [](P p) { return summary(p).max_acceleration; }},
-      {tr("Peak jerk"), Quantity::jerk, false, false, [](P p) { return summary(p).max_jerk; }},
-      {tr("Violations"), Quantity::length, true, true, [proven](P p) { return proven(p, violations(p)); }},
-      {tr("Contour error"), Quantity::length, true, false,
-       [proven](P p) { return proven(p, p.proof ? p.proof->servo.max_contour_error : 0); }, true},
-      {tr("Chord error"), Quantity::length, true, false,
-       [proven](P p) { return proven(p, p.proof ? p.proof->report.chord_error.value_or(std::nan("")) : 0); }, true},
-      {tr("Mean speed"), Quantity::speed, false, false,
+      {tr("Cycle time"), Quantity::time, true, quantity, [](P p) { return summary(p).cycle_time; }},
+      {tr("· cutting"), Quantity::time, true, quantity, [](P p) { return summary(p).feed_time; }},
+      {tr("· rapid"), Quantity::time, true, quantity, [](P p) { return summary(p).rapid_time; }, true},
+      {tr("· dwell"), Quantity::time, true, quantity, [](P p) { return summary(p).dwell_time; }, true},
+      {tr("Lower bound"), Quantity::time, true, quantity, bound},
+      {tr("· plan above it"), Quantity::time, true, share,
+       [bound](P p) { return bound(p) > 0 ? summary(p).cycle_time / bound(p) - 1 : std::nan(""); }},
+      {tr("Peak speed"), Quantity::speed, false, quantity, [](P p) { return summary(p).max_speed; }},
+      {tr("Peak accel."), Quantity::acceleration, false, quantity, [](P p) { return summary(p).max_acceleration; }},
+      {tr("Peak jerk"), Quantity::jerk, false, quantity, [](P p) { return summary(p).max_jerk; }},
+      {tr("Violations"), Quantity::length, true, count, [proven](P p) { return proven(p, violations(p)); }},
+      {tr("Contour error"), Quantity::length, true, error,
+       [proven](P p) { return proven(p, p.proof ? p.proof->servo.max_contour_error : 0); }},
+      {tr("Chord error"), Quantity::length, true, error,
+       [proven](P p) { return proven(p, p.proof ? p.proof->report.chord_error.value_or(std::nan("")) : 0); }},
+      {tr("Mean speed"), Quantity::speed, false, quantity,
        [](P p) { return summary(p).cycle_time > 0 ? summary(p).path_length / summary(p).cycle_time : 0.0; }},
-      {tr("Path length"), Quantity::length, false, false, [](P p) { return summary(p).path_length; }},
-      {tr("Blocks"), Quantity::length, false, true, [](P p) { return static_cast<double>(summary(p).blocks); }},
+      {tr("Path length"), Quantity::length, false, quantity, [](P p) { return summary(p).path_length; }},
+      {tr("Blocks"), Quantity::length, false, count, [](P p) { return static_cast<double>(summary(p).blocks); }},
   };
   endResetModel();
 }
@@ -70,13 +75,17 @@ int ResultModel::columnCount(const QModelIndex& parent) const { return parent.is
 
 DisplayUnit ResultModel::unit_of(const Row& row) const {
   DisplayUnit unit = display_unit(row.quantity, unit_);
-  if (row.is_error) unit = unit_ == LengthUnit::inch ? DisplayUnit{unit.factor * 1e3, "mil"} : DisplayUnit{1e3, "µm"};
+  if (row.shown == Shown::share) return {1e2, "%"};
+  if (row.shown == Shown::error)
+    unit = unit_ == LengthUnit::inch ? DisplayUnit{unit.factor * 1e3, "mil"} : DisplayUnit{1e3, "µm"};
   if (row.quantity == Quantity::jerk) unit = {unit.factor * 1e-3, "10³ " + unit.text};  // as the plots have it
   return unit;
 }
 
-QString ResultModel::shown(const Row& row, double value) const {
-  if (row.is_count) return number_text(value, 12);
+QString ResultModel::text_of(const Row& row, double value) const {
+  if (!std::isfinite(value)) return number_text(value);
+  if (row.shown == Shown::share) return QString::number(value * 1e2, 'f', 1);
+  if (row.shown == Shown::count) return number_text(value, 12);
   if (row.quantity == Quantity::time) return QString::number(value, 'f', 3);
   return number_text(value * unit_of(row).factor, 5);
 }
@@ -86,7 +95,7 @@ QString ResultModel::difference(const Row& row, double a, double b) const {
   if (!std::isfinite(delta)) return "–";
   if (std::abs(delta) <= 1e-9 * std::max(std::abs(a), std::abs(b))) return "0";
   const QString sign = delta > 0 ? "+" : "−";
-  if (row.read && row.quantity == Quantity::time && !row.is_count && b > 0) {
+  if (row.read && row.quantity == Quantity::time && row.shown == Shown::quantity && b > 0) {
     return sign +
            QString::number(std::abs(delta) / b * 100, 'f',
                            std::abs(delta) >= b        ? 0
@@ -94,7 +103,7 @@ QString ResultModel::difference(const Row& row, double a, double b) const {
                                                        : 1) +
            " %";
   }
-  return sign + shown(row, std::abs(delta));
+  return sign + text_of(row, std::abs(delta));
 }
 
 QVariant ResultModel::data(const QModelIndex& index, int role) const {
@@ -104,12 +113,12 @@ QVariant ResultModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole) return QVariant((title ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   if (title) {
     if (role != Qt::DisplayRole) return {};
-    return row.is_count ? row.title : row.title + "  " + unit_of(row).text;
+    return row.shown == Shown::count ? row.title : row.title + "  " + unit_of(row).text;
   }
   const auto value = [&row](const Planned& plan) { return plan ? std::optional(row.read(plan)) : std::nullopt; };
   const auto a = value(a_), b = value(b_);
   if (role == Qt::ForegroundRole) {
-    const bool broken = row.is_count && row.less_is_better && a && *a > 0;
+    const bool broken = row.shown == Shown::count && row.less_is_better && a && *a > 0;
     if (index.column() == kPlanA) return broken ? theme_.error : a_ ? theme_.text : theme_.secondary;
     if (index.column() == kPlanB) return b_ ? theme_.plan_b : theme_.secondary;
     if (!a || !b || !row.less_is_better || std::abs(*a - *b) <= 1e-9 * std::abs(*b)) return theme_.secondary;
@@ -123,7 +132,13 @@ QVariant ResultModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole) return {};
   if (index.column() == kDelta) return a && b ? difference(row, *a, *b) : QString("–");
   const auto& shown_value = index.column() == kPlanA ? a : b;
-  return shown_value ? shown(row, *shown_value) : QString("–");
+  return shown_value ? text_of(row, *shown_value) : QString("–");
+}
+
+bool ResultModel::isIdle(int row) const {
+  const Row& r = rows_[static_cast<std::size_t>(row)];
+  const auto idle = [&r](const Planned& plan) { return !plan || r.read(plan) == 0; };
+  return r.may_be_hidden && idle(a_) && idle(b_);
 }
 
 QVariant ResultModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -29,20 +29,24 @@ class ResultModel : public QAbstractTableModel {
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
+  /// True for a row that says nothing: zero in every plan.
+  bool isIdle(int row) const;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  /// quantity: in its unit; error: in µm or mil; share: in percent.
+  enum class Shown { quantity, count, error, share };
   struct Row {
     QString title;
     Quantity quantity;
     bool less_is_better;
-    bool is_count;
+    Shown shown;
     std::function<double(const Planned&)> read;  ///< NaN = not known
-    bool is_error = false;                       ///< shown in µm or mil
+    bool may_be_hidden = false;                  ///< where it is zero
   };
 
   DisplayUnit unit_of(const Row& row) const;
-  QString shown(const Row& row, double value) const;
+  QString text_of(const Row& row, double value) const;
   QString difference(const Row& row, double a, double b) const;
 
   std::vector<Row> rows_;

@@ -24,7 +24,7 @@ double limit_of(const AxisLimits& axis, int limit) {
 AxesGrid::AxesGrid(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
+  column->setSpacing(4);
   rotary_ = new QWidget(this);
   auto* linear = new QWidget(this);
   const auto table = [column](QWidget* holder) {
@@ -36,6 +36,9 @@ AxesGrid::AxesGrid(QWidget* parent) : QWidget(parent) {
     return grid;
   };
   const std::array<QGridLayout*, 2> grids = {table(linear), table(rotary_)};
+  heading_ = new QLabel(this);
+  heading_->setProperty("role", "heading");
+  grids[0]->addWidget(heading_, 0, 0);
   for (int limit = 0; limit < kLimits; ++limit) {
     const auto i = static_cast<std::size_t>(limit);
     heads_[i] = secondary_label({}, this);
@@ -65,7 +68,7 @@ AxesGrid::AxesGrid(QWidget* parent) : QWidget(parent) {
     }
   }
   retranslate();
-  setRotaryVisible(false);
+  setRotaryAxes({});
 }
 
 void AxesGrid::setMachine(const Machine& machine) {
@@ -76,7 +79,13 @@ void AxesGrid::setMachine(const Machine& machine) {
   }
 }
 
-void AxesGrid::setRotaryVisible(bool visible) { rotary_->setVisible(visible); }
+void AxesGrid::setRotaryAxes(const std::array<bool, 3>& shown) {
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    names_[3 + i]->setVisible(shown[i]);
+    for (auto* field : fields_[3 + i]) field->setVisible(shown[i]);
+  }
+  rotary_->setVisible(shown[0] || shown[1] || shown[2]);
+}
 
 void AxesGrid::setLengthUnit(LengthUnit unit) {
   unit_ = unit;
@@ -95,6 +104,7 @@ void AxesGrid::show_units() {
 }
 
 void AxesGrid::retranslate() {
+  heading_->setText(tr("Axis"));
   const std::array<QString, kLimits> titles = {tr("top speed"), tr("acceleration limit"), tr("jerk limit")};
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     for (std::size_t i = 0; i < kLimits; ++i) {

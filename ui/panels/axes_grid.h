@@ -21,8 +21,8 @@ class AxesGrid : public QWidget {
   explicit AxesGrid(QWidget* parent = nullptr);
 
   void setMachine(const Machine& machine);
-  /// Shows only the axes that are used or limited; X, Y, Z always.
-  void setRotaryVisible(bool visible);
+  /// Which of A, B, C have a row; X, Y, Z always have.
+  void setRotaryAxes(const std::array<bool, 3>& shown);
   void setLengthUnit(LengthUnit unit);
   void retranslate();
 
@@ -36,6 +36,7 @@ class AxesGrid : public QWidget {
 
   std::array<std::array<NumberField*, kLimits>, kAxisCount> fields_ = {};
   std::array<QLabel*, kAxisCount> names_ = {};
+  QLabel* heading_;
   std::array<QLabel*, kLimits> heads_ = {};
   std::array<QLabel*, kLimits> rotary_heads_ = {};
   QWidget* rotary_;

@@ -10,6 +10,7 @@ namespace toolpace::ui {
 NcPanel::NcPanel(QWidget* parent)
     : QWidget(parent),
       view_(new NcView(this)),
+      modal_(new ModalStrip(this)),
       bar_(new QWidget(this)),
       text_(new QLineEdit(bar_)),
       none_(new QLabel(bar_)),
@@ -30,6 +31,7 @@ NcPanel::NcPanel(QWidget* parent)
   bar_->hide();
   column->addWidget(bar_);
   column->addWidget(view_, 1);
+  column->addWidget(modal_);
   hint_->setObjectName("dropHint");
   hint_->setProperty("role", "hint");
   hint_->setAlignment(Qt::AlignCenter);
@@ -37,9 +39,20 @@ NcPanel::NcPanel(QWidget* parent)
   hint_->hide();
   column->addWidget(hint_);
   setFocusProxy(view_);
+  connect(view_, &NcView::currentLineChanged, this, &NcPanel::showModal);
   connect(view_, &NcView::findRequested, this, &NcPanel::openFindBar);
   connect(text_, &QLineEdit::textChanged, this, [this] { none_->hide(); });
   retranslate();
+}
+
+void NcPanel::setTheme(const Theme& theme) {
+  view_->setTheme(theme);
+  modal_->setTheme(theme);
+}
+
+void NcPanel::showModal(int line) {
+  const auto& document = view_->document();
+  modal_->setSnapshot(document ? document->reading->modal.at(static_cast<std::size_t>(line)) : std::nullopt);
 }
 
 void NcPanel::openFindBar() {

@@ -1,10 +1,11 @@
 #pragma once
-/// The NC program with a find bar.
+/// The NC program with a find bar and what is modal at the cursor line.
 
 #include <QLabel>
 #include <QLineEdit>
 #include <QWidget>
 
+#include "panels/modal_strip.h"
 #include "panels/nc_view.h"
 
 namespace toolpace::ui {
@@ -16,6 +17,7 @@ class NcPanel : public QWidget {
   explicit NcPanel(QWidget* parent = nullptr);
 
   NcView& view() { return *view_; }
+  void setTheme(const Theme& theme);
   void openFindBar();
   /// Shows below the text that a program can be dropped here.
   void setHintVisible(bool visible);
@@ -28,7 +30,9 @@ class NcPanel : public QWidget {
   void find(bool backwards);
   void retranslate();
 
+  void showModal(int line);
   NcView* view_;
+  ModalStrip* modal_;
   QWidget* bar_;
   QLineEdit* text_;
   QLabel *none_, *hint_;

@@ -5,14 +5,12 @@
 #include <QHelpEvent>
 #include <QLineEdit>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QScrollBar>
 #include <QToolTip>
 #include <algorithm>
 
 #include "models/problem_model.h"
 #include "models/units.h"
-#include "panels/nc_syntax.h"
 #include "theme/appearance.h"
 
 namespace toolpace::ui {
@@ -20,9 +18,6 @@ namespace {
 
 constexpr qreal kFontPoints = 9;
 constexpr int kLeading = 4;  // between lines [px]
-constexpr int kMargin = 8;
-constexpr int kLossWidth = 16;  // of the bar of the worst line
-constexpr int kSpeedWidth = 4;
 
 }  // namespace
 
@@ -46,6 +41,7 @@ void NcView::setDocument(std::shared_ptr<const Document> document) {
   }
   current_ = std::clamp(current_, 1, std::max(lineCount(), 1));
   anchor_ = current_;
+  emit currentLineChanged(current_);
   updateScrollBars();
   viewport()->update();
 }
@@ -94,17 +90,6 @@ int NcView::lineAt(int y) const {
   return std::clamp(line, 1, std::max(lineCount(), 1));
 }
 
-NcView::Gutter NcView::gutter() const {
-  const auto digits = std::max<qsizetype>(QString::number(lineCount()).size(), 3);
-  Gutter g;
-  g.number_end = kMargin + static_cast<int>(digits) * fontMetrics().horizontalAdvance('0');
-  g.loss_begin = g.number_end + 4;
-  g.loss_end = g.loss_begin + kLossWidth;
-  g.speed_begin = g.loss_end + 2;
-  g.text_begin = g.speed_begin + kSpeedWidth + kMargin;
-  return g;
-}
-
 QRect NcView::lineRect(int line) const {
   return {0, (line - 1 - verticalScrollBar()->value()) * lineHeight(), viewport()->width(), lineHeight()};
 }
@@ -123,6 +108,7 @@ void NcView::setCurrentLine(int line) {
   line = std::clamp(line, 1, std::max(lineCount(), 1));
   if (line == current_ && anchor_ == current_) return;
   current_ = anchor_ = line;
+  emit currentLineChanged(line);
   const int top = verticalScrollBar()->value() + 1;
   const int shown = visibleLines();
   if (line < top || line >= top + shown) verticalScrollBar()->setValue(line - 1 - shown / 3);
@@ -134,6 +120,7 @@ void NcView::activate(int line, bool extend) {
   const int anchor = extend ? anchor_ : line;
   current_ = line;
   anchor_ = anchor;
+  emit currentLineChanged(line);
   const int top = verticalScrollBar()->value() + 1;
   if (line < top) verticalScrollBar()->setValue(line - 1);
   if (line >= top + visibleLines()) verticalScrollBar()->setValue(line - visibleLines());
@@ -171,80 +158,6 @@ const Diagnostic* NcView::problemOf(int line) const {
     if (!worst || it->severity > worst->severity) worst = &*it;
   }
   return worst;
-}
-
-void NcView::paintEvent(QPaintEvent*) {
-  QPainter painter(viewport());
-  painter.fillRect(viewport()->rect(), theme_.surface);
-  if (lineCount() == 0) {
-    painter.setPen(theme_.secondary);
-    painter.drawText(viewport()->rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, placeholder_);
-    return;
-  }
-  const Gutter g = gutter();
-  const int first = verticalScrollBar()->value() + 1;
-  const int last = std::min(first + visibleLines() + 1, lineCount());
-  for (int line = first; line <= last; ++line) paintLine(painter, line, g);
-}
-
-void NcView::paintLine(QPainter& painter, int line, const Gutter& g) const {
-  const QRect row = lineRect(line);
-  if (line == current_) {
-    painter.fillRect(row, mixed(theme_.surface, theme_.accent, theme_.dark ? 0.22 : 0.10));
-    painter.fillRect(QRect(0, row.top(), 2, row.height()), theme_.accent);
-  } else if (line >= std::min(current_, anchor_) && line <= std::max(current_, anchor_)) {
-    painter.fillRect(row, mixed(theme_.surface, theme_.accent, theme_.dark ? 0.16 : 0.06));
-  }
-  paintGutter(painter, line, row, g);
-  paintText(painter, line, row, g);
-}
-
-void NcView::paintGutter(QPainter& painter, int line, const QRect& row, const Gutter& g) const {
-  const Diagnostic* problem = problemOf(line);
-  painter.setPen(!problem                                 ? (line == current_ ? theme_.text : theme_.secondary)
-                 : problem->severity == Severity::error   ? theme_.error
-                 : problem->severity == Severity::warning ? theme_.warning
-                                                          : theme_.secondary);
-  painter.drawText(QRect(0, row.top(), g.number_end, row.height()), Qt::AlignRight | Qt::AlignVCenter,
-                   QString::number(line));
-  if (!timeline_ || static_cast<std::size_t>(line) >= timeline_->lines().size()) return;
-  const LineStats& stats = timeline_->lines()[static_cast<std::size_t>(line)];
-  if (stats.begin < 0) return;
-  if (fastest_ > 0) {
-    const auto level = static_cast<std::size_t>(std::clamp(stats.mean_speed() / fastest_, 0.0, 1.0) * 255);
-    painter.fillRect(QRect(g.speed_begin, row.top(), kSpeedWidth, row.height()), QColor(colours_[level]));
-  }
-  if (worst_loss_ > 0 && stats.loss() > 0) {
-    const int width = static_cast<int>(stats.loss() / worst_loss_ * kLossWidth + 0.5);
-    const int height = row.height() / 2;
-    painter.fillRect(QRect(g.loss_end - width, row.top() + (row.height() - height) / 2, width, height),
-                     mixed(theme_.surface, theme_.warning, 0.55));
-  }
-}
-
-void NcView::paintText(QPainter& painter, int line, const QRect& row, const Gutter& g) const {
-  const QString text = document_->line(line);
-  painter.save();
-  painter.setClipRect(QRect(g.text_begin, row.top(), row.width() - g.text_begin, row.height()));
-  const int left = g.text_begin - horizontalScrollBar()->value();
-  const int advance = fontMetrics().horizontalAdvance('0');
-  const int base = row.top() + (row.height() + fontMetrics().ascent() - fontMetrics().descent()) / 2;
-  int x = left;
-  for (const NcSpan& span : nc_spans(text)) {
-    const QString part = text.mid(span.begin, span.length);
-    painter.setPen(span.kind == NcSpanKind::code ? theme_.text : theme_.secondary);
-    painter.drawText(x, base, part);
-    x += fontMetrics().horizontalAdvance(part);
-  }
-  const Diagnostic* problem = problemOf(line);
-  if (problem && problem->where.column > 0) {
-    const auto before = text.left(static_cast<qsizetype>(problem->where.column) - 1);
-    const int from = left + fontMetrics().horizontalAdvance(before);
-    const int width = std::max<int>(advance * static_cast<int>(problem->excerpt.size()), advance * 2);
-    painter.setPen(QPen(problem->severity == Severity::error ? theme_.error : theme_.warning, 2, Qt::DotLine));
-    painter.drawLine(from, row.bottom() - 1, from + width, row.bottom() - 1);
-  }
-  painter.restore();
 }
 
 QString NcView::tipOf(int line) const {

@@ -31,6 +31,7 @@ class NcView : public QAbstractScrollArea {
   void setColourMap(ColourMap map);
   void setPlaceholder(const QString& text);
 
+  const std::shared_ptr<const Document>& document() const { return document_; }
   int currentLine() const { return current_; }
   void setCurrentLine(int line);  ///< scrolls it into sight; emits nothing
   void editCurrentLine();
@@ -39,7 +40,8 @@ class NcView : public QAbstractScrollArea {
   void copySelection() const;
 
  signals:
-  void lineActivated(int line);  ///< a person chose this line
+  void lineActivated(int line);       ///< a person chose this line
+  void currentLineChanged(int line);  ///< by a person or by the cursor; also when another program is shown
   void lineEdited(int line, const QString& text);
   void findRequested();
 

@@ -64,6 +64,11 @@ void NumberField::setUnit(const DisplayUnit& unit) {
   emit unitChanged();
 }
 
+void NumberField::setUnlimitedText(const QString& text) {
+  unlimited_ = text;
+  show_value();
+}
+
 void NumberField::setLengthUnit(LengthUnit unit) {
   length_unit_ = unit;
   if (!own_unit_) unit_ = display_unit(quantity_, unit);
@@ -72,7 +77,7 @@ void NumberField::setLengthUnit(LengthUnit unit) {
 }
 
 void NumberField::show_value() {
-  setText(plain_text(value_ * unit_.factor));
+  setText(std::isinf(value_) ? unlimited_ : plain_text(value_ * unit_.factor));
   setModified(false);
   setCursorPosition(0);
   mark({});
@@ -96,7 +101,8 @@ void NumberField::commit() {
   if (!isModified()) return;
   const QString entered = text().trimmed();
   double next = std::numeric_limits<double>::infinity();
-  if (!(range_.may_be_unlimited && (entered.isEmpty() || entered == "∞" || entered.toLower() == "inf"))) {
+  if (!(range_.may_be_unlimited &&
+        (entered.isEmpty() || entered == "∞" || entered == unlimited_ || entered.toLower() == "inf"))) {
     const auto number = parsed(entered);
     if (!number) return mark(tr("Not a number"));
     next = *number / unit_.factor;

@@ -30,6 +30,8 @@ class NumberField : public QLineEdit {
   void setUnit(const DisplayUnit& unit);
   void setLengthUnit(LengthUnit unit);
   QString unitText() const { return unit_.text; }
+  /// What stands for no limit; "∞" at first.
+  void setUnlimitedText(const QString& text);
 
  signals:
   void edited(double core_value);
@@ -56,6 +58,7 @@ class NumberField : public QLineEdit {
   LengthUnit length_unit_ = LengthUnit::mm;
   bool own_unit_ = false;
   double value_ = 0;
+  QString unlimited_ = QStringLiteral("∞");
   QTimer gesture_end_;
 };
 

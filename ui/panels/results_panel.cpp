@@ -10,7 +10,7 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr int kRowHeight = 22;
+constexpr int kRowHeight = 20;
 constexpr int kLeastColumn = 56;
 constexpr double kHeadlineScale = 1.6;
 
@@ -32,6 +32,7 @@ void style_table(QTableView* table) {
   table->setWordWrap(false);
   table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   table->setTabKeyNavigation(false);
+  table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table->verticalHeader()->setDefaultSectionSize(kRowHeight);
   table->verticalHeader()->setMinimumSectionSize(kRowHeight);
   table->horizontalHeader()->setHighlightSections(false);
@@ -52,7 +53,7 @@ ResultsPanel::ResultsPanel(QWidget* parent)
   setProperty("role", "surface");
   setAttribute(Qt::WA_StyledBackground);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 4, 0, 0);
+  column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(8, 0, 8, 0);
@@ -92,6 +93,8 @@ void ResultsPanel::setPlans(const Planned& a, const Planned& b) {
   swap_->setEnabled(a_ && b_);
   unpin_->setEnabled(static_cast<bool>(b_));
   for (int column : {ResultModel::kPlanB, ResultModel::kDelta}) table_->setColumnHidden(column, !b_);
+  table_->horizontalHeader()->setVisible(static_cast<bool>(b_));  // one column explains itself
+  for (int row = 0; row < model_->rowCount(); ++row) table_->setRowHidden(row, model_->isIdle(row));
   showHeadline();
 }
 

@@ -21,7 +21,7 @@ QString fixed(double value, int decimals, int width) {
 TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
   setObjectName("transportBar");
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(8, 4, 8, 4);
+  row->setContentsMargins(8, 2, 8, 2);
   row->setSpacing(4);
   first_ = addButton("firstButton", "first", &TransportBar::firstRequested);
   previous_ = addButton("previousButton", "previous", &TransportBar::previousRequested);

@@ -62,8 +62,8 @@ TuningPanel::TuningPanel(TuningModel& model, QWidget* parent) : QScrollArea(pare
   auto* body = new QWidget(this);
   body->setProperty("role", "surface");
   auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(8);
+  column->setContentsMargins(8, 6, 8, 6);
+  column->setSpacing(6);
   form_ = new FormGrid(body);
   column->addWidget(form_);
   buildLaw();
@@ -73,9 +73,6 @@ TuningPanel::TuningPanel(TuningModel& model, QWidget* parent) : QScrollArea(pare
   auto* rule = new QFrame(body);
   rule->setProperty("role", "line");
   column->addWidget(rule);
-  axes_heading_ = new QLabel(body);
-  axes_heading_->setProperty("role", "heading");
-  column->addWidget(axes_heading_);
   axes_ = new AxesGrid(body);
   column->addWidget(axes_);
   column->addStretch(1);
@@ -185,15 +182,22 @@ void TuningPanel::buildCorner() {
     const auto rule = static_cast<CornerRule>(corner_->itemData(index).toInt());
     model_.edit(tr("Corner rule"), "corner", [rule](Tuning& tuning) {
       tuning.options.corner.rule = rule;
+      if (rule == CornerRule::smooth) tuning.options.hold_at.reset();  // a hold needs the path that this rule leaves
       tuning.options.corner.step.reset();
     });
   });
 }
 
 void TuningPanel::buildJob() {
-  tolerance_ = addNumber("toleranceEdit", kToleranceRow, 0, Quantity::length, {kTiny, 10, false});
+  hold_ = addNumber("holdEdit", kToleranceRow, 0, Quantity::time, {0, kUnlimited, true});
+  hold_->setUnlimitedText("–");
+  describe([](const Tuning& t) { return t.options.hold_at.value_or(kUnlimited); },
+           [](Tuning& t, double v) { t.options.hold_at = v < kUnlimited ? std::optional(v) : std::nullopt; },
+           [] { return tr("Feed hold at; empty = none"); }, [] { return tr("Hold"); });
+  tolerance_ = addNumber("toleranceEdit", kToleranceRow, 1, Quantity::length, {kTiny, 10, false});
   describe([](const Tuning& t) { return t.options.corner.tolerance; },
-           [](Tuning& t, double v) { t.options.corner.tolerance = v; }, [] { return tr("Tolerance"); });
+           [](Tuning& t, double v) { t.options.corner.tolerance = v; },
+           [] { return tr("Tolerance of rounded corners"); }, [] { return tr("Toler."); });
   deviation_ = addNumber("deviationEdit", kToleranceRow, 1, Quantity::length, {kTiny, 10, false});
   describe([](const Tuning& t) { return t.options.corner.junction_deviation; },
            [](Tuning& t, double v) { t.options.corner.junction_deviation = v; },
@@ -215,7 +219,7 @@ void TuningPanel::setLengthUnit(LengthUnit unit) {
 
 void TuningPanel::setBlockCount(std::size_t blocks) { lookahead_->setBlockCount(blocks); }
 
-void TuningPanel::setRotaryVisible(bool visible) { axes_->setRotaryVisible(visible); }
+void TuningPanel::setRotaryAxes(const std::array<bool, 3>& shown) { axes_->setRotaryAxes(shown); }
 
 void TuningPanel::showValues() {
   const Tuning& tuning = model_.value();
@@ -236,6 +240,7 @@ void TuningPanel::showRelevant() {
   const auto rule = options.corner.rule;
   form_->setRowVisible(tolerance_, rule == CornerRule::blend || rule == CornerRule::smooth);
   form_->setRowVisible(deviation_, rule == CornerRule::junction);
+  hold_->setEnabled(rule != CornerRule::smooth);
 }
 
 void TuningPanel::resizeEvent(QResizeEvent* event) {
@@ -268,7 +273,6 @@ void TuningPanel::retranslate() {
     entry.label->setToolTip(entry.title());
     entry.field->setAccessibleName(entry.title());
   }
-  axes_heading_->setText(tr("Axis limits"));
   axes_->retranslate();
   showValues();
 }

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QScrollArea>
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -22,7 +23,7 @@ class TuningPanel : public QScrollArea {
 
   void setLengthUnit(LengthUnit unit);
   void setBlockCount(std::size_t blocks);
-  void setRotaryVisible(bool visible);
+  void setRotaryAxes(const std::array<bool, 3>& shown);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -59,8 +60,7 @@ class TuningPanel : public QScrollArea {
   QLabel *law_label_ = nullptr, *lookahead_label_ = nullptr, *ramps_label_ = nullptr, *corner_label_ = nullptr;
   LookaheadField* lookahead_;
   AxesGrid* axes_;
-  QLabel* axes_heading_;
-  NumberField *t_acc_, *t_dec_, *jerk_, *jerk_deceleration_, *tolerance_, *deviation_;
+  NumberField *t_acc_, *t_dec_, *jerk_, *jerk_deceleration_, *tolerance_, *deviation_, *hold_;
 };
 
 }  // namespace toolpace::ui

@@ -88,13 +88,14 @@ void ProfileView::setErrorShown(bool shown) {
 void ProfileView::buildHeader() {
   header_ = new QWidget(this);
   auto* row = new QHBoxLayout(header_);
-  row->setContentsMargins(8, 4, 8, 4);
+  row->setContentsMargins(8, 2, 8, 2);
   row->setSpacing(8);
   const auto button = [&](const char* name, bool checkable) {
     auto* b = new QToolButton(header_);
     b->setObjectName(name);
     b->setCheckable(checkable);
     b->setAutoRaise(true);
+    b->setIconSize({16, 16});
     row->addWidget(b);
     return b;
   };
@@ -204,6 +205,15 @@ void ProfileView::setVisibleRange(double begin, double end) { plot_->setRange(be
 void ProfileView::fit() { plot_->fit(); }
 
 std::pair<double, double> ProfileView::visibleRange() const { return {plot_->range().lower, plot_->range().upper}; }
+
+std::optional<double> ProfileView::timeAt(const QPoint& at) const {
+  const QPoint inside = plot_->mapFrom(this, at);
+  const auto [left, right] = plot_->edges();
+  if (!series_ || series_->is_empty() || pages_->currentIndex() != 0 || !plot_->rect().contains(inside)) return {};
+  if (inside.x() < left || inside.x() > right || right <= left) return {};
+  const auto [begin, end] = visibleRange();
+  return std::clamp(begin + (inside.x() - left) / (right - left) * (end - begin), 0.0, series_->duration());
+}
 
 void ProfileView::setAxisShown(std::size_t axis, bool shown) { axes_.at(axis)->setChecked(shown); }
 

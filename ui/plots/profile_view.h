@@ -49,6 +49,8 @@ class ProfileView : public QWidget {
   void fit();
 
   std::pair<double, double> visibleRange() const;
+  /// Time under a point of the view; nothing beside the curves.
+  std::optional<double> timeAt(const QPoint& at) const;
   bool isMeasuring() const;
   /// Differences between the measuring cursors as shown, such as "Δt 0.500 s  Δv …"; empty when not measuring.
   QString measureText() const;

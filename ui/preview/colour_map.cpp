@@ -44,7 +44,18 @@ QRgb with_contrast(QRgb colour, QRgb ground, QRgb towards) {
   return towards;
 }
 
+constexpr std::array kNames = {"cividis", "viridis", "turbo"};
+
 }  // namespace
+
+QString colour_map_name(ColourMap map) { return kNames[static_cast<std::size_t>(map)]; }
+
+std::optional<ColourMap> colour_map_named(const QString& name) {
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (name == QLatin1String(kNames[i])) return static_cast<ColourMap>(i);
+  }
+  return std::nullopt;
+}
 
 QRgb map_colour(ColourMap map, double fraction) {
   const auto table = stops(map);

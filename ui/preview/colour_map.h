@@ -2,12 +2,18 @@
 /// Perceptual, colour-blind-safe maps from a level in 0 … 255 to a colour, for light and for dark ground.
 
 #include <QRgb>
+#include <QString>
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace toolpace::ui {
 
 enum class ColourMap : std::uint8_t { cividis, viridis, turbo };
+
+/// "cividis", "viridis", "turbo": as preferences keep it.
+QString colour_map_name(ColourMap map);
+std::optional<ColourMap> colour_map_named(const QString& name);
 
 /// What the map is drawn on. Towards the ground's own lightness a map loses contrast, so its far end is pulled away.
 enum class Ground : std::uint8_t { light, dark };

@@ -18,6 +18,7 @@ namespace toolpace::ui {
 namespace {
 
 constexpr std::array kEnlargements = {1, 10, 100, 1000};
+constexpr int kIcon = 16;  // decides how high a button is
 
 }  // namespace
 
@@ -42,7 +43,7 @@ ContourView::ContourView(QWidget* parent) : QWidget(parent) {
 void ContourView::buildHeader() {
   header_ = new QWidget(this);
   auto* row = new QHBoxLayout(header_);
-  row->setContentsMargins(8, 4, 8, 4);
+  row->setContentsMargins(8, 2, 8, 2);
   row->setSpacing(8);
   const auto combo = [&](const char* name) {
     auto* box = new QComboBox(header_);
@@ -67,6 +68,7 @@ void ContourView::buildHeader() {
     button->setObjectName(name);
     button->setCheckable(true);
     button->setAutoRaise(true);
+    button->setIconSize({kIcon, kIcon});
     views_->addButton(button, static_cast<int>(view));
     buttons->addWidget(button);
   }
@@ -74,6 +76,7 @@ void ContourView::buildHeader() {
   fit_ = new QToolButton(header_);
   fit_->setObjectName("viewFit");
   fit_->setAutoRaise(true);
+  fit_->setIconSize({kIcon, kIcon});
   buttons->addWidget(fit_);
   row->addLayout(buttons);
 
@@ -180,6 +183,7 @@ void ContourView::setColourMap(ColourMap map) {
   colour_map_->setCurrentIndex(static_cast<int>(map));
   canvas_->setColourMap(map);
   legend_->refresh();
+  emit colourMapChanged(map);
 }
 
 void ContourView::setEnlargement(double factor) {

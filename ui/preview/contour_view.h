@@ -50,6 +50,7 @@ class ContourView : public QWidget {
  signals:
   void cursorTimeRequested(double time);  ///< [s] somebody clicked on the path
   void colourByChanged(toolpace::ui::ColourBy by);
+  void colourMapChanged(toolpace::ui::ColourMap map);
   void enlargementChanged(double factor);
 
  protected:

@@ -24,8 +24,9 @@ QMenu::item:selected { background: $hover; color: $text; }
 QMenu::item:disabled { color: $faint; }
 QMenu::separator { height: 1px; background: $line; margin: 4px 0; }
 
-QToolBar { background: $surface; border: none; border-bottom: 1px solid $line; padding: 3px 8px; spacing: 4px; }
-QToolBar::separator { background: $line; width: 1px; margin: 4px 4px; }
+QToolBar { background: $surface; border: none; border-bottom: 1px solid $line; padding: 0 8px; spacing: 4px; }
+QToolBar QMenuBar { border: none; padding: 0; }
+QToolBar::separator { background: $line; width: 1px; margin: 6px 4px; }
 QStatusBar { background: $surface; border-top: 1px solid $line; }
 QStatusBar::item { border: none; }
 
@@ -147,9 +148,9 @@ QHash<QString, QString> tokens_of(const Theme& t, bool touch) {
           {"menuPad", px(touch ? 12 : 4)},
           {"itemHeight", px(touch ? 40 : 20)},
           {"tabHeight", px(touch ? 40 : 18)},
-          {"buttonHeight", px(touch ? 40 : 20)},
-          {"fieldHeight", px(touch ? 44 : 20)},
-          {"sliderHeight", px(touch ? 48 : 20)},
+          {"buttonHeight", px(touch ? 40 : 16)},
+          {"fieldHeight", px(touch ? 44 : 18)},
+          {"sliderHeight", px(touch ? 48 : 18)},
           {"check", px(touch ? 28 : 14)},
           {"scroll", px(touch ? 24 : 10)},
           {"knobRadius", px(knob / 2 + 2)},

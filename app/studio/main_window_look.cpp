@@ -1,0 +1,122 @@
+#include <QApplication>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QLibraryInfo>
+#include <QTableView>
+#include <QToolBar>
+
+#include "main_window.h"
+#include "panels/dock_title.h"
+#include "panels/loss_panel.h"
+#include "panels/nc_panel.h"
+#include "panels/problems_panel.h"
+#include "panels/results_panel.h"
+#include "panels/single_move_page.h"
+#include "panels/stepper_page.h"
+#include "panels/sweep_panel.h"
+#include "panels/transport_bar.h"
+#include "panels/tuning_panel.h"
+#include "panels/what_if_panel.h"
+#include "plots/profile_view.h"
+#include "preview/contour_view.h"
+#include "theme/appearance.h"
+#include "theme/icons.h"
+
+namespace toolpace::studio {
+
+void MainWindow::setDark(bool dark) {
+  preferences_.dark = dark;
+  actions_->dark->setChecked(dark);
+  applyAppearance();
+}
+
+void MainWindow::setTouch(bool touch) {
+  preferences_.touch = touch;
+  actions_->touch->setChecked(touch);
+  applyAppearance();
+}
+
+void MainWindow::applyAppearance() {
+  theme_ = preferences_.dark ? ui::dark_theme() : ui::light_theme();
+  ui::apply_theme(*qApp, theme_, preferences_.touch);
+  actions_->setTheme(theme_);
+  for (auto* button : {machine_button_, export_button_}) {
+    button->setIcon(ui::icon(button == machine_button_ ? "machine" : "export", theme_));
+  }
+  nc_->setTheme(theme_);
+  contour_->setTheme(theme_);
+  profile_->setTheme(theme_);
+  results_->setTheme(theme_);
+  what_if_->setTheme(theme_);
+  sweep_->setTheme(theme_);
+  problems_->setTheme(theme_);
+  single_move_->setTheme(theme_);
+  stepper_->setTheme(theme_);
+  transport_->setTheme(theme_);
+  constexpr int kRow = 20, kTouchRow = 48;
+  for (auto* table : findChildren<QTableView*>()) {
+    table->verticalHeader()->setDefaultSectionSize(preferences_.touch ? kTouchRow : kRow);
+  }
+}
+
+void MainWindow::setInch(bool inch) {
+  preferences_.inch = inch;
+  actions_->inch->setChecked(inch);
+  const auto unit = inch ? ui::LengthUnit::inch : ui::LengthUnit::mm;
+  contour_->setUnit(unit);
+  profile_->setUnit(unit);
+  tuning_->setLengthUnit(unit);
+  results_->setLengthUnit(unit);
+  loss_->setLengthUnit(unit);
+  transport_->setLengthUnit(unit);
+  unit_button_->setText(inch ? "in" : "mm");
+}
+
+void MainWindow::setLanguage(const QString& language) {
+  const bool chinese = language.startsWith("zh");
+  preferences_.language = chinese ? "zh_CN" : "en";
+  (chinese ? actions_->chinese : actions_->english)->setChecked(true);
+  QCoreApplication::removeTranslator(&translator_);
+  QCoreApplication::removeTranslator(&qt_translator_);
+  if (chinese) {
+    if (qt_translator_.load("qtbase_zh_CN", QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
+      QCoreApplication::installTranslator(&qt_translator_);
+    }
+    if (translator_.load(":/translations/toolpace_zh_CN.qm")) QCoreApplication::installTranslator(&translator_);
+  }
+  retranslate();
+}
+
+void MainWindow::retranslate() {
+  actions_->retranslate();
+  const auto title = [this](const char* dock, const QString& text) {
+    docks_[dock]->setWindowTitle(text);
+    if (const auto found = titles_.find(dock); found != titles_.end()) found->second->setTitle(text);
+  };
+  title("programDock", tr("NC program"));
+  title("plotsDock", tr("Motion along the path"));
+  title("tuningDock", tr("Tuning"));
+  title("resultsDock", tr("Result"));
+  title("limitsDock", tr("Limits"));
+  title("lossDock", tr("Lines"));
+  title("sweepDock", tr("Depth"));
+  title("singleMoveDock", tr("Single move"));
+  title("stepperDock", tr("Stepper pulses"));
+  const std::pair<QMenu*, QString> menus[] = {{file_menu_, tr("&File")},       {edit_menu_, tr("&Edit")},
+                                              {plan_menu_, tr("&Plan")},       {view_menu_, tr("&View")},
+                                              {help_menu_, tr("&Help")},       {recent_menu_, tr("Open re&cent")},
+                                              {machine_menu_, tr("&Machine")}, {export_menu_, tr("&Export")},
+                                              {panels_menu_, tr("&Panels")},   {language_menu_, tr("&Language")}};
+  for (const auto& [menu, text] : menus) menu->setTitle(text);
+  export_button_->setText(tr("Export"));
+  export_button_->setToolTip(tr("Save setpoints and pictures"));
+  machine_button_->setToolTip(tr("Machine file: limits and defaults"));
+  machine_button_->setAccessibleName(tr("Machine"));
+  unit_button_->setToolTip(tr("Switch between millimetres and inches"));
+  unit_button_->setAccessibleName(unit_button_->toolTip());
+  tool_bar_->setWindowTitle(tr("Tools"));
+  showProblems();
+  showTitle();
+}
+
+}  // namespace toolpace::studio

@@ -1,0 +1,146 @@
+#include <QDockWidget>
+#include <QUndoStack>
+
+#include "main_window.h"
+#include "panels/dock_title.h"
+#include "panels/loss_panel.h"
+#include "panels/nc_panel.h"
+#include "panels/problems_panel.h"
+#include "panels/results_panel.h"
+#include "panels/sweep_panel.h"
+#include "panels/transport_bar.h"
+#include "panels/tuning_panel.h"
+#include "panels/what_if_panel.h"
+#include "plots/profile_view.h"
+#include "preview/contour_view.h"
+
+namespace toolpace::studio {
+
+void MainWindow::connectWorkspace() {
+  using ui::Workspace;
+  connect(&workspace_, &Workspace::documentChanged, this, &MainWindow::showDocument);
+  connect(&workspace_, &Workspace::planChanged, this, &MainWindow::showPlan);
+  connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPinned);
+  connect(&workspace_, &Workspace::proofChanged, this, [this] {
+    contour_->setScene(workspace_.plan().proof->scene);
+    profile_->setErrorTrace(workspace_.plan().proof->scene->trace);
+    results_->setPlans(workspace_.plan(), workspace_.pinned());
+  });
+  connect(&workspace_, &Workspace::problemsChanged, this, &MainWindow::showProblems);
+  connect(&workspace_, &Workspace::cursorChanged, this, &MainWindow::showCursor);
+  connect(&workspace_, &Workspace::openFailed, this, &MainWindow::showFailure);
+  connect(&workspace_, &Workspace::busyChanged, transport_, &ui::TransportBar::setBusy);
+  connect(&workspace_, &Workspace::progressed, transport_, &ui::TransportBar::setProgress);
+  connect(&workspace_, &Workspace::staleChanged, this, [this](bool stale) {
+    for (const auto& [name, title] : titles_) title->setStale(stale && name == "tuningDock");
+  });
+  connect(&workspace_.playback(), &ui::Playback::playingChanged, transport_, &ui::TransportBar::setPlaying);
+  connect(&workspace_.tuning().undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
+}
+
+void MainWindow::connectPanels() {
+  const auto go_to_line = [this](int line) {
+    following_ = false;  // the line that was chosen stays chosen, even where it does not move
+    workspace_.setCursorLine(static_cast<std::uint32_t>(line));
+    following_ = true;
+  };
+  connect(&nc_->view(), &ui::NcView::lineActivated, this, go_to_line);
+  connect(&nc_->view(), &ui::NcView::lineEdited, &workspace_, &ui::Workspace::editLine);
+  const auto show_line = [this, go_to_line](int line) {
+    nc_->view().setCurrentLine(line);
+    go_to_line(line);
+  };
+  connect(problems_, &ui::ProblemsPanel::lineRequested, this, show_line);
+  connect(loss_, &ui::LossPanel::lineRequested, this, show_line);
+  connect(contour_, &ui::ContourView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
+  connect(contour_, &ui::ContourView::colourMapChanged, this, [this](ui::ColourMap map) {
+    preferences_.colour_map = ui::colour_map_name(map);
+    nc_->view().setColourMap(map);
+  });
+  connect(profile_, &ui::ProfileView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
+  profile_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(profile_, &QWidget::customContextMenuRequested, this, &MainWindow::showPlotMenu);
+  connect(results_, &ui::ResultsPanel::pinRequested, &workspace_, &ui::Workspace::pin);
+  connect(results_, &ui::ResultsPanel::unpinRequested, &workspace_, &ui::Workspace::unpin);
+  connect(results_, &ui::ResultsPanel::swapRequested, &workspace_, &ui::Workspace::swap);
+  connect(sweep_, &ui::SweepPanel::depthRequested, this, [this](std::optional<std::size_t> depth) {
+    workspace_.tuning().edit(tr("Look-ahead"), "lookahead", [depth](ui::Tuning& t) { t.options.lookahead = depth; });
+  });
+  using ui::TransportBar;
+  connect(transport_, &TransportBar::firstRequested, this, [this] { workspace_.setCursorTime(0); });
+  connect(transport_, &TransportBar::lastRequested, this, [this] { workspace_.setCursorTime(1e300); });
+  connect(transport_, &TransportBar::previousRequested, this, [this] { workspace_.stepLine(-1); });
+  connect(transport_, &TransportBar::nextRequested, this, [this] { workspace_.stepLine(+1); });
+  connect(transport_, &TransportBar::playRequested, &workspace_, &ui::Workspace::togglePlay);
+  connect(transport_, &TransportBar::rateChanged, &workspace_.playback(), &ui::Playback::setRate);
+  connect(transport_, &TransportBar::cancelRequested, &workspace_, &ui::Workspace::cancel);
+}
+
+void MainWindow::connectActions() {
+  Actions& a = *actions_;
+  const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
+  on(a.open, [this] { askProgram(); });
+  on(a.reload, [this] { workspace_.reload(); });
+  on(a.open_example, [this] { openExample(); });
+  on(a.close_window, [this] { close(); });
+  on(a.export_setpoints, [this] { exportSetpoints(); });
+  on(a.export_picture, [this] { exportPicture(Picture::contour); });
+  on(a.export_plots, [this] { exportPicture(Picture::plots); });
+  on(a.export_window, [this] { exportPicture(Picture::window); });
+  on(a.export_report, [this] { exportReport(); });
+  on(a.open_machine, [this] { askMachine(); });
+  on(a.save_machine, [this] { saveMachine(false); });
+  on(a.save_machine_as, [this] { saveMachine(true); });
+  on(a.default_machine, [this] {
+    machine_ = {};
+    workspace_.tuning().replace(tr("Default limits"), default_setup());
+    showTitle();
+  });
+  auto& undo = workspace_.tuning().undoStack();
+  on(a.undo, [&undo] { undo.undo(); });
+  on(a.redo, [&undo] { undo.redo(); });
+  connect(&undo, &QUndoStack::canUndoChanged, a.undo, &QAction::setEnabled);
+  connect(&undo, &QUndoStack::canRedoChanged, a.redo, &QAction::setEnabled);
+  a.undo->setEnabled(false);
+  a.redo->setEnabled(false);
+  on(a.find, [this] { nc_->openFindBar(); });
+  on(a.edit_line, [this] { nc_->view().editCurrentLine(); });
+  on(a.play, [this] { workspace_.togglePlay(); });
+  on(a.previous_line, [this] { workspace_.stepLine(-1); });
+  on(a.next_line, [this] { workspace_.stepLine(+1); });
+  on(a.to_start, [this] { workspace_.setCursorTime(0); });
+  on(a.to_end, [this] { workspace_.setCursorTime(1e300); });
+  on(a.cancel, [this] { workspace_.cancel(); });
+  on(a.next_problem, [this] { goToProblem(); });
+  on(a.slowest_place, [this] { goToSlowest(); });
+  on(a.pin, [this] { workspace_.pin(); });
+  on(a.unpin, [this] { workspace_.unpin(); });
+  on(a.swap, [this] { workspace_.swap(); });
+  on(a.sweep, [this] {
+    docks_["sweepDock"]->show();
+    docks_["sweepDock"]->raise();
+    sweep_->compute();
+  });
+  on(a.what_if, [this] {
+    docks_["limitsDock"]->show();
+    docks_["limitsDock"]->raise();
+    what_if_->compute();
+  });
+  on(a.hold, [this] { holdAt(workspace_.cursorTime()); });
+  on(a.no_hold, [this] { holdAt(std::nullopt); });
+  on(a.fit, [this] { contour_->fit(), profile_->fit(); });
+  on(a.view_xy, [this] { contour_->setView(ui::View::xy); });
+  on(a.view_xz, [this] { contour_->setView(ui::View::xz); });
+  on(a.view_yz, [this] { contour_->setView(ui::View::yz); });
+  on(a.view_iso, [this] { contour_->setView(ui::View::iso); });
+  on(a.dark, [this](bool dark) { setDark(dark); });
+  on(a.touch, [this](bool touch) { setTouch(touch); });
+  on(a.inch, [this](bool inch) { setInch(inch); });
+  on(a.english, [this] { setLanguage("en"); });
+  on(a.chinese, [this] { setLanguage("zh_CN"); });
+  on(a.reset_layout, [this] { restoreState(first_layout_); });
+  on(a.show_keys, [this] { showKeys(); });
+  on(a.about, [this] { showAbout(); });
+}
+
+}  // namespace toolpace::studio
