@@ -283,12 +283,13 @@ MotionPlan write_plan(const Anchors& anchors, const Layout& l) {
 
 }  // namespace
 
-MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, LawKind law,
-                               AnchorSites sites, const Monitor& monitor) {
-  const Anchors anchors = find_anchors(limits, cap, sites);
-  return visit_law(law, [&](auto chosen) {
+MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, const AnchoredLaw& anchored,
+                               const Monitor& monitor) {
+  const Anchors anchors = find_anchors(limits, cap, anchored.sites);
+  return visit_law(anchored.law, [&](auto chosen) {
     using Law = decltype(chosen);
-    const Layout l = AnchorPlanner<Law>(anchors, monitor).run();
+    AnchorPlanner<Law> planner(anchors, monitor);
+    const Layout l = anchored.may_remove ? planner.run() : planner.run_once();
     return monitor.is_cancelled() ? MotionPlan{} : write_plan<Law>(anchors, l);
   });
 }

@@ -17,14 +17,20 @@ enum class AnchorSites : std::uint8_t {
   touched_changed  ///< … and those where the ramp limits change
 };
 
+struct AnchoredLaw {
+  LawKind law;
+  AnchorSites sites = AnchorSites::touched;
+  bool may_remove = true;  ///< whether anchors are removed where that saves time
+};
+
 /// Anchors are nodes that the acceleration-limited optimum touches, and those where the feed changes there; the law
 /// keeps its accelerations, so it cannot pass a cap that the optimum does not touch. Between anchors a span is planned
 /// as one block, under the lowest feed that is touched in it and the smallest limits. Anchors are crossed with zero
 /// acceleration; then any of them whose removal saves time and keeps the caps is removed.
 /// @param cap  of the nodes, no higher than either neighbour's feed [mm/s]
 /// @return no phases when cancelled
-MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, LawKind law,
-                               AnchorSites sites, const Monitor& monitor);
+MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, const AnchoredLaw& anchored,
+                               const Monitor& monitor);
 
 /// Caps under which the nodes where the ramp limits change can all be crossed at their cap with zero acceleration: the
 /// speeds that seven-phase ramps between anchors give them. The other caps stay.

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "toolpace/law/law_table.h"
-#include "toolpace/plan/increasing_root.h"
 #include "toolpace/plan/plan.h"
 
 namespace toolpace::detail {
@@ -14,6 +13,8 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// A stop that is longer than its window by this share is rounding.
 constexpr double kRounding = 1e-9;
+/// Share by which speeds are lowered further than they need, so that the search ends.
+constexpr double kMargin = 1e-4;
 /// [mm] A rest may be missed by this share of a micrometre.
 constexpr double kLeastWay = 1e-3;
 
@@ -65,10 +66,7 @@ StopWindow::StopWindow(const SpeedLimits& limits, LawKind law, std::size_t block
   const Dynamics all = smallest_of_all(limits);
   const double top = *std::max_element(limits.block_cap.begin(), limits.block_cap.end());
   double steepest = 0;
-  for (const Dynamics& d : limits.dynamics) {
-    steepest = std::max(steepest, d.up.acceleration);
-    highest_jerk_ = std::max(highest_jerk_, d.up.jerk);
-  }
+  for (const Dynamics& d : limits.dynamics) steepest = std::max(steepest, d.up.acceleration);
   never_binds_ = stop_length(top, steepest, all) <= shortest;
   if (never_binds_ || blocks == 1) {
     dynamics_ = {all};
@@ -119,13 +117,6 @@ bool StopWindow::holds(const MotionPlan& plan) const {
   return all;
 }
 
-double StopWindow::safe_speed(double speed, std::size_t node) const {
-  const Dynamics& d = dynamics_of(node);
-  const auto excess = [&](double v) { return stop_length(v, std::sqrt(2 * highest_jerk_ * v), d) - way_[node]; };
-  const double at_speed = excess(speed);
-  return at_speed > 0 ? increasing_root(0.0, speed, -way_[node], at_speed, excess) : speed;
-}
-
 double StopWindow::slower(const PhaseState& there, std::size_t node, double excess) const {
   const Dynamics& d = dynamics_of(node);
   const double step = 1e-4 * there.speed;
@@ -133,16 +124,27 @@ double StopWindow::slower(const PhaseState& there, std::size_t node, double exce
   return std::clamp(there.speed - excess / slope, 0.01 * there.speed, there.speed * (1 - 1e-6));
 }
 
+void StopWindow::climb(std::size_t node, std::vector<double>& cap) const {
+  const LawRow& law = law_row(law_);
+  for (std::size_t i = node; i + 2 < cap.size(); ++i) {
+    const double reached = law.reach(cap[i], limits_.length[i], limits_.dynamics_of(i).up);
+    if (reached >= cap[i + 1]) return;
+    cap[i + 1] = reached;
+  }
+}
+
 std::size_t StopWindow::lower_where_too_fast(const MotionPlan& plan, Step step, std::vector<double>& cap) const {
   std::size_t count = 0;
   for_each_too_fast(plan, [&](std::size_t node, const PhaseState& there, double excess) {
+    ++count;
     if (way_[node] == 0) {
       cap[node] = 0;
-    } else {
-      const double v = step == Step::safe ? safe_speed(there.speed, node) : slower(there, node, excess);
-      cap[node] = std::min(cap[node], v);
+    } else if (step == Step::newton) {
+      cap[node] = std::min(cap[node], slower(there, node, excess));
+    } else if (cap[node] >= there.speed * (1 - 1e-6)) {
+      cap[node] = std::min(cap[node], slower(there, node, excess) * (1 - kMargin));
+      climb(node, cap);
     }
-    ++count;
     return true;
   });
   return count;

@@ -26,16 +26,16 @@ class StopWindow {
 
   enum class Step : std::uint8_t {
     newton,  ///< one Newton step towards the speed from which the stop fits
-    safe     ///< down to where the stop fits whatever the acceleration: a ≤ √(2Jv)
+    climb    ///< the same, and behind the node no faster than ramps that end at each node can climb
   };
 
   /// Lowers the caps of nodes where the plan could not stop.
-  /// @return how many nodes there were
+  /// @return how many of these there were
   std::size_t lower_where_too_fast(const MotionPlan& plan, Step step, std::vector<double>& cap) const;
 
  private:
   double stop_length(double speed, double acceleration, const Dynamics& d) const;
-  double safe_speed(double speed, std::size_t node) const;
+  void climb(std::size_t node, std::vector<double>& cap) const;
   double slower(const PhaseState& there, std::size_t node, double excess) const;
   template <class F>
   void for_each_too_fast(const MotionPlan& plan, F&& f) const;
@@ -44,7 +44,6 @@ class StopWindow {
   LawKind law_;
   std::vector<double> way_;         ///< length of each node's window [mm]; infinite where it holds the end
   std::vector<Dynamics> dynamics_;  ///< smallest limits in each node's window; one entry where all are the same
-  double highest_jerk_ = 0;         ///< while speeding up [mm/s³]
   bool never_binds_ = false;        ///< even the highest speed and acceleration can be stopped in the shortest window
 
   const Dynamics& dynamics_of(std::size_t node) const { return dynamics_.size() == 1 ? dynamics_[0] : dynamics_[node]; }

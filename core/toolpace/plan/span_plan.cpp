@@ -55,7 +55,7 @@ class StretchPlanner {
     if (hull_[1].bridge.leave < 0) return chain.first;
     if (hull_.back().bridge.meet > 0) return chain.last;
     best_.clear();
-    if (hull_.size() > 2) improve(limits);
+    if (hull_.size() > 2 && passes_ > 0) improve(limits);
     if (best_.empty()) emit(limits, best_);
     writer_.splice(best_);
     return std::nullopt;

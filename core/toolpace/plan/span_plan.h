@@ -12,7 +12,7 @@ namespace toolpace::detail {
 /// The motion under the lower hull of the valleys that the caps throw, joined by the fastest bridges; the accelerations
 /// at the touched nodes are then shifted to what both their bridges would like.
 /// @param cap  of the nodes, no higher than either neighbour's feed [mm/s]
-/// @param passes  rounds of shifting, each kept only if it saves time
+/// @param passes  rounds of shifting, each kept only if it saves time; 0: all touched nodes are crossed with none
 /// @return no phases when cancelled
 MotionPlan plan_span_ramps(const SpeedLimits& limits, const std::vector<double>& cap, int passes,
                            const Monitor& monitor);

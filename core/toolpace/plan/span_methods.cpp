@@ -1,0 +1,118 @@
+#include "toolpace/plan/span_methods.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "toolpace/plan/block_plan.h"
+#include "toolpace/plan/span_plan.h"
+#include "toolpace/plan/trapezoid_plan.h"
+
+namespace toolpace::detail {
+namespace {
+
+/// Rounds of lowering caps where a node is crossed too fast to stop in its window: Newton steps, then with a gentle climb
+/// behind the node, in the end without letting touched nodes be crossed with any acceleration.
+constexpr int kNewtonRounds = 3, kClimbRounds = 4, kRestedRounds = 12;
+constexpr int kPasses = 1, kPassesForOptimum = 8;
+/// By how much ramp limits may differ inside a zone; the later ones are tried for chains that are short enough.
+constexpr double kZoneRatios[] = {1.3, 1.1, 1.8};
+constexpr std::size_t kShortChain = 20000;
+/// In longer chains zones are made only where limits differ by more than this, as between a fast and a slow axis.
+constexpr double kWideSpread = 2.0;
+
+bool is_jerk_hull(LawKind law) { return law == LawKind::seven_phase || law == LawKind::time_optimal; }
+
+/// By how much accelerations or jerks differ over the chain, as a ratio.
+double spread_of(const SpeedLimits& limits) {
+  double spread = 1.0;
+  for (double RampLimits::*value : {&RampLimits::acceleration, &RampLimits::jerk}) {
+    for (RampLimits Dynamics::*side : {&Dynamics::up, &Dynamics::down}) {
+      const auto [low, high] =
+          std::minmax_element(limits.dynamics.begin(), limits.dynamics.end(),
+                              [&](const Dynamics& a, const Dynamics& b) { return a.*side.*value < b.*side.*value; });
+      spread = std::max(spread, (*high).*side.*value / ((*low).*side.*value));
+    }
+  }
+  return spread;
+}
+
+}  // namespace
+
+bool is_faster(const MotionPlan& plan, const MotionPlan& other) {
+  return !plan.phases.empty() && (other.phases.empty() || plan.cycle_time() < other.cycle_time());
+}
+
+std::vector<SpanMethod> span_methods(const SpeedLimits& limits, LawKind law) {
+  using Kind = SpanMethod::Kind;
+  if (law == LawKind::trapezoid) return {{Kind::trapezoid}};
+  const bool uniform = limits.dynamics.size() == 1;
+  if (!is_jerk_hull(law)) {
+    if (uniform) return {{Kind::anchors}};
+    return {{Kind::anchors}, {Kind::anchors, 1.0, AnchorSites::touched_changed}};
+  }
+  if (uniform) return {{Kind::hull}};
+  if (limits.size() > kShortChain) {
+    if (spread_of(limits) < kWideSpread) return {{Kind::hull}};
+    return {{Kind::hull}, {Kind::zones, kZoneRatios[0]}};
+  }
+  std::vector<SpanMethod> all = {{Kind::hull}, {Kind::anchors}, {Kind::anchors, 1.0, AnchorSites::touched_changed}};
+  for (const double ratio : kZoneRatios) all.push_back({Kind::zones, ratio});
+  return all;
+}
+
+SpanPlanner::SpanPlanner(const SpeedLimits& limits, LawKind law, const Monitor& monitor)
+    : limits_(limits), law_(law), monitor_(monitor), methods_(span_methods(limits, law)) {}
+
+/// The hull and the trapezoid under limits that are the same everywhere have no faster rival in block ramps.
+bool SpanPlanner::has_rivals() const {
+  return law_ != LawKind::trapezoid && !(is_jerk_hull(law_) && limits_.dynamics.size() == 1);
+}
+
+int SpanPlanner::usual_passes() const { return law_ == LawKind::time_optimal ? kPassesForOptimum : kPasses; }
+
+MotionPlan SpanPlanner::plan_by(const SpanMethod& method, const std::vector<double>& cap, int passes) const {
+  switch (method.kind) {
+    case SpanMethod::Kind::trapezoid: return plan_trapezoids(limits_, cap);
+    case SpanMethod::Kind::hull: return plan_span_ramps(limits_, cap, passes, monitor_);
+    case SpanMethod::Kind::zones: return plan_zoned_ramps(limits_, cap, method.ratio, passes, monitor_);
+    case SpanMethod::Kind::anchors: break;
+  }
+  return plan_anchored_ramps(limits_, cap, {law_, method.sites, passes > 0}, monitor_);
+}
+
+MotionPlan SpanPlanner::plan_whole() {
+  MotionPlan plan;
+  const std::vector<double> cap = joined_caps(limits_);
+  for (std::size_t m = 0; m < methods_.size(); ++m) {
+    MotionPlan other = plan_by(methods_[m], cap, usual_passes());
+    if (monitor_.is_cancelled()) return {};
+    if (!is_faster(other, plan)) continue;
+    plan = std::move(other);
+    best_ = m;
+  }
+  if (!has_rivals()) return plan;
+  MotionPlan block = plan_block_ramps(limits_, law_, limits_.size(), monitor_);
+  return is_faster(block, plan) ? block : plan;
+}
+
+MotionPlan SpanPlanner::plan_within(const SpanMethod& method, const StopWindow& window) const {
+  std::vector<double> cap = joined_caps(limits_);
+  window.lower(cap);
+  for (int round = 0; round < kNewtonRounds + kClimbRounds + kRestedRounds; ++round) {
+    const int passes = round < kNewtonRounds + kClimbRounds ? usual_passes() : 0;
+    MotionPlan plan = plan_by(method, cap, passes);
+    if (monitor_.is_cancelled() || plan.phases.empty()) return {};
+    const auto step = round < kNewtonRounds ? StopWindow::Step::newton : StopWindow::Step::climb;
+    if (window.lower_where_too_fast(plan, step, cap) == 0) return plan;
+  }
+  return {};
+}
+
+MotionPlan SpanPlanner::plan_in_window(const StopWindow& window, std::size_t blocks) const {
+  // With a stop at every node there is nothing that could run across one.
+  MotionPlan plan = blocks > 1 ? plan_within(methods_[best_], window) : MotionPlan{};
+  MotionPlan block = plan_block_ramps(limits_, law_, blocks, monitor_);
+  return is_faster(plan, block) ? plan : block;
+}
+
+}  // namespace toolpace::detail

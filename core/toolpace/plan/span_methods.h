@@ -1,0 +1,57 @@
+#pragma once
+/// The ways in which a law's ramps may run across blocks, each of them a whole plan.
+
+#include <cstdint>
+#include <vector>
+
+#include "toolpace/base/monitor.h"
+#include "toolpace/law/law.h"
+#include "toolpace/limits/speed_limits.h"
+#include "toolpace/plan/anchored_plan.h"
+#include "toolpace/plan/motion_plan.h"
+#include "toolpace/plan/span_lookahead.h"
+
+namespace toolpace::detail {
+
+/// One way of running ramps across blocks.
+struct SpanMethod {
+  enum class Kind : std::uint8_t { trapezoid, hull, zones, anchors } kind;
+  double ratio = 1.0;                        ///< of zones
+  AnchorSites sites = AnchorSites::touched;  ///< of anchors
+};
+
+/// The ways to try for a law. Under limits that are the same everywhere the first is the best one.
+std::vector<SpanMethod> span_methods(const SpeedLimits& limits, LawKind law);
+
+/// Plans that run their ramps to where `cap` lets them.
+class SpanPlanner {
+ public:
+  SpanPlanner(const SpeedLimits& limits, LawKind law, const Monitor& monitor);
+
+  /// The fastest of all ways, block ramps among them. Remembers which one that was.
+  MotionPlan plan_whole();
+
+  /// The way that came out best for the whole chain, and block ramps, under a window of `blocks` ≥ 1: the faster one. Never
+  /// without phases unless cancelled.
+  MotionPlan plan_in_window(const StopWindow& window, std::size_t blocks) const;
+
+  bool is_cancelled() const { return monitor_.is_cancelled(); }
+
+ private:
+  int usual_passes() const;
+  /// @param passes  0: nodes that limit the speed are crossed with zero acceleration
+  MotionPlan plan_by(const SpanMethod& method, const std::vector<double>& cap, int passes) const;
+  MotionPlan plan_within(const SpanMethod& method, const StopWindow& window) const;
+  bool has_rivals() const;
+
+  const SpeedLimits& limits_;
+  LawKind law_;
+  const Monitor& monitor_;
+  std::vector<SpanMethod> methods_;
+  std::size_t best_ = 0;  ///< index of the best way
+};
+
+/// Whether a plan is there and faster than another, which may be missing.
+bool is_faster(const MotionPlan& plan, const MotionPlan& other);
+
+}  // namespace toolpace::detail
