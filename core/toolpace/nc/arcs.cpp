@@ -7,6 +7,7 @@
 
 #include "toolpace/nc/compensation.h"
 #include "toolpace/nc/motion.h"
+#include "toolpace/nc/whole_number.h"
 
 namespace toolpace::nc {
 namespace {
@@ -82,15 +83,18 @@ bool find_centre_by_radius(Context& context, const Block& block, bool clockwise,
   return true;
 }
 
+constexpr int kMostTurns = 1'000'000;
+
 bool find_turns(Context& context, const Block& block, bool clockwise, int& turns) {
   turns = 1;
   if (block.has('p')) {
     const double p = block.of('p');
-    if (!(p >= 1.0 && p <= 1e6) || std::fabs(p - std::round(p)) > 1e-3) {
+    const auto number = whole_number(p, 1, kMostTurns);
+    if (!number) {
       return context.faults.fail("arc-turns", fmt::format("P{:g} is no number of turns", p),
                                  "P of an arc is a whole number from 1", block.column_of('p'));
     }
-    turns = static_cast<int>(std::round(p));
+    turns = *number;
   }
   if (clockwise) turns = -turns;
   return true;

@@ -74,7 +74,13 @@ bool BlockReader::read(Scanner& text, Block& block) {
                           "words begin with a letter; comments stand in ( ) or behind ;", text.column());
     }
   }
-  return assignments_.empty() || assign();
+  return is_at_end(text) && (assignments_.empty() || assign());
+}
+
+bool BlockReader::is_at_end(const Scanner& text) {
+  if (text.position() == text.end()) return true;
+  return faults_.fail("bad-character", "byte 0x00 begins no word", "this is no text: is the file damaged?",
+                      text.column());
 }
 
 bool BlockReader::read_word(Scanner& text, char letter, Block& block) {

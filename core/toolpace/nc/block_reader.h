@@ -25,6 +25,9 @@ class BlockReader {
   /// Steps over comments; the cursor then stands on something else or at the end of the line.
   bool skip_comments(Scanner& text, std::string* last_comment = nullptr);
 
+  /// What ends a line is its end, not a NUL byte.
+  bool is_at_end(const Scanner& text);
+
   ExpressionReader& expressions() { return expressions_; }
   Dialect dialect() const { return dialect_; }
 

@@ -8,6 +8,7 @@
 #include "toolpace/nc/motion.h"
 #include "toolpace/nc/offset_geometry.h"
 #include "toolpace/nc/tool_table.h"
+#include "toolpace/nc/whole_number.h"
 
 namespace toolpace::nc {
 namespace {
@@ -190,17 +191,23 @@ bool find_radius(Context& context, const Block& block, double& radius, int& orie
                                  block.column_of('l'));
     }
     radius = length_of(state, block, 'd') / 2.0;
-    orientation = static_cast<int>(block.of('l', 0.0));
+    const auto side = whole_number(block.of('l', 0.0), 0, kHighestOrientation);
+    if (!side) {
+      return context.faults.fail("compensation-orientation", fmt::format("L{:g} is no tool orientation", block.of('l')),
+                                 "orientations go from 0 to 9", block.column_of('l'));
+    }
+    orientation = *side;
     return true;
   }
   Tool tool = state.loaded;
   if (block.has('d') && block.of('d') != 0.0) {
     const double number = block.of('d');
-    if (!(number >= 0.0) || std::fabs(number - std::round(number)) > 1e-3) {
+    const auto whole = whole_number(number, 0, kHighestTool);
+    if (!whole) {
       return context.faults.fail("tool-number", fmt::format("D{:g} is no tool number", number), "D takes a tool number",
                                  block.column_of('d'));
     }
-    if (!find_tool(context, static_cast<int>(std::round(number)), block.column_of('d'), tool)) return false;
+    if (!find_tool(context, *whole, block.column_of('d'), tool)) return false;
   }
   radius = tool.diameter / 2.0;
   orientation = tool.orientation;

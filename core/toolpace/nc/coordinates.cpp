@@ -6,6 +6,7 @@
 
 #include "toolpace/nc/motion.h"
 #include "toolpace/nc/tool_table.h"
+#include "toolpace/nc/whole_number.h"
 
 namespace toolpace::nc {
 namespace {
@@ -38,12 +39,12 @@ bool take_system_number(Context& context, const Block& block, int& system) {
     return context.faults.fail("g10-without-p", "G10 without P", "name the coordinate system with P",
                                block.column_of(GGroup::once));
   }
-  if (!(p >= 0.0 && p <= kSystemCount) || std::fabs(p - std::round(p)) > 1e-3) {
+  const auto number = whole_number(p, 0, kSystemCount);
+  if (!number) {
     return context.faults.fail("g10-system", fmt::format("there is no coordinate system P{:g}", p),
                                "P0 is the active system, P1 to P9 are G54 to G59.3", block.column_of('p'));
   }
-  system = static_cast<int>(std::round(p));
-  if (system == 0) system = context.state.modal.system;
+  system = *number == 0 ? context.state.modal.system : *number;
   return true;
 }
 
@@ -82,13 +83,13 @@ bool set_system_origin(Context& context, const Block& block, bool from_position)
 
 bool run_g10(Context& context, const Block& block) {
   const double l = block.of('l', context.dialect == Dialect::linuxcnc ? -1.0 : 2.0);
-  const int form = static_cast<int>(std::round(l));
+  const int form = whole_number(l, 0, 100).value_or(-1);
   if (form == 2 || form == 20) {
     return refuse_with_compensation(context, block, "G10") && set_system_origin(context, block, form == 20);
   }
   if (form == 1 || form == 10 || form == 11) return write_tool_entry(context, block, form);
   if (context.dialect == Dialect::fanuc) {
-    context.faults.warn("g10-ignored", fmt::format("G10 L{} is not followed", form), "", block.column_of(GGroup::once));
+    context.faults.warn("g10-ignored", fmt::format("G10 L{:g} is not followed", l), "", block.column_of(GGroup::once));
     return true;
   }
   return context.faults.fail("g10-form", "G10 needs L1, L2, L10, L11 or L20", "check the L word",

@@ -6,12 +6,14 @@
 #include <cmath>
 
 #include "toolpace/nc/motion.h"
+#include "toolpace/nc/whole_number.h"
 
 namespace toolpace::nc {
 namespace {
 
 constexpr double kPeckClearance = 0.254;  // [mm] 0.010 in, of G73 and G83
 constexpr double kMostPecks = 100000;
+constexpr int kMostRepeats = 1'000'000;
 
 // One hole, in work coordinates; levels along the plane's normal axis.
 struct Hole {
@@ -193,11 +195,12 @@ bool remember(Context& context, const Block& block, Code code, bool same_series)
 bool find_repeats(Context& context, const Block& block, int& repeats) {
   const char letter = context.dialect == Dialect::fanuc && block.has('k') ? 'k' : 'l';
   const double value = block.of(letter, 1.0);
-  if (!(value >= 0.0 && value < 1e9) || std::fabs(value - std::round(value)) > 1e-3) {
+  const auto number = whole_number(value, 0, kMostRepeats);
+  if (!number) {
     return fail(context, block, "cycle-repeats", fmt::format("{:g} repeats of a cycle", value),
-                "L is a whole number from 0");
+                "repeats are a whole number from 0 to 1000000");
   }
-  repeats = static_cast<int>(std::round(value));
+  repeats = *number;
   return true;
 }
 

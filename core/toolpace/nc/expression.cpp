@@ -125,7 +125,7 @@ bool ExpressionReader::read_target(Scanner& text, Target& target) {
                         "use a whole number behind #", column);
   }
   if (!(whole >= 0.0 && whole < kParameterCount) || !parameters_.has_number(static_cast<int>(whole))) {
-    return faults_.fail("parameter-out-of-range", fmt::format("there is no parameter #{:g}", whole),
+    return faults_.fail("parameter-out-of-range", fmt::format("there is no parameter #{:.15g}", whole),
                         fmt::format("parameters go from #1 to #{}", kParameterCount - 1), column);
   }
   target.index = static_cast<int>(whole);

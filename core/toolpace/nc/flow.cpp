@@ -22,6 +22,7 @@ bool Flow::next_line(std::string_view& line) {
   line = {start, length};
   here_.offset += length + (found ? 1 : 0);
   ++here_.line;
+  count_work(length);
   taken_ = {here_.file, begin_, here_.line};
   return true;
 }
@@ -163,6 +164,7 @@ bool Flow::run_if(int at, Scanner& text) {
     if (branch.control != Control::elseif) return true;
     // The condition stands on the branch's own line.
     taken_ = {here_.file, branch.begin, branch.line};
+    count_work(branch.next - branch.begin);
     Scanner there(files_.at(here_.file).text.substr(branch.begin, branch.next - branch.begin));
     std::string label;
     bool computed = false;
@@ -222,7 +224,7 @@ bool Flow::run_repeat(int at, Scanner& text) {
 
 bool Flow::leave_or_continue(Control control, const std::string& label, int at) {
   FlowIndex& flow = index();
-  const int head = flow.find_enclosing(label, at);
+  const int head = flow.at(at).head;
   if (head == kNoMatch) {
     return lose("o-word-unmatched", fmt::format("no loop O{} is running here", label),
                 "name the loop around this line");

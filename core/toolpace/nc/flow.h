@@ -33,6 +33,8 @@ class Flow {
   const Place& place_of_fault() const { return taken_; }
   std::size_t depth() const { return calls_.size(); }
   std::size_t turns() const { return turns_; }
+  /// Lines read so far, each time they are; long lines count as several (ReadLimits::lines).
+  std::size_t work() const { return work_; }
   /// True once after each jump.
   bool take_jumped() { return std::exchange(jumped_, false); }
   /// A fault after which the place to go on from is unknown.
@@ -74,6 +76,7 @@ class Flow {
   void jump_to(int index) { jump(this->index().at(index).begin, this->index().at(index).line - 1); }
   bool jump_after_end(int at);
   bool count_turn();
+  void count_work(std::size_t length) { work_ += 1 + length / kLengthOfALine; }
   bool read_condition(Scanner& text, bool& holds);
   bool end_of_line(Scanner& text);
   bool read_label(Scanner& text, std::string& label, bool& computed);
@@ -101,6 +104,7 @@ class Flow {
   std::optional<SavedModal> saved_;
   std::optional<Modal> restored_;
   std::size_t turns_ = 0;
+  std::size_t work_ = 0;
   double returned_value_ = 0.0;
   bool has_returned_value_ = false;
   bool jumped_ = false;

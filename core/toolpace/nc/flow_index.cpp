@@ -161,18 +161,18 @@ void FlowIndex::match() {
 void FlowIndex::match_line(int index, std::unordered_map<std::string, Label>& labels, const std::string& scope) {
   ControlLine& line = lines_[static_cast<std::size_t>(index)];
   Label& label = labels[scope + '\n' + line.label];
-  std::vector<int>& stack = label.open;
+  std::vector<Open>& stack = label.open;
   const auto entry = [&](int i) -> ControlLine& { return lines_[static_cast<std::size_t>(i)]; };
   const auto open = [&](ControlLine& opener) {
     opener.head = index;
     opener.duplicate = label.used && opener.control != Control::fanuc_while;
     label.used = true;
-    stack.push_back(index);
+    stack.push_back({index, index});
   };
   const auto close = [&](std::initializer_list<Control> openers) {
-    if (stack.empty() || std::find(openers.begin(), openers.end(), entry(stack.back()).control) == openers.end())
+    if (stack.empty() || std::find(openers.begin(), openers.end(), entry(stack.back().head).control) == openers.end())
       return;
-    line.head = stack.back();
+    line.head = stack.back().head;
     // Every member of the structure learns its end.
     for (int i = line.head; i != kNoMatch; i = entry(i).after) entry(i).tail = index;
     line.tail = index;
@@ -185,7 +185,7 @@ void FlowIndex::match_line(int index, std::unordered_map<std::string, Label>& la
     case Control::repeat:
     case Control::fanuc_while: open(line); break;
     case Control::while_:
-      if (!stack.empty() && entry(stack.back()).control == Control::do_) {
+      if (!stack.empty() && entry(stack.back().head).control == Control::do_) {
         line.closes_do = true;
         close({Control::do_});
       } else {
@@ -194,11 +194,17 @@ void FlowIndex::match_line(int index, std::unordered_map<std::string, Label>& la
       break;
     case Control::elseif:
     case Control::else_:
-      if (!stack.empty() && entry(stack.back()).control == Control::if_) {
-        line.head = stack.back();
-        int last = line.head;
-        while (entry(last).after != kNoMatch) last = entry(last).after;
-        entry(last).after = index;
+      if (!stack.empty() && entry(stack.back().head).control == Control::if_) {
+        line.head = stack.back().head;
+        entry(stack.back().last).after = index;
+        stack.back().last = index;
+      }
+      break;
+    case Control::break_:
+    case Control::continue_:
+      for (auto loop = stack.rbegin(); loop != stack.rend() && line.head == kNoMatch; ++loop) {
+        const Control opener = entry(loop->head).control;
+        if (opener == Control::while_ || opener == Control::do_) line.head = loop->head;
       }
       break;
     case Control::endif: close({Control::if_}); break;
@@ -219,16 +225,6 @@ int FlowIndex::find(std::size_t offset) const {
 int FlowIndex::find_sub(const std::string& label) const {
   const auto found = subs_.find(label);
   return found == subs_.end() ? kNoMatch : found->second;
-}
-
-int FlowIndex::find_enclosing(const std::string& label, int index) const {
-  for (int i = index; i >= 0; --i) {
-    const ControlLine& line = at(i);
-    const bool loop = line.control == Control::while_ || line.control == Control::do_;
-    if (loop && !line.closes_do && line.label == label && (line.tail >= index || line.tail == kNoMatch)) return i;
-    if (line.control == Control::sub || line.control == Control::endsub) break;
-  }
-  return kNoMatch;
 }
 
 void FlowIndex::index_numbers() {
@@ -253,17 +249,17 @@ void FlowIndex::index_numbers() {
 
 bool FlowIndex::find_number(double number, std::size_t from, std::size_t& offset, std::size_t& line) {
   if (!has_numbers_) index_numbers();
-  const auto less = [](const Numbered& a, double b) { return a.number < b; };
-  const auto first = std::lower_bound(numbers_.begin(), numbers_.end(), number, less);
-  if (first == numbers_.end() || first->number != number) return false;
+  const auto before = [](const Numbered& a, const Numbered& b) {
+    return a.number < b.number || (a.number == b.number && a.offset < b.offset);
+  };
+  const auto find = [&](std::size_t at) {
+    const auto found = std::lower_bound(numbers_.begin(), numbers_.end(), Numbered{number, at, 0}, before);
+    return found != numbers_.end() && found->number == number ? found : numbers_.end();
+  };
   // The next one forward, else the first of the program.
-  auto chosen = first;
-  for (auto it = first; it != numbers_.end() && it->number == number; ++it) {
-    if (it->offset >= from) {
-      chosen = it;
-      break;
-    }
-  }
+  auto chosen = find(from);
+  if (chosen == numbers_.end()) chosen = find(0);
+  if (chosen == numbers_.end()) return false;
   offset = chosen->offset;
   line = chosen->line;
   return true;

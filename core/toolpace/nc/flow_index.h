@@ -43,7 +43,7 @@ struct ControlLine {
   bool closes_do = false;  ///< a `while` that ends a `do`
   bool duplicate = false;  ///< opens a structure under a label that was used before in the same sub-program
   std::string label;
-  int head = kNoMatch;   ///< index of the word that opens the structure
+  int head = kNoMatch;   ///< index of the word that opens the structure; of a break or continue: the loop it leaves
   int after = kNoMatch;  ///< of the next word in an if … elseif … else … endif
   int tail = kNoMatch;   ///< of the word that closes the structure
 };
@@ -58,9 +58,6 @@ class FlowIndex {
   int find(std::size_t offset) const;
   /// The sub-program `label`, or kNoMatch.
   int find_sub(const std::string& label) const;
-  /// The loop or structure with `label` around line `index`: index of its head, or kNoMatch.
-  int find_enclosing(const std::string& label, int index) const;
-
   /// Lines with an N number: for GOTO. @return offset and line, or false
   bool find_number(double number, std::size_t from, std::size_t& offset, std::size_t& line);
 
@@ -73,8 +70,12 @@ class FlowIndex {
   void scan();
   void scan_line(std::string_view line, std::size_t begin, std::size_t next, std::size_t number);
   void match();
+  struct Open {
+    int head;
+    int last;  ///< of the branches of an if
+  };
   struct Label {
-    std::vector<int> open;
+    std::vector<Open> open;
     bool used = false;
   };
   void match_line(int index, std::unordered_map<std::string, Label>& labels, const std::string& scope);

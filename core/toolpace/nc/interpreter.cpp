@@ -14,8 +14,9 @@ constexpr std::size_t kMonitorEvery = 16384;  // lines
 
 }  // namespace
 
-Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, Dialect dialect, Reading& reading)
-    : out_(reading.moves, options.limits.blocks),
+Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, Dialect dialect, std::size_t most_blocks,
+                         Reading& reading)
+    : out_(reading.moves, most_blocks),
       context_{state_, parameters_, out_, faults_, dialect},
       reader_(parameters_, faults_, dialect),
       flow_(files, parameters_, faults_, reader_, options.limits),
@@ -62,13 +63,18 @@ bool Interpreter::check_bounds() {
   }
   if (out_.is_full()) {
     end_ = End::ended;
+    if (out_.has_all_modes()) {
+      return faults_.fail("too-many-modes", "more than 65536 combinations of plane, feed mode and G64 P Q",
+                          "give fewer different tolerances");
+    }
     return faults_.fail("too-many-blocks",
-                        fmt::format("the program makes more than {} motion blocks", options_.limits.blocks),
+                        fmt::format("loops, calls and cycles make more than {} motion blocks", options_.limits.blocks),
                         "check that its loops end; --max-blocks raises the bound");
   }
-  if (lines_run_ > options_.limits.lines) {
+  if (flow_.work() > options_.limits.lines && flow_.work() > options_.limits.lines + files_.work()) {
     end_ = End::ended;
-    return faults_.fail("too-many-lines", fmt::format("the program runs more than {} lines", options_.limits.lines),
+    return faults_.fail("too-many-lines",
+                        fmt::format("loops and calls run more than {} lines again", options_.limits.lines),
                         "check that its loops end; --max-lines raises the bound");
   }
   if (log_.is_full()) end_ = End::ended;
@@ -78,6 +84,10 @@ bool Interpreter::check_bounds() {
 void Interpreter::report_faults(std::string_view line) {
   bool error = false;
   const Place& place = flow_.place_of_fault();
+  if (!line.empty()) {  // the line taken last, or that of an elseif it led to
+    const std::string_view text = files_.at(place.file).text.substr(place.offset);
+    line = text.substr(0, text.find('\n'));
+  }
   for (auto& fault : faults_.list()) {
     if (fault.column == 0) fault.column = std::min(line.find_first_not_of(" \t\r"), line.size()) + 1;
     error = log_.add(std::move(fault), files_.at(place.file).name, place.line, line) || error;
@@ -123,7 +133,7 @@ bool Interpreter::run_line(std::string_view line) {
   }
   Scanner text(line);
   char c = text.peek();
-  if (c == '\0') return true;
+  if (c == '\0') return reader_.is_at_end(text);
   if (c == '%') return run_percent();
   if (c == '$' && dialect_ == Dialect::grbl) return true;  // settings of the sender's controller
   if (c == '/') {

@@ -14,8 +14,10 @@ namespace toolpace::nc {
 
 class Interpreter {
  public:
-  /// `reading` receives moves, modal log and diagnostics.
-  Interpreter(ProgramFiles& files, const ReadOptions& options, Dialect dialect, Reading& reading);
+  /// @param most_blocks  more are an error
+  /// @param reading      receives moves, modal log and diagnostics
+  Interpreter(ProgramFiles& files, const ReadOptions& options, Dialect dialect, std::size_t most_blocks,
+              Reading& reading);
 
   /// @return false if it was cancelled
   bool run(const Monitor& monitor);

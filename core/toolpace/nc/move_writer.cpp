@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 namespace toolpace::nc {
 namespace {
@@ -27,6 +29,13 @@ MoveMode make_mode(const Modal& modal, bool exact_path, bool synchronised) {
 
 }  // namespace
 
+bool MoveWriter::ModeOrder::operator()(const MoveMode& a, const MoveMode& b) const {
+  const auto key = [](const MoveMode& m) {
+    return std::tuple(m.control, m.tolerance, m.naive_tolerance, m.plane, m.feed_mode);
+  };
+  return key(a) < key(b);
+}
+
 AxisVector machine_vector(const Offsets& offsets, const Position& work) {
   const Position machine = to_machine(offsets, work);
   AxisVector v;
@@ -40,19 +49,16 @@ void MoveWriter::set_mode(const Modal& modal, bool exact_path, bool synchronised
   const MoveMode mode = make_mode(modal, exact_path, synchronised);
   auto& modes = moves_.modes;
   if (modes[mode_] == mode) return;
-  // Most programs know a handful of modes; the newest are looked at first.
-  for (std::size_t i = modes.size(); i-- > 0;) {
-    if (modes[i] == mode) {
-      mode_ = static_cast<std::uint16_t>(i);
+  const auto [known, is_new] = known_modes_.try_emplace(mode, modes.size());
+  if (is_new) {
+    if (modes.size() > std::numeric_limits<std::uint16_t>::max()) {
+      known_modes_.erase(known);
+      has_all_modes_ = full_ = true;
       return;
     }
+    modes.push_back(mode);
   }
-  if (modes.size() > 0xFFFF) {
-    full_ = true;
-    return;
-  }
-  modes.push_back(mode);
-  mode_ = static_cast<std::uint16_t>(modes.size() - 1);
+  mode_ = static_cast<std::uint16_t>(known->second);
 }
 
 bool MoveWriter::begin_row() {

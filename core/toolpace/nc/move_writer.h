@@ -2,6 +2,7 @@
 /// Appends rows to Moves: from work coordinates in mm and degrees to machine coordinates in mm and rad.
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -20,12 +21,16 @@ inline constexpr double kFarthest = 1e9;  ///< [mm, rad] rows that lead farther 
 
 class MoveWriter {
  public:
-  MoveWriter(Moves& moves, std::size_t most_rows) : moves_(moves), most_rows_(most_rows) {}
+  MoveWriter(Moves& moves, std::size_t most_rows) : moves_(moves), most_rows_(most_rows) {
+    for (std::size_t i = 0; i < moves.modes.size(); ++i) known_modes_.emplace(moves.modes[i], i);
+  }
 
   /// After the first error of a program nothing more is written.
   void stop() { enabled_ = false; }
   bool is_enabled() const { return enabled_; }
   bool is_full() const { return full_; }
+  /// True where what is full is the table of modes.
+  bool has_all_modes() const { return has_all_modes_; }
   /// True once after a row that led farther than kFarthest, and was not written.
   bool take_too_far() { return std::exchange(too_far_, false); }
 
@@ -49,6 +54,10 @@ class MoveWriter {
   void truncate(std::size_t first);
 
  private:
+  struct ModeOrder {
+    bool operator()(const MoveMode& a, const MoveMode& b) const;
+  };
+
   bool begin_row();
   void append(MoveKind kind, const AxisVector& end, double feed, std::uint32_t detail);
   AxisVector last_end() const { return moves_.empty() ? moves_.start : moves_.end.back(); }
@@ -57,10 +66,12 @@ class MoveWriter {
   std::size_t most_rows_;
   bool enabled_ = true;
   bool full_ = false;
+  bool has_all_modes_ = false;
   bool too_far_ = false;
   std::uint32_t line_ = 0;
   std::uint16_t file_ = 0;
   std::uint16_t mode_ = 0;
+  std::map<MoveMode, std::size_t, ModeOrder> known_modes_;
 };
 
 /// Machine coordinates in mm and rad.

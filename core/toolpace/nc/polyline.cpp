@@ -179,11 +179,6 @@ void PolylineReader::append(const Row& row, bool has_feed) {
     const bool angular = before.tail<3>() != point.tail<3>();
     feed = programmed * kPerMinute * (angular && !linear ? kRadiansPerDegree : 1.0);
   }
-  if (moves.size() >= options_.limits.blocks) {
-    fault(0, "too-many-blocks", fmt::format("more than {} points", options_.limits.blocks),
-          "--max-blocks raises the bound");
-    return;
-  }
   moves.kind.push_back(MoveKind::feed);
   moves.line.push_back(static_cast<std::uint32_t>(number_));
   moves.file.push_back(0);

@@ -1,5 +1,6 @@
 #include "toolpace/nc/program_files.h"
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -51,6 +52,18 @@ ProgramFiles::ProgramFiles(std::string_view text, std::string name, std::vector<
   files_.push_back(std::make_unique<ProgramText>());
   files_.front()->name = std::move(name);
   files_.front()->text = text;
+}
+
+std::size_t ProgramFiles::work() {
+  std::size_t all = 0;
+  for (const auto& file : files_) {
+    if (!file->work) {
+      const auto lines = static_cast<std::size_t>(std::count(file->text.begin(), file->text.end(), '\n')) + 1;
+      file->work = lines + file->text.size() / kLengthOfALine;
+    }
+    all += *file->work;
+  }
+  return all;
 }
 
 std::optional<std::size_t> ProgramFiles::find(const std::string& label, bool fanuc) {

@@ -13,10 +13,13 @@
 
 namespace toolpace::nc {
 
+inline constexpr std::size_t kLengthOfALine = 16;  ///< [bytes] longer lines count as several in ReadLimits::lines
+
 struct ProgramText {
   std::string name;     ///< shown in diagnostics
   std::string storage;  ///< the text of a sub-program file
   std::string_view text;
+  std::optional<std::size_t> work;  ///< what reading it once counts
   std::unique_ptr<FlowIndex> index;
 
   FlowIndex& flow(bool fanuc) {
@@ -32,6 +35,9 @@ class ProgramFiles {
 
   ProgramText& at(std::size_t file) { return *files_[file]; }
   std::size_t size() const { return files_.size(); }
+
+  /// What reading every file once counts towards ReadLimits::lines.
+  std::size_t work();
 
   /// Finds the file of sub-program `label` ("name" or a number).
   /// @return its index, or none

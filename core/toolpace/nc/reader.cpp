@@ -75,9 +75,10 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
   Reading reading;
   reading.dialect = options.dialect == Dialect::automatic ? nc::detect_dialect(text) : options.dialect;
   reading.moves.files = {name};
-  reserve(reading.moves, std::min(count_lines(text), options.limits.blocks));
+  const std::size_t lines = count_lines(text);
+  reserve(reading.moves, lines);
   nc::ProgramFiles files(text, name, program_folders(name, options));
-  nc::Interpreter interpreter(files, options, reading.dialect, reading);
+  nc::Interpreter interpreter(files, options, reading.dialect, options.limits.blocks + lines, reading);
   const auto tools = read_beside(options.tools, interpreter, [&](std::string_view content, const auto& on_fault) {
     nc::read_tool_table(content, interpreter.state(), on_fault);
   });
@@ -118,7 +119,7 @@ Result<Reading> read_text(std::string_view text, const std::string& name, const 
   if (!is_polyline(name)) return read_program(text, name, options, monitor);
   Reading reading;
   reading.moves.files = {name};
-  reserve(reading.moves, std::min(count_lines(text), options.limits.blocks));
+  reserve(reading.moves, count_lines(text));
   if (!nc::read_polyline(text, name, options, monitor, reading)) return tl::unexpected(cancelled_error());
   return reading;
 }

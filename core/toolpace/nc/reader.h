@@ -18,9 +18,9 @@ enum class Dialect : std::uint8_t { automatic, linuxcnc, fanuc, grbl };
 /// Bounds that keep any program, however odd, from running without end. Reaching one is an error that names it.
 struct ReadLimits {
   std::size_t call_depth = 50;         ///< calls within each other
-  std::size_t loop_turns = 5'000'000;  ///< of all loops of a program together
-  std::size_t blocks = 20'000'000;     ///< motion blocks
-  std::size_t lines = 100'000'000;     ///< lines run, loops counted each time
+  std::size_t loop_turns = 2'000'000;  ///< of all loops of a program together
+  std::size_t blocks = 8'000'000;      ///< motion blocks, besides one a line of the program
+  std::size_t lines = 25'000'000;      ///< lines run again by loops and calls; a line of 16·n bytes counts n + 1 times
 };
 
 struct ReadOptions {

@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include "toolpace/nc/motion.h"
+#include "toolpace/nc/whole_number.h"
 
 namespace toolpace::nc {
 namespace {
 
-constexpr double kMostPasses = 10000;
+constexpr int kMostPasses = 10000;
 
 bool fail(Context& context, const Block& block, const char* code, std::string what, const char* remedy) {
   return context.faults.fail(code, std::move(what), remedy, block.column_of(GGroup::motion));
@@ -128,16 +129,16 @@ bool read_thread(Context& context, const Block& block, Thread& thread) {
   if (!(angle >= 0.0 && angle <= 80.0))
     return fail(context, block, "thread-words", "Q of G76 is not from 0 to 80", "Q is the slide angle in degrees");
   thread.angle = angle * kRadiansPerDegree;
-  const double springs = block.of('h', 0.0);
-  if (!(springs >= 0.0 && springs <= kMostPasses))
+  const auto springs = whole_number(block.of('h', 0.0), 0, kMostPasses);
+  if (!springs)
     return fail(context, block, "thread-words", "H of G76 is no number of passes", "H is a whole number from 0");
-  thread.spring_passes = static_cast<int>(springs);
-  const int tapers = static_cast<int>(block.of('l', 0.0));
-  if (tapers < 0 || tapers > 3)
+  thread.spring_passes = *springs;
+  const auto tapers = whole_number(block.of('l', 0.0), 0, 3);
+  if (!tapers)
     return fail(context, block, "thread-words", "L of G76 is not 0, 1, 2 or 3",
                 "L: 1 entry taper, 2 exit taper, 3 both");
-  thread.taper_entry = (tapers & 1) != 0;
-  thread.taper_exit = (tapers & 2) != 0;
+  thread.taper_entry = (*tapers & 1) != 0;
+  thread.taper_exit = (*tapers & 2) != 0;
   thread.taper_length = block.has('e') ? length_of(state, block, 'e') : 0.0;
   if (!(thread.taper_length > 0.0)) thread.taper_entry = thread.taper_exit = false;
   if (thread.taper_entry || thread.taper_exit) {

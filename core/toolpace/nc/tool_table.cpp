@@ -8,11 +8,17 @@
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/motion.h"
 #include "toolpace/nc/scanner.h"
+#include "toolpace/nc/whole_number.h"
 
 namespace toolpace::nc {
 namespace {
 
-constexpr int kHighestTool = 99999999;
+// Numbers of tools, pockets and orientations are whole.
+bool store_whole(int& target, double value, int highest) {
+  const auto whole = whole_number(value, 0, highest);
+  if (whole) target = *whole;
+  return whole.has_value();
+}
 
 bool read_tool_line(Scanner& text, Tool& tool, bool& has_number, Fault& fault) {
   for (char c = text.peek(); c != '\0' && c != ';'; c = text.peek()) {
@@ -24,20 +30,26 @@ bool read_tool_line(Scanner& text, Tool& tool, bool& has_number, Fault& fault) {
                "words are a letter and a number, such as T1 P1 D6 Z50", column, Severity::error};
       return false;
     }
+    bool good = true;
     switch (c) {
       case 't':
-        tool.number = static_cast<int>(value);
+        good = store_whole(tool.number, value, kHighestTool);
         has_number = true;
         break;
-      case 'p': tool.pocket = static_cast<int>(value); break;
+      case 'p': good = store_whole(tool.pocket, value, kHighestTool); break;
       case 'd': tool.diameter = value; break;
       case 'i': tool.front_angle = value; break;
       case 'j': tool.back_angle = value; break;
-      case 'q': tool.orientation = static_cast<int>(value); break;
+      case 'q': good = store_whole(tool.orientation, value, kHighestOrientation); break;
       default:
         for (std::size_t i = 0; i < kAxisCount; ++i) {
           if (kAxisLetters[i] == c) tool.offset[i] = value;
         }
+    }
+    if (!good) {
+      fault = {"tool-table-number", fmt::format("{}{:g} is out of range", static_cast<char>(c - 32), value),
+               "T and P are whole numbers from 0, Q is one from 0 to 9", column, Severity::error};
+      return false;
     }
   }
   return true;
@@ -55,12 +67,13 @@ void set_length_offset(Context& context, const Position& offset) {
 
 bool take_tool_number(Context& context, const Block& block, char letter, int& number) {
   const double value = block.of(letter);
-  if (!(value >= 0.0 && value <= kHighestTool) || std::fabs(value - std::round(value)) > 1e-3) {
+  const auto whole = whole_number(value, 0, kHighestTool);
+  if (!whole) {
     return context.faults.fail("tool-number",
                                fmt::format("{}{:g} is no tool number", static_cast<char>(letter - 32), value),
                                "tool numbers are whole numbers from 0", block.column_of(letter));
   }
-  number = static_cast<int>(std::round(value));
+  number = *whole;
   return true;
 }
 
@@ -193,7 +206,10 @@ bool write_tool_entry(Context& context, const Block& block, int form) {
   if (block.has('r')) tool.diameter = 2.0 * length_of(state, block, 'r');
   if (block.has('i')) tool.front_angle = block.of('i');
   if (block.has('j')) tool.back_angle = block.of('j');
-  if (block.has('q')) tool.orientation = static_cast<int>(block.of('q'));
+  if (block.has('q') && !store_whole(tool.orientation, block.of('q'), kHighestOrientation)) {
+    return context.faults.fail("tool-orientation", fmt::format("Q{:g} is no tool orientation", block.of('q')),
+                               "orientations go from 0 to 9", block.column_of('q'));
+  }
   state.tools[number] = tool;
   if (state.loaded.number == number) state.loaded = tool;
   return true;

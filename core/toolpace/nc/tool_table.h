@@ -8,6 +8,9 @@
 
 namespace toolpace::nc {
 
+inline constexpr int kHighestTool = 99999999;
+inline constexpr int kHighestOrientation = 9;
+
 /// Reads lines like "T1 P1 D6 Z50 X0 I10 J20 Q2 ;remark" (mm, deg). Faults carry the line in `on_fault`.
 void read_tool_table(std::string_view text, State& state, const std::function<void(std::size_t line, Fault)>& on_fault);
 

@@ -88,21 +88,26 @@ TEST(BadInput, StrictReadingMakesWarningsErrors) {
   EXPECT_TRUE(read_program(text, {.strict = true}).refused);
 }
 
-TEST(BadInput, EndlessProgramsMeetABound) {
-  const ReadLimits small{.call_depth = 5, .loop_turns = 100, .blocks = 50, .lines = 1000};
-  const auto code = [&](const std::string& text) {
-    return read_program(text, {.limits = small}).diagnostics.at(0).code;
-  };
-  EXPECT_EQ(code("o1 while [1]\no1 endwhile\nM2\n"), "too-many-turns");
-  EXPECT_EQ(code("o1 while [1]\nG91 G0 X1\no1 endwhile\nM2\n"), "too-many-blocks");
-  EXPECT_EQ(code("o1 sub\no1 call\no1 endsub\no1 call\nM2\n"), "calls-too-deep");
-  EXPECT_EQ(code("G0 Z5\nG81 X1 Z-1 R1 F5 L100000\nM2\n"), "too-many-blocks");
-  std::string long_loop = "o1 while [1]\n";
-  for (int i = 0; i < 500; ++i) long_loop += "#1=2\n";
-  EXPECT_EQ(code(long_loop + "o1 endwhile\nM2\n"), "too-many-lines");
-  EXPECT_EQ(
-      read_program("%\nN1 #1=2\nGOTO 1\nM30\n%\n", {.dialect = Dialect::fanuc, .limits = small}).diagnostics.at(0).code,
-      "too-many-turns");
+TEST(BadInput, ANulByteFarIntoAProgramIsNoEndOfItsLine) {
+  std::string text = "G21 F100\n";
+  while (text.size() < 100'000) text += "G1 X1 Y1\n";
+  EXPECT_EQ(codes(read_program(text + std::string("G1 X5 \0 Y5\nM2\n", 14))).at(0).substr(0, 13), "bad-character");
+  EXPECT_EQ(codes(read_program(text + std::string("\0\nM2\n", 5))).at(0).substr(0, 13), "bad-character");
+}
+
+TEST(BadInput, NumbersThatCountAreWholeAndHeldByAnInteger) {
+  const auto code = [](const std::string& text) { return codes(read_program(text + "\nM2\n")).at(0); };
+  EXPECT_EQ(code("G10 L3111111111 P1 X0"), "g10-form@1:1");
+  EXPECT_EQ(code("G18 G41.1 D1 L3000000000"), "compensation-orientation@1:14");
+  EXPECT_EQ(code("G41 D3000000000"), "tool-number@1:5");
+  EXPECT_EQ(code("F1 G91 G81 X1 Z-1 R1 L3000000000"), "cycle-repeats@1:8");
+  EXPECT_EQ(code("G10 L1 P1 Q3000000000"), "tool-orientation@1:11");
+}
+
+TEST(BadInput, TheExcerptOfAFaultInABranchIsTheBranch) {
+  const auto reading = read_program("#1=0\no1 if [#1]\no1 elseif [1/#1]\no1 endif\nM2\n");
+  EXPECT_EQ(codes(reading), (Codes{"division-by-zero@3:14"}));
+  EXPECT_EQ(reading.diagnostics.at(0).excerpt, "o1 elseif [1/#1]");
 }
 
 TEST(BadInput, SubProgramsAreReadFromTheGivenFoldersOnly) {
