@@ -80,6 +80,31 @@ class ModelsTest : public QObject {
     QCOMPARE(timeline.worst_lines().size(), std::size_t{1});
   }
 
+  void a_dwell_before_a_line_is_not_lost_by_it() {
+    const auto plain = planned(Program().feed(10, 0, 0, 50).feed(0, 0, 0, 50));
+    const auto resting = planned(Program().feed(10, 0, 0, 50).dwell(2).feed(0, 0, 0, 50));
+    const Timeline a(plain), b(resting);
+    QVERIFY(b.duration() > a.duration() + 1.99);
+    QVERIFY(std::abs(a.total_loss() - b.total_loss()) < 0.02);  // stopping fully at the corner costs a little
+    QVERIFY(b.lines()[3].begin > 2.0);
+  }
+
+  void the_worst_lines_come_first_and_the_sums_agree() {
+    Program program;
+    for (int i = 1; i <= 40; ++i) program.feed(i % 2 ? i * 3.0 : 0.0, i * 0.5, 0, 80);
+    const Timeline timeline(planned(program));
+    const auto& worst = timeline.worst_lines();
+    QCOMPARE(worst.size(), timeline.losing_lines());
+    double sum = 0;
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+      const double loss = timeline.lines()[worst[i]].loss();
+      if (i > 0) QVERIFY(loss <= timeline.lines()[worst[i - 1]].loss());
+      sum += loss;
+    }
+    QVERIFY(std::abs(sum - timeline.total_loss()) < 1e-9);
+    QCOMPARE(timeline.lines()[worst.front()].loss(), timeline.worst_loss());
+  }
+
   void stepping_goes_from_line_to_line_and_stops_at_the_ends() {
     const auto outcome = planned(Program().feed(10, 0, 0, 50).feed(10, 10, 0, 50).feed(0, 10, 0, 50));
     const Timeline timeline(outcome);

@@ -18,7 +18,7 @@ void LossModel::setUnit(LengthUnit unit) {
 
 int LossModel::rowCount(const QModelIndex& parent) const {
   if (parent.isValid() || !timeline_) return 0;
-  return static_cast<int>(std::min<std::size_t>(timeline_->worst_lines().size(), kRows));
+  return static_cast<int>(timeline_->worst_lines().size());
 }
 
 int LossModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }

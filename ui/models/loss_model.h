@@ -15,7 +15,6 @@ class LossModel : public QAbstractTableModel {
  public:
   enum Column { kLine, kAsked, kMean, kTime, kLoss, kColumns };
   static constexpr int kSortRole = Qt::UserRole;  ///< the plain number of a cell
-  static constexpr int kRows = 10'000;            ///< the worst so many lines are listed
 
   using QAbstractTableModel::QAbstractTableModel;
 

@@ -4,13 +4,24 @@
 #include <cmath>
 
 namespace toolpace::ui {
+namespace {
+
+const Phase& phase_at(const std::vector<Phase>& phases, double time) {
+  const auto after = std::upper_bound(phases.begin(), phases.end(), time,
+                                      [](double t, const Phase& phase) { return t < phase.begin; });
+  return after == phases.begin() ? phases.front() : *std::prev(after);
+}
+
+double distance_at(const std::vector<Phase>& phases, double time) {
+  const Phase& phase = phase_at(phases, time);
+  return evaluate(phase, std::clamp(time - phase.begin, 0.0, phase.duration)).distance;
+}
+
+}  // namespace
 
 Timeline::Timeline(std::shared_ptr<const Outcome> outcome) : outcome_(std::move(outcome)) {
-  const auto& length = outcome_->path->length;
-  distance_.reserve(length.size() + 1);
-  distance_.push_back(0);
-  for (double l : length) distance_.push_back(distance_.back() + l);
   collect_lines();
+  sum_losses();
 }
 
 std::uint32_t Timeline::line_of_block(std::size_t block) const {
@@ -22,24 +33,50 @@ std::uint32_t Timeline::line_of_block(std::size_t block) const {
 void Timeline::collect_lines() {
   const auto& o = *outcome_;
   const auto& moves = o.job->program->moves;
+  if (o.path->size() > 0) lines_.reserve(line_of_block(o.path->size() - 1) + std::size_t{1});
+  auto pause = o.path->pauses.begin();
   for (std::size_t i = 0; i < o.path->size(); ++i) {
+    double departure = o.node_time[i];
+    for (; pause != o.path->pauses.end() && pause->node <= i; ++pause) departure += pause->duration;
     const std::uint32_t line = line_of_block(i);
     if (line == 0) continue;
     if (line >= lines_.size()) lines_.resize(line + 1);
     auto& stats = lines_[line];
-    double time = o.node_time[i + 1] - o.node_time[i];
-    if (stats.begin < 0) stats.begin = o.node_time[i];
+    const double time = std::max(o.node_time[i + 1] - departure, 0.0);
+    if (stats.begin < 0) stats.begin = departure;
     stats.length += o.path->length[i];
     const double feed = moves.feed[o.path->move[i]] * o.job->options.feed_override;
     const bool asked = feed > 0 && std::isfinite(feed) && moves.kind[o.path->move[i]] != MoveKind::rapid;
     stats.time += time;
     stats.asked_time += asked ? std::min(time, o.path->length[i] / feed) : time;
   }
-  for (std::uint32_t line = 1; line < lines_.size(); ++line) {
-    if (lines_[line].loss() > 0) worst_lines_.push_back(line);
+}
+
+void Timeline::sum_losses() {
+  for (const LineStats& stats : lines_) {
+    const double loss = stats.loss();
+    if (!(loss > 0)) continue;
+    ++losing_lines_;
+    total_loss_ += loss;
+    worst_loss_ = std::max(worst_loss_, loss);
   }
-  std::stable_sort(worst_lines_.begin(), worst_lines_.end(),
-                   [this](auto a, auto b) { return lines_[a].loss() > lines_[b].loss(); });
+}
+
+const std::vector<std::uint32_t>& Timeline::worst_lines() const {
+  std::call_once(sorted_, [this] {
+    worst_lines_.reserve(losing_lines_);
+    for (std::uint32_t line = 1; line < lines_.size(); ++line) {
+      if (lines_[line].loss() > 0) worst_lines_.push_back(line);
+    }
+    const auto count = static_cast<std::ptrdiff_t>(std::min(worst_lines_.size(), kWorstLines));
+    std::partial_sort(worst_lines_.begin(), worst_lines_.begin() + count, worst_lines_.end(), [this](auto a, auto b) {
+      const double first = lines_[a].loss(), second = lines_[b].loss();
+      return first > second || (first == second && a < b);
+    });
+    worst_lines_.resize(static_cast<std::size_t>(count));
+    worst_lines_.shrink_to_fit();
+  });
+  return worst_lines_;
 }
 
 std::size_t Timeline::block_at(double time) const {
@@ -56,12 +93,10 @@ Instant Timeline::at(double time) const {
   instant.time = std::clamp(time, 0.0, duration());
   const auto& phases = o.plan.phases;
   if (phases.empty() || o.path->size() == 0) return instant;
-  const auto after = std::upper_bound(phases.begin(), phases.end(), instant.time,
-                                      [](double t, const Phase& phase) { return t < phase.begin; });
-  const Phase& phase = after == phases.begin() ? phases.front() : *std::prev(after);
+  const Phase& phase = phase_at(phases, instant.time);
   instant.state = evaluate(phase, std::clamp(instant.time - phase.begin, 0.0, phase.duration));
   instant.block = block_at(instant.time);
-  const double along = instant.state.distance - distance_[instant.block];
+  const double along = instant.state.distance - distance_at(phases, o.node_time[instant.block]);
   instant.position = point_at(*o.path, instant.block, std::clamp(along, 0.0, o.path->length[instant.block]));
   instant.line = line_of_block(instant.block);
   const auto restraint = std::upper_bound(o.restraints.begin(), o.restraints.end(), instant.time,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -49,18 +50,26 @@ class Timeline {
 
   /// Indexed by NC line, counted from 1 (entry 0 is unused).
   const std::vector<LineStats>& lines() const { return lines_; }
-  /// Where the speed is least for longest against what was asked: begins of the worst lines, worst first.
-  const std::vector<std::uint32_t>& worst_lines() const { return worst_lines_; }
+  /// What all lines lose together [s], how many do, and the most that one loses [s].
+  double total_loss() const { return total_loss_; }
+  std::size_t losing_lines() const { return losing_lines_; }
+  double worst_loss() const { return worst_loss_; }
+  /// The lines that lose most, worst first: at most kWorstLines. Sorted when first asked for, from any thread.
+  static constexpr std::size_t kWorstLines = 10'000;
+  const std::vector<std::uint32_t>& worst_lines() const;
 
  private:
   std::uint32_t line_of_block(std::size_t block) const;
   std::size_t block_at(double time) const;
   void collect_lines();
+  void sum_losses();
 
   std::shared_ptr<const Outcome> outcome_;
-  std::vector<double> distance_;  // path length up to each node
   std::vector<LineStats> lines_;
-  std::vector<std::uint32_t> worst_lines_;
+  double total_loss_ = 0, worst_loss_ = 0;
+  std::size_t losing_lines_ = 0;
+  mutable std::once_flag sorted_;
+  mutable std::vector<std::uint32_t> worst_lines_;
 };
 
 }  // namespace toolpace::ui

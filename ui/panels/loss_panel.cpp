@@ -44,9 +44,21 @@ LossPanel::LossPanel(QWidget* parent)
 }
 
 void LossPanel::setTimeline(std::shared_ptr<const Timeline> timeline) {
-  timeline_ = timeline;
-  model_->setTimeline(std::move(timeline));
+  timeline_ = std::move(timeline);
+  if (isVisible()) refresh();
+}
+
+// Sorting the lines takes longer than all that a drag draws, so nothing is done for a panel that nobody sees.
+void LossPanel::refresh() {
+  if (shown_ == timeline_) return;
+  shown_ = timeline_;
+  model_->setTimeline(timeline_);
   showTotal();
+}
+
+void LossPanel::showEvent(QShowEvent* event) {
+  refresh();
+  QWidget::showEvent(event);
 }
 
 void LossPanel::setLengthUnit(LengthUnit unit) { model_->setUnit(unit); }
@@ -54,11 +66,10 @@ void LossPanel::setLengthUnit(LengthUnit unit) { model_->setUnit(unit); }
 void LossPanel::showTotal() {
   table_->setAccessibleName(tr("Time lost by each NC line"));
   if (!timeline_) return total_->clear();
-  double loss = 0;
-  for (std::uint32_t line : timeline_->worst_lines()) loss += timeline_->lines()[line].loss();
+  const double loss = timeline_->total_loss();
   const double share = timeline_->duration() > 0 ? loss / timeline_->duration() * 100 : 0;
   total_->setText(tr("%1 s (%2 %) more than at the programmed feed all along, on %n line(s)", nullptr,
-                     static_cast<int>(timeline_->worst_lines().size()))
+                     static_cast<int>(timeline_->losing_lines()))
                       .arg(loss, 0, 'f', 3)
                       .arg(share, 0, 'f', 1));
 }

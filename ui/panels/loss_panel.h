@@ -24,15 +24,17 @@ class LossPanel : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
+  void refresh();
   void showTotal();
 
   LossModel* model_;
   QSortFilterProxyModel* sorted_;
   QTableView* table_;
   QLabel* total_;
-  std::shared_ptr<const Timeline> timeline_;
+  std::shared_ptr<const Timeline> timeline_, shown_;  // the second stands in the table
 };
 
 }  // namespace toolpace::ui

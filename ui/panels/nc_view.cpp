@@ -49,10 +49,7 @@ void NcView::setDocument(std::shared_ptr<const Document> document) {
 void NcView::setTimeline(std::shared_ptr<const Timeline> timeline, double full_speed) {
   timeline_ = std::move(timeline);
   fastest_ = full_speed;
-  worst_loss_ = 0;
-  if (timeline_) {
-    for (const auto& stats : timeline_->lines()) worst_loss_ = std::max(worst_loss_, stats.loss());
-  }
+  worst_loss_ = timeline_ ? timeline_->worst_loss() : 0;
   viewport()->update();
 }
 

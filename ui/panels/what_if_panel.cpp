@@ -101,7 +101,12 @@ void WhatIfPanel::setTimeline(std::shared_ptr<const Timeline> timeline) {
   levers_table_->setRowCount(0);
   levers_table_->hide();
   button_->setEnabled(timeline_ != nullptr);
+  if (isVisible()) showCauses();
+}
+
+void WhatIfPanel::showEvent(QShowEvent* event) {
   showCauses();
+  QWidget::showEvent(event);
 }
 
 void WhatIfPanel::setTheme(const Theme& theme) {

@@ -30,6 +30,7 @@ class WhatIfPanel : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   void showCauses();

@@ -101,6 +101,18 @@ bool is_dense(const ProfileSeries& series, const TimeWindow& whole) {
   return count >= static_cast<std::size_t>(window.columns) / 2 + 2;
 }
 
+std::vector<Extent> speed_extents(const ProfileSeries& series, const TimeWindow& window) {
+  std::vector<Extent> extents(static_cast<std::size_t>(std::max(window.columns, 0)));
+  if (series.is_empty()) return extents;
+  const double pixel = (window.end - window.begin) / window.columns, total = series.duration();
+  for (std::size_t column = 0; column < extents.size(); ++column) {
+    const double begin = window.begin + static_cast<double>(column) * pixel, end = begin + pixel;
+    if (end < 0 || begin > total) continue;
+    extents[column] = extent_between(series, std::max(begin, 0.0), std::min(end, total)).speed;
+  }
+  return extents;
+}
+
 MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& whole) {
   MotionCurves curves;
   if (series.is_empty()) return curves;

@@ -3,6 +3,7 @@
 /// least and greatest value a pixel where not.
 
 #include <QVector>
+#include <vector>
 
 #include "plots/profile_series.h"
 
@@ -30,6 +31,9 @@ struct MotionCurves {
 };
 
 MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& window);
+
+/// Least and greatest speed of each column of the window, for a miniature; empty outside the plan.
+std::vector<Extent> speed_extents(const ProfileSeries& series, const TimeWindow& window);
 
 /// True where the window holds too many phases to draw each: motion_curves() then strokes the range of each pixel.
 bool is_dense(const ProfileSeries& series, const TimeWindow& window);

@@ -7,35 +7,10 @@ namespace toolpace::ui {
 namespace {
 
 constexpr double kLeastSpan = 1e-7;  // of the plan
-constexpr std::array kQuantities = {Quantity::speed, Quantity::acceleration, Quantity::jerk};
-constexpr std::array<const char*, 3> kSymbols = {"v", "a", "j"};
 constexpr const char* kCursorLayer = "cursor";
 
 const Extent& extent_of(const MotionExtent& e, std::size_t row) {
-  return row == 0 ? e.speed : row == 1 ? e.acceleration : e.jerk;
-}
-const Curve& curve_of(const MotionCurves& c, std::size_t row) {
-  return row == 0 ? c.speed : row == 1 ? c.acceleration : c.jerk;
-}
-
-void fill(QCPGraph* graph, const Curve& curve, double factor) {
-  QVector<QCPGraphData> points(curve.time.size());
-  for (qsizetype i = 0; i < curve.time.size(); ++i) points[i] = {curve.time[i], curve.value[i] * factor};
-  graph->data()->set(points, true);
-}
-
-/// "10³ mm/s³" keeps the numbers at the axis short.
-double power_of_thousand(double largest) {
-  if (!(largest >= 1e4) || !std::isfinite(largest)) return 1.0;
-  return std::pow(1000.0, std::floor(std::log10(largest / 10) / 3));
-}
-
-QString power_text(double power) {
-  if (power == 1.0) return {};
-  static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-  QString text = QStringLiteral("10");
-  for (const QChar c : QString::number(std::lround(std::log10(power)))) text += digits[c.digitValue()];
-  return text + ' ';
+  return row == MotionRow::speed ? e.speed : row == MotionRow::acceleration ? e.acceleration : e.jerk;
 }
 
 }  // namespace
@@ -51,7 +26,7 @@ ProfilePlot::ProfilePlot(QWidget* parent) : QCustomPlot(parent) {
   plotLayout()->clear();
   plotLayout()->setRowSpacing(0);
   plotLayout()->setMargins(QMargins(0, 4, 0, 0));
-  for (std::size_t i = 0; i < kPlots; ++i) buildRow(i);
+  for (std::size_t i = 0; i < MotionRow::kinds; ++i) rows_.emplace_back(this, static_cast<MotionRow::Kind>(i));
   time_title_ = new QCPItemText(this);
   time_title_->position->setType(QCPItemPosition::ptAbsolute);
   time_title_->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -59,83 +34,29 @@ ProfilePlot::ProfilePlot(QWidget* parent) : QCustomPlot(parent) {
   addLayer(kCursorLayer, layer("overlay"), QCustomPlot::limBelow);
   layer(kCursorLayer)->setMode(QCPLayer::lmBuffered);
   cursor_ = new CursorLayer(this, kCursorLayer);
-  buildErrorRow();
-  connect(this, &QCustomPlot::afterLayout, this, &ProfilePlot::laidOut);
+  error_ = std::make_unique<ErrorRow>(this);
+  for (const auto& row : rows_) time_axes_.push_back(row.time());
+  time_axes_.push_back(error_->time());
+  // However much changes before the next picture, the curves are gathered once, when their width is known.
+  connect(this, &QCustomPlot::afterLayout, this, [this] {
+    emit laidOut();
+    gather();
+  });
+  layOut();
   retranslate();
   dress();
 }
 
-void ProfilePlot::buildRow(std::size_t index) {
-  Row& row = rows_[index];
-  row.rect = new QCPAxisRect(this, true);
-  plotLayout()->addElement(static_cast<int>(index), 0, row.rect);
-  row.rect->setAutoMargins(QCP::msNone);
-  row.value = row.rect->axis(QCPAxis::atLeft);
-  QCPAxis* time = row.rect->axis(QCPAxis::atBottom);
-  time_axes_.push_back(time);
-  time->ticker()->setTickCount(8);
-  row.value->ticker()->setTickCount(4);
-  row.value->setNumberFormat("gb");
-  row.value->setNumberPrecision(6);
-  const auto graph = [&](const char* name) {
-    auto* g = addGraph(time, row.value);
-    g->setName(QString("%1.%2").arg(kSymbols[index]).arg(name));
-    g->setSelectable(QCP::stNone);
-    return g;
-  };
-  row.feed = graph("feed");
-  row.cap_high = graph("cap");
-  row.cap_low = graph("cap below");
-  row.ghost = graph("ghost");
-  row.ghost_low = graph("ghost below");
-  for (auto& axis : row.axis) axis = graph("axis");
-  row.curve = graph("curve");
-}
-
-void ProfilePlot::buildErrorRow() {
-  error_rect_ = new QCPAxisRect(this, true);
-  error_rect_->setAutoMargins(QCP::msNone);
-  plotLayout()->addElement(static_cast<int>(kPlots), 0, error_rect_);
-  QCPAxis* time = error_rect_->axis(QCPAxis::atBottom);
-  time->ticker()->setTickCount(8);
-  time_axes_.push_back(time);
-  error_curve_ = addGraph(time, error_rect_->axis(QCPAxis::atLeft));
-  error_curve_->setName("e.curve");
-  error_curve_->setSelectable(QCP::stNone);
-  setErrorShown(false);
-}
-
 void ProfilePlot::setErrorShown(bool shown) {
-  const bool was = plotLayout()->elementCount() > static_cast<int>(kPlots);
-  if (was && !shown) {
-    plotLayout()->take(error_rect_);
-    plotLayout()->simplify();
-  } else if (!was && shown) {
-    plotLayout()->addElement(static_cast<int>(kPlots), 0, error_rect_);
-  }
-  error_rect_->setVisible(shown);
-  error_curve_->setVisible(shown);
+  error_->setShown(shown);
   layOut();
   refill();
 }
 
 void ProfilePlot::setErrorTrace(std::shared_ptr<const ErrorTrace> trace) {
-  error_ = SampleSeries(std::move(trace));
-  updateErrorScale();
+  error_->setTrace(std::move(trace));
+  error_->scale(unit_);
   refill();
-}
-
-/// Contour errors are micrometres; in inches they are thousandths.
-double ProfilePlot::errorFactor() const {
-  return unit_ == LengthUnit::mm ? 1000.0 : 1000.0 * display_unit(Quantity::length, unit_).factor;
-}
-
-void ProfilePlot::updateErrorScale() {
-  const double most = error_.largest() * errorFactor();
-  QCPAxis* axis = error_rect_->axis(QCPAxis::atLeft);
-  // Between two simulations the old heights stay, so that the plot does not jump.
-  if (!error_.is_empty()) axis->setRange(most > 0 ? -0.03 * most : -0.03, most > 0 ? 1.09 * most : 1.0);
-  axis->setLabel(unit_ == LengthUnit::mm ? QStringLiteral("e\nµm") : QStringLiteral("e\n10⁻³ in"));
 }
 
 void ProfilePlot::setTheme(const Theme& theme) {
@@ -154,52 +75,11 @@ void ProfilePlot::retranslate() { updateScales(); }
 void ProfilePlot::dress() {
   setBackground(theme_.surface);
   cursor_->theme = theme_;
-  for (auto& row : rows_) dressRow(row);
-  dressRect(error_rect_);
-  error_curve_->setPen(QPen(theme_.error, 1.2));
+  for (auto& row : rows_) row.dress(theme_, font());
+  error_->dress(theme_, font());
   time_title_->setColor(theme_.secondary);
   time_title_->setFont(font());
-  replot(rpQueuedReplot);
-}
-
-void ProfilePlot::dressRect(QCPAxisRect* rect) {
-  QColor faint = theme_.line;
-  faint.setAlphaF(0.7f);
-  QCPAxis* value = rect->axis(QCPAxis::atLeft);
-  for (auto* axis : {value, rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atRight), rect->axis(QCPAxis::atTop)}) {
-    axis->setVisible(true);
-    axis->setBasePen(QPen(theme_.line, 1));
-    axis->setTickPen(QPen(theme_.line, 1));
-    axis->setSubTickPen(Qt::NoPen);
-    axis->setTickLabelColor(theme_.secondary);
-    axis->setLabelColor(theme_.text);
-    axis->setTickLabelFont(font());
-    axis->setLabelFont(font());
-    axis->setLabelPadding(0);
-    axis->setTickLabelPadding(4);
-    axis->grid()->setPen(QPen(faint, 1));
-    axis->grid()->setZeroLinePen(Qt::NoPen);
-    axis->setTickLengthIn(0);
-    axis->setTickLengthOut(axis == value ? 4 : 0);
-  }
-  value->grid()->setZeroLinePen(QPen(theme_.secondary, 1));
-  rect->axis(QCPAxis::atRight)->setTicks(false);
-  rect->axis(QCPAxis::atTop)->setTicks(false);
-}
-
-void ProfilePlot::dressRow(Row& row) {
-  dressRect(row.rect);
-  QColor ghost_feed = theme_.secondary;
-  ghost_feed.setAlphaF(0.4f);
-  row.feed->setPen(QPen(ghost_feed, 2));
-  QPen cap_pen(theme_.secondary, 1);
-  cap_pen.setDashPattern({6, 4});
-  for (auto* cap : {row.cap_high, row.cap_low}) cap->setPen(cap_pen);
-  for (auto* ghost : {row.ghost, row.ghost_low}) ghost->setPen(QPen(theme_.plan_b, 1.3, Qt::DashLine));
-  row.curve->setPen(QPen(theme_.accent, 1.6));
-  const std::array<QPen, kAxes> pens = {QPen(theme_.axis_x, 1.2), QPen(theme_.axis_y, 1.2, Qt::DashLine),
-                                        QPen(theme_.axis_z, 1.2, Qt::DotLine)};
-  for (std::size_t i = 0; i < kAxes; ++i) row.axis[i]->setPen(pens[i]);
+  refill();
 }
 
 double ProfilePlot::duration() const { return series_ && !series_->is_empty() ? series_->duration() : 1.0; }
@@ -214,6 +94,7 @@ void ProfilePlot::setSeries(std::shared_ptr<const ProfileSeries> series) {
 }
 
 void ProfilePlot::setGhost(std::shared_ptr<const ProfileSeries> series) {
+  if (!ghost_ && !series) return;
   ghost_ = std::move(series);
   updateScales();
   refill();
@@ -227,28 +108,18 @@ void ProfilePlot::setAxisShown(std::size_t axis, bool shown) {
 
 // The whole plan decides, not the visible part: zooming in time leaves the heights alone, so they can be compared.
 void ProfilePlot::updateScales() {
-  for (std::size_t i = 0; i < kPlots; ++i) {
-    Row& row = rows_[i];
-    const DisplayUnit unit = display_unit(kQuantities[i], unit_);
+  // An axis may brake while the path speed is steady; its values never exceed the path's on lines, but turn round.
+  const bool any_axis = shown_[0] || shown_[1] || shown_[2];
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
     Extent extent;
     extent.add(0.0f);
     for (const auto* s : {series_.get(), ghost_.get()}) {
       if (s && !s->is_empty()) extent.add(extent_of(s->whole, i));
     }
-    // An axis may brake while the path speed is steady; its values never exceed the path's on lines, but turn round.
-    const bool any_axis = shown_[0] || shown_[1] || shown_[2];
-    if (any_axis) extent.low = std::min(extent.low, -extent.high);
-    if (any_axis) extent.high = std::max(extent.high, -extent.low);
-    double low = extent.low * unit.factor, high = extent.high * unit.factor;
-    if (!(high > low) || !std::isfinite(high - low)) (low = 0, high = 1);
-    const double power = power_of_thousand(std::max(-low, high));
-    row.factor = unit.factor / power;
-    const double margin = 0.09 * (high - low);
-    row.value->setRange((low - (low < 0 ? margin : 0.03 * (high - low))) / power, (high + margin) / power);
-    row.value->setLabel(QString("%1\n%2%3").arg(kSymbols[i], power_text(power), unit.text));
+    rows_[i].scale(extent, any_axis, unit_);
   }
   time_title_->setText(tr("t  s"));
-  updateErrorScale();
+  error_->scale(unit_);
 }
 
 void ProfilePlot::setRange(double begin, double end) {
@@ -274,35 +145,34 @@ void ProfilePlot::zoom(double factor, double around) {
 }
 
 void ProfilePlot::refill() {
+  stale_ = true;
+  replot(rpQueuedReplot);
+}
+
+void ProfilePlot::gather() {
+  if (!stale_) return;
+  stale_ = false;
   QElapsedTimer clock;
   clock.start();
   const QCPRange now = range();
   const TimeWindow window{now.lower, now.upper,
-                          std::max(static_cast<int>(rows_[0].rect->width() * bufferDevicePixelRatio()), 16)};
+                          std::max(static_cast<int>(rows_[0].rect()->width() * bufferDevicePixelRatio()), 16)};
   const MotionCurves own = series_ ? motion_curves(*series_, window) : MotionCurves{};
   const bool dense = series_ && is_dense(*series_, window);
   const MotionEnvelope other = ghost_ ? motion_envelope(*ghost_, window) : MotionEnvelope{};
   const CapCurves caps = series_ ? cap_curves(*series_, window) : CapCurves{};
-  for (std::size_t i = 0; i < kPlots; ++i) {
-    fill(rows_[i].curve, curve_of(own, i), rows_[i].factor);
-    rows_[i].curve->setPen(QPen(theme_.accent, dense ? 1.0 : 1.6));
-    fill(rows_[i].ghost, curve_of(other.high, i), rows_[i].factor);
-    fill(rows_[i].ghost_low, curve_of(other.low, i), rows_[i].factor);
+  for (auto& row : rows_) {
+    row.showOwn(own, dense);
+    row.showOther(other);
+    row.showCaps(caps);
   }
-  fill(rows_[0].feed, caps.feed, rows_[0].factor);
-  fill(rows_[0].cap_high, caps.speed, rows_[0].factor);
-  fill(rows_[1].cap_high, caps.acceleration_high, rows_[1].factor);
-  fill(rows_[1].cap_low, caps.acceleration_low, rows_[1].factor);
-  fill(rows_[2].cap_high, caps.jerk_high, rows_[2].factor);
-  fill(rows_[2].cap_low, caps.jerk_low, rows_[2].factor);
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
     const MotionCurves curves = shown_[axis] && series_ ? axis_curves(*series_, window, axis) : MotionCurves{};
-    for (std::size_t i = 0; i < kPlots; ++i) fill(rows_[i].axis[axis], curve_of(curves, i), rows_[i].factor);
+    for (auto& row : rows_) row.showAxis(axis, curves);
   }
-  fill(error_curve_, error_.curve(window), errorFactor());
+  error_->show(window);
   updateMarks();
-  last_replot_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
-  replot(rpQueuedReplot);
+  last_gather_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
 }
 
 void ProfilePlot::updateMarks() {
@@ -310,12 +180,11 @@ void ProfilePlot::updateMarks() {
   if (!cursor_->time || !series_ || series_->is_empty()) return;
   const PhaseState s = motion_at(series_->outcome->plan, *cursor_->time);
   const std::array values = {s.speed, s.acceleration, s.jerk};
-  for (std::size_t i = 0; i < kPlots; ++i) {
-    cursor_->marks.push_back({rows_[i].value, values[i] * rows_[i].factor, theme_.accent});
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    cursor_->marks.push_back({rows_[i].value(), values[i] * rows_[i].factor(), theme_.accent});
   }
-  if (!error_.is_empty() && error_rect_->visible()) {
-    const double error = error_.at(*cursor_->time) * errorFactor();
-    cursor_->marks.push_back({error_rect_->axis(QCPAxis::atLeft), error, theme_.error});
+  if (const auto height = error_->heightAt(*cursor_->time)) {
+    cursor_->marks.push_back({error_->value(), *height, theme_.error});
   }
 }
 
@@ -330,7 +199,9 @@ void ProfilePlot::setMeasures(std::optional<double> first, std::optional<double>
   layer(kCursorLayer)->replot();
 }
 
-std::pair<double, double> ProfilePlot::edges() const { return {rows_[0].rect->left(), rows_[0].rect->right() + 1.0}; }
+std::pair<double, double> ProfilePlot::edges() const {
+  return {rows_[0].rect()->left(), rows_[0].rect()->right() + 1.0};
+}
 
 double ProfilePlot::timeAt(double x) const { return time_axes_.front()->pixelToCoord(x); }
 
@@ -351,8 +222,8 @@ void ProfilePlot::wheelEvent(QWheelEvent* event) {
   }
   if (x < edges().first) {
     for (auto& row : rows_) {
-      if (row.rect->top() <= event->position().y() && event->position().y() <= row.rect->bottom()) {
-        row.value->scaleRange(std::pow(0.85, delta.y() / 120.0), 0.0);
+      if (row.rect()->top() <= event->position().y() && event->position().y() <= row.rect()->bottom()) {
+        row.value()->scaleRange(std::pow(0.85, delta.y() / 120.0), 0.0);
       }
     }
     return replot(rpQueuedReplot);

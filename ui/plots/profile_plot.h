@@ -9,8 +9,7 @@
 
 #include "models/units.h"
 #include "plots/cursor_layer.h"
-#include "plots/profile_curves.h"
-#include "plots/sample_series.h"
+#include "plots/plot_row.h"
 
 namespace toolpace::ui {
 
@@ -41,8 +40,8 @@ class ProfilePlot : public QCustomPlot {
 
   /// Left and right edge of the plots [px].
   std::pair<double, double> edges() const;
-  /// Time the curves took to gather and to draw last [ms]. For the tests of speed.
-  double lastReplotMs() const { return last_replot_ms_; }
+  /// Time the curves took to gather last [ms]. For the tests of speed.
+  double lastGatherMs() const { return last_gather_ms_; }
 
  signals:
   void rangeChanged(double begin, double end);
@@ -60,45 +59,27 @@ class ProfilePlot : public QCustomPlot {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  static constexpr std::size_t kPlots = 3, kAxes = 3;
-  /// Graphs of one of the three plots.
-  struct Row {
-    QCPAxisRect* rect = nullptr;
-    QCPAxis* value = nullptr;
-    QCPGraph *feed = nullptr, *cap_high = nullptr, *cap_low = nullptr;
-    QCPGraph *ghost = nullptr, *ghost_low = nullptr, *curve = nullptr;
-    std::array<QCPGraph*, kAxes> axis = {};
-    QString quantity;
-    double factor = 1;  // from core units to the axis' numbers
-  };
-
-  void buildRow(std::size_t index);
-  void buildErrorRow();
   void layOut();
-  void dressRect(QCPAxisRect* rect);
-  void updateErrorScale();
-  double errorFactor() const;
   void dress();
-  void dressRow(Row& row);
   void updateScales();
-  void refill();
+  void refill();  // the curves are gathered before the next picture
+  void gather();
   void updateMarks();
   double timeAt(double x) const;
   std::optional<std::size_t> measureAt(double x) const;
   double duration() const;
 
-  std::array<Row, kPlots> rows_;
-  QCPAxisRect* error_rect_ = nullptr;  // in the layout only while there is a trace
-  QCPGraph* error_curve_ = nullptr;
-  SampleSeries error_{nullptr};
+  std::vector<MotionRow> rows_;  // speed, acceleration, jerk
+  std::unique_ptr<ErrorRow> error_;
   QCPItemText* time_title_ = nullptr;
   std::vector<QCPAxis*> time_axes_;  // of the rows, then of the error
   CursorLayer* cursor_;
   std::shared_ptr<const ProfileSeries> series_, ghost_;
-  std::array<bool, kAxes> shown_ = {};
+  std::array<bool, kPlottedAxes> shown_ = {};
   Theme theme_ = light_theme();
   LengthUnit unit_ = LengthUnit::mm;
-  double last_replot_ms_ = 0;
+  bool stale_ = true;
+  double last_gather_ms_ = 0;
 
   QPointF pressed_at_;
   double pressed_begin_ = 0;

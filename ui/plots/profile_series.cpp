@@ -45,20 +45,14 @@ std::shared_ptr<const ProfileSeries> make_profile_series(std::shared_ptr<const O
   if (!outcome) return series;
   const auto scan = [&](std::size_t first, std::size_t last) { return motion_extent(*outcome, first, last); };
   const std::size_t count = outcome->plan.phases.size();
-  series->phases = Pyramid<MotionExtent>(count, scan);
+  series->phases = decltype(series->phases)(count, scan);
   series->whole = series->phases.query(0, count, scan);
   if (outcome->path && outcome->path->size() > 0 && outcome->node_time.size() == outcome->path->size() + 1) {
-    series->blocks = Pyramid<CapExtent>(
+    series->blocks = decltype(series->blocks)(
         outcome->path->size(), [&](std::size_t first, std::size_t last) { return cap_extent(*outcome, first, last); });
   }
   series->causes = CauseTimes(outcome->restraints);
   return series;
-}
-
-std::size_t block_at(const Outcome& outcome, double time) {
-  const auto& arrival = outcome.node_time;
-  const auto after = std::upper_bound(arrival.begin(), arrival.end(), time) - arrival.begin();
-  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - 1, 0, std::ssize(arrival) - 2));
 }
 
 }  // namespace toolpace::ui

@@ -44,8 +44,8 @@ struct CapExtent {
 
 struct ProfileSeries {
   std::shared_ptr<const Outcome> outcome;
-  Pyramid<MotionExtent> phases;
-  Pyramid<CapExtent> blocks;  ///< empty where node_time is missing
+  Pyramid<MotionExtent, 8> phases;  // a phase's extremes cost a hundred times what reading a number does
+  Pyramid<CapExtent, 16> blocks;    ///< empty where node_time is missing
   MotionExtent whole;
   CauseTimes causes;
 
@@ -59,8 +59,5 @@ std::shared_ptr<const ProfileSeries> make_profile_series(std::shared_ptr<const O
 /// Extents of the phases [first, last) and of what the blocks [first, last) allow.
 MotionExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_t last);
 CapExtent cap_extent(const Outcome& outcome, std::size_t first, std::size_t last);
-
-/// Index of the block at a time, clamped to the path. Precondition: node_time is complete.
-std::size_t block_at(const Outcome& outcome, double time);
 
 }  // namespace toolpace::ui

@@ -1,8 +1,9 @@
 #pragma once
 /// Min/max pyramid over a long row of elements: what lies between two of them costs the logarithm of the row.
 ///
-/// Leaves summarise 64 elements, each level above 8 entries of the one below, so it takes about 1/56 of an extent an
-/// element. Elements themselves are not kept: queries are given a function that scans them.
+/// Leaves summarise so many elements, each level above 8 entries of the one below, so with 64 it takes about 1/56 of an
+/// extent an element. Elements themselves are not kept: queries are given a function that scans them, and the dearer that
+/// is, the smaller the leaves should be.
 
 #include <algorithm>
 #include <cstddef>
@@ -27,10 +28,11 @@ struct Extent {
 };
 
 /// @tparam Summary  default-constructed = of nothing; add(Summary) widens it
-template <class Summary>
+/// @tparam Leaf     elements that the lowest level sums up
+template <class Summary, std::size_t Leaf = 64>
 class Pyramid {
  public:
-  static constexpr std::size_t kLeaf = 64, kFanOut = 8;
+  static constexpr std::size_t kLeaf = Leaf, kFanOut = 8;
 
   Pyramid() = default;
 
@@ -52,7 +54,7 @@ class Pyramid {
 
   std::size_t size() const { return count_; }
 
-  /// Summary of the elements [first, last); at most 2·64 of them are scanned.
+  /// Summary of the elements [first, last); fewer than 2·Leaf of them are scanned.
   template <class Scan>
   Summary query(std::size_t first, std::size_t last, const Scan& scan) const {
     Summary sum;

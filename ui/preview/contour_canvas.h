@@ -30,6 +30,7 @@ class ContourCanvas : public QWidget {
   void setEnlargement(double factor);   ///< of the contour error, ≥ 1
   void setTolerance(double tolerance);  ///< [mm] half width of the band; 0 = none
   void setCursorTime(std::optional<double> time);
+  std::optional<double> cursorTime() const { return cursor_time_; }
   void setHighlight(std::optional<std::pair<double, double>> span);  ///< [s]
   void setTravelVisible(bool visible);
 

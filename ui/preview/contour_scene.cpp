@@ -54,8 +54,7 @@ std::optional<PathPlace> place_at(const Outcome& outcome, double time) {
   place.time = std::clamp(std::isfinite(time) ? time : 0.0, 0.0, outcome.plan.cycle_time());
   place.state = motion_at(outcome.plan, place.time);
   const auto& arrival = outcome.node_time;
-  const auto node = std::upper_bound(arrival.begin(), arrival.end(), place.time) - arrival.begin();
-  place.block = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(node - 1, 0, std::ssize(arrival) - 2));
+  place.block = block_at(outcome, place.time);
   const Path& path = *outcome.path;
   // Distance from the block's start: the plan knows how far it had come when it arrived there.
   const double start_distance = motion_at(outcome.plan, arrival[place.block]).distance;
@@ -79,21 +78,24 @@ std::optional<Cause> cause_at(const Outcome& outcome, double time) {
   return std::prev(after)->cause;
 }
 
-std::optional<std::pair<double, double>> time_of_line(const Outcome& outcome, std::uint32_t line) {
+std::optional<std::pair<double, double>> time_of_line(const Outcome& outcome, std::uint32_t line, double time) {
   if (!has_plan(outcome) || !outcome.job || !outcome.job->program) return std::nullopt;
   const Moves& moves = outcome.job->program->moves;
   const Path& path = *outcome.path;
-  std::optional<std::pair<double, double>> span;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const std::uint32_t row = path.move[i];
-    if (row >= moves.line.size() || moves.line[row] != line || (row < moves.file.size() && moves.file[row] != 0))
-      continue;
-    if (!span) span = {outcome.node_time[i], outcome.node_time[i + 1]};
-    span->second = outcome.node_time[i + 1];
-    // Loops come back to the same line: the first pass is shown.
-    if (i + 1 >= path.size() || path.move[i + 1] != row) break;
+  const auto belongs = [&](std::size_t block) {
+    const std::uint32_t row = path.move[block];
+    return row < moves.line.size() && moves.line[row] == line && (row >= moves.file.size() || moves.file[row] == 0);
+  };
+  std::size_t first = block_at(outcome, time);
+  if (belongs(first)) {
+    while (first > 0 && path.move[first - 1] == path.move[first]) --first;
+  } else {
+    for (first = 0; first < path.size() && !belongs(first);) ++first;
   }
-  return span;
+  if (first == path.size()) return std::nullopt;
+  std::size_t last = first;
+  while (last + 1 < path.size() && path.move[last + 1] == path.move[first]) ++last;
+  return std::pair{outcome.node_time[first], outcome.node_time[last + 1]};
 }
 
 }  // namespace toolpace::ui

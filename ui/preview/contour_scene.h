@@ -66,7 +66,8 @@ std::optional<PathPlace> place_at(const Outcome& outcome, double time);
 /// What holds the speed down at a time; nothing where the outcome does not say.
 std::optional<Cause> cause_at(const Outcome& outcome, double time);
 
-/// First and last moment of an NC line of the main program [s]; nothing where the line does not move.
-std::optional<std::pair<double, double>> time_of_line(const Outcome& outcome, std::uint32_t line);
+/// First and last moment of an NC line of the main program [s]; nothing where the line does not move. Of the passes of a
+/// loop the one at `time` is meant, or the first if it is none of them.
+std::optional<std::pair<double, double>> time_of_line(const Outcome& outcome, std::uint32_t line, double time = 0.0);
 
 }  // namespace toolpace::ui

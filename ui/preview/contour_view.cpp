@@ -165,7 +165,9 @@ void ContourView::setCursorTime(std::optional<double> time) { canvas_->setCursor
 void ContourView::setHighlightedLine(std::uint32_t line) {
   highlighted_ = line;
   const auto& scene = canvas_->scene();
-  canvas_->setHighlight(line > 0 && scene && scene->outcome ? time_of_line(*scene->outcome, line) : std::nullopt);
+  const bool known = line > 0 && scene && scene->outcome;
+  canvas_->setHighlight(known ? time_of_line(*scene->outcome, line, canvas_->cursorTime().value_or(0.0))
+                              : std::nullopt);
 }
 
 void ContourView::setColourBy(ColourBy by) {

@@ -11,6 +11,12 @@ std::size_t phase_at(const MotionPlan& plan, double time) {
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - phases.begin() - 1, 0));
 }
 
+std::size_t block_at(const Outcome& outcome, double time) {
+  const auto& arrival = outcome.node_time;
+  const auto after = std::upper_bound(arrival.begin(), arrival.end(), time) - arrival.begin();
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - 1, 0, std::ssize(arrival) - 2));
+}
+
 const TimeSpline* spline_at(const MotionPlan& plan, double time) {
   const auto after = std::upper_bound(plan.splines.begin(), plan.splines.end(), time,
                                       [](double t, const TimeSpline& s) { return t < s.begin; });

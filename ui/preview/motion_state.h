@@ -5,12 +5,15 @@
 #include <optional>
 
 #include "preview/phase_bounds.h"
-#include "toolpace/plan/motion_plan.h"
+#include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {
 
 /// Index of the phase at a time, clamped to the plan. Precondition: there is one.
 std::size_t phase_at(const MotionPlan& plan, double time);
+
+/// Index of the block at a time, clamped to the path. Precondition: node_time is complete.
+std::size_t block_at(const Outcome& outcome, double time);
 
 /// The spline that is run at a time; null where the phases are.
 const TimeSpline* spline_at(const MotionPlan& plan, double time);

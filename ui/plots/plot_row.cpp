@@ -1,0 +1,183 @@
+#include "plots/plot_row.h"
+
+#include <cmath>
+
+namespace toolpace::ui {
+namespace {
+
+constexpr std::array kQuantities = {Quantity::speed, Quantity::acceleration, Quantity::jerk};
+constexpr std::array<const char*, MotionRow::kinds> kSymbols = {"v", "a", "j"};
+constexpr double kMargin = 0.09, kFloorMargin = 0.03;  // of the height
+
+void fill_graph(QCPGraph* graph, const Curve& curve, double factor) {
+  QVector<QCPGraphData> points(curve.time.size());
+  for (qsizetype i = 0; i < curve.time.size(); ++i) points[i] = {curve.time[i], curve.value[i] * factor};
+  graph->data()->set(points, true);
+}
+
+/// "10³ mm/s³" keeps the numbers at the axis short.
+double power_of_thousand(double largest) {
+  if (!(largest >= 1e4) || !std::isfinite(largest)) return 1.0;
+  return std::pow(1000.0, std::floor(std::log10(largest / 10) / 3));
+}
+
+QString power_text(double power) {
+  if (power == 1.0) return {};
+  static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+  QString text = QStringLiteral("10");
+  for (const QChar c : QString::number(std::lround(std::log10(power)))) text += digits[c.digitValue()];
+  return text + ' ';
+}
+
+QCPAxisRect* new_rect(QCustomPlot* plot, int row) {
+  auto* rect = new QCPAxisRect(plot, true);
+  plot->plotLayout()->addElement(row, 0, rect);
+  rect->setAutoMargins(QCP::msNone);
+  rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(8);
+  return rect;
+}
+
+void dress_rect(QCPAxisRect* rect, const Theme& theme, const QFont& font) {
+  QColor faint = theme.line;
+  faint.setAlphaF(0.7f);
+  QCPAxis* value = rect->axis(QCPAxis::atLeft);
+  for (auto* axis : {value, rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atRight), rect->axis(QCPAxis::atTop)}) {
+    axis->setVisible(true);
+    axis->setBasePen(QPen(theme.line, 1));
+    axis->setTickPen(QPen(theme.line, 1));
+    axis->setSubTickPen(Qt::NoPen);
+    axis->setTickLabelColor(theme.secondary);
+    axis->setLabelColor(theme.text);
+    axis->setTickLabelFont(font);
+    axis->setLabelFont(font);
+    axis->setLabelPadding(0);
+    axis->setTickLabelPadding(4);
+    axis->grid()->setPen(QPen(faint, 1));
+    axis->grid()->setZeroLinePen(Qt::NoPen);
+    axis->setTickLengthIn(0);
+    axis->setTickLengthOut(axis == value ? 4 : 0);
+  }
+  value->grid()->setZeroLinePen(QPen(theme.secondary, 1));
+  rect->axis(QCPAxis::atRight)->setTicks(false);
+  rect->axis(QCPAxis::atTop)->setTicks(false);
+}
+
+}  // namespace
+
+MotionRow::MotionRow(QCustomPlot* plot, Kind kind) : kind_(kind), rect_(new_rect(plot, static_cast<int>(kind))) {
+  value()->ticker()->setTickCount(4);
+  value()->setNumberFormat("gb");
+  value()->setNumberPrecision(6);
+  const auto graph = [&](const char* name) {
+    auto* g = plot->addGraph(time(), value());
+    g->setName(QString("%1.%2").arg(kSymbols[kind]).arg(name));
+    g->setSelectable(QCP::stNone);
+    return g;
+  };
+  feed_ = graph("feed");
+  cap_high_ = graph("cap");
+  cap_low_ = graph("cap below");
+  ghost_ = graph("ghost");
+  ghost_low_ = graph("ghost below");
+  for (auto& axis : axis_) axis = graph("axis");
+  curve_ = graph("curve");
+}
+
+void MotionRow::dress(const Theme& theme, const QFont& font) {
+  dress_rect(rect_, theme, font);
+  QColor ghost_feed = theme.secondary;
+  ghost_feed.setAlphaF(0.4f);
+  feed_->setPen(QPen(ghost_feed, 2));
+  QPen cap_pen(theme.secondary, 1);
+  cap_pen.setDashPattern({6, 4});
+  for (auto* cap : {cap_high_, cap_low_}) cap->setPen(cap_pen);
+  for (auto* ghost : {ghost_, ghost_low_}) ghost->setPen(QPen(theme.plan_b, 1.3, Qt::DashLine));
+  curve_->setPen(QPen(theme.accent, 1.6));
+  const std::array<QPen, kPlottedAxes> pens = {QPen(theme.axis_x, 1.2), QPen(theme.axis_y, 1.2, Qt::DashLine),
+                                               QPen(theme.axis_z, 1.2, Qt::DotLine)};
+  for (std::size_t i = 0; i < kPlottedAxes; ++i) axis_[i]->setPen(pens[i]);
+}
+
+void MotionRow::scale(Extent extent, bool both_ways, LengthUnit length_unit) {
+  const DisplayUnit unit = display_unit(kQuantities[kind_], length_unit);
+  if (both_ways) extent.low = std::min(extent.low, -extent.high);
+  if (both_ways) extent.high = std::max(extent.high, -extent.low);
+  double low = extent.low * unit.factor, high = extent.high * unit.factor;
+  if (!(high > low) || !std::isfinite(high - low)) (low = 0, high = 1);
+  const double power = power_of_thousand(std::max(-low, high)), height = high - low;
+  factor_ = unit.factor / power;
+  value()->setRange((low - (low < 0 ? kMargin : kFloorMargin) * height) / power, (high + kMargin * height) / power);
+  value()->setLabel(QString("%1\n%2%3").arg(kSymbols[kind_], power_text(power), unit.text));
+}
+
+const Curve& MotionRow::mine(const MotionCurves& c) const {
+  return kind_ == speed ? c.speed : kind_ == acceleration ? c.acceleration : c.jerk;
+}
+
+void MotionRow::fill(QCPGraph* graph, const Curve& curve) const { fill_graph(graph, curve, factor_); }
+
+void MotionRow::showOwn(const MotionCurves& curves, bool dense) {
+  fill(curve_, mine(curves));
+  QPen pen = curve_->pen();
+  pen.setWidthF(dense ? 1.0 : 1.6);
+  curve_->setPen(pen);
+}
+
+void MotionRow::showOther(const MotionEnvelope& sides) {
+  fill(ghost_, mine(sides.high));
+  fill(ghost_low_, mine(sides.low));
+}
+
+void MotionRow::showCaps(const CapCurves& caps) {
+  if (kind_ == speed) fill(feed_, caps.feed);
+  fill(cap_high_, kind_ == speed ? caps.speed : kind_ == acceleration ? caps.acceleration_high : caps.jerk_high);
+  if (kind_ != speed) fill(cap_low_, kind_ == acceleration ? caps.acceleration_low : caps.jerk_low);
+}
+
+void MotionRow::showAxis(std::size_t axis, const MotionCurves& curves) { fill(axis_.at(axis), mine(curves)); }
+
+ErrorRow::ErrorRow(QCustomPlot* plot)
+    : rect_(new_rect(plot, static_cast<int>(MotionRow::kinds))), curve_(plot->addGraph(time(), value())) {
+  curve_->setName("e.curve");
+  curve_->setSelectable(QCP::stNone);
+  setShown(false);
+}
+
+void ErrorRow::setShown(bool shown) {
+  auto* layout = rect_->parentPlot()->plotLayout();
+  const bool was = layout->elementCount() > static_cast<int>(MotionRow::kinds);
+  if (was && !shown) {
+    layout->take(rect_);
+    layout->simplify();
+  } else if (!was && shown) {
+    layout->addElement(static_cast<int>(MotionRow::kinds), 0, rect_);
+  }
+  rect_->setVisible(shown);
+  curve_->setVisible(shown);
+}
+
+void ErrorRow::dress(const Theme& theme, const QFont& font) {
+  dress_rect(rect_, theme, font);
+  curve_->setPen(QPen(theme.error, 1.2));
+}
+
+void ErrorRow::scale(LengthUnit unit) {
+  factor_ = unit == LengthUnit::mm ? 1000.0 : 1000.0 * display_unit(Quantity::length, unit).factor;
+  const double most = error_.largest() * factor_;
+  // Between two simulations the old heights stay, so that the plot does not jump.
+  if (!error_.is_empty()) {
+    value()->setRange(most > 0 ? -kFloorMargin * most : -kFloorMargin, most > 0 ? (1 + kMargin) * most : 1.0);
+  }
+  value()->setLabel(unit == LengthUnit::mm ? QStringLiteral("e\nµm") : QStringLiteral("e\n10⁻³ in"));
+}
+
+void ErrorRow::show(const TimeWindow& window) {
+  if (isShown()) fill_graph(curve_, error_.curve(window), factor_);
+}
+
+std::optional<double> ErrorRow::heightAt(double time) const {
+  if (error_.is_empty() || !isShown()) return std::nullopt;
+  return error_.at(time) * factor_;
+}
+
+}  // namespace toolpace::ui

@@ -1,0 +1,73 @@
+#pragma once
+/// The stacked plots one by one: what each shows, how it is scaled and dressed.
+
+#include <qcustomplot.h>
+
+#include <array>
+
+#include "models/units.h"
+#include "plots/profile_curves.h"
+#include "plots/sample_series.h"
+#include "theme/theme.h"
+
+namespace toolpace::ui {
+
+inline constexpr std::size_t kPlottedAxes = 3;  // X, Y, Z
+
+/// Speed, acceleration or jerk along the path, with its caps, plan B behind it and axes on demand.
+class MotionRow {
+ public:
+  enum Kind : std::size_t { speed, acceleration, jerk, kinds };
+
+  /// Adds a rectangle and its graphs to the plot; the plot owns them.
+  MotionRow(QCustomPlot* plot, Kind kind);
+
+  QCPAxisRect* rect() const { return rect_; }
+  QCPAxis* value() const { return rect_->axis(QCPAxis::atLeft); }
+  QCPAxis* time() const { return rect_->axis(QCPAxis::atBottom); }
+  double factor() const { return factor_; }  ///< from core units to the numbers of the axis
+
+  void dress(const Theme& theme, const QFont& font);
+  /// Makes `extent` fill the height. @param both_ways  axes are shown, which turn round
+  void scale(Extent extent, bool both_ways, LengthUnit unit);
+  void showOwn(const MotionCurves& curves, bool dense);
+  void showOther(const MotionEnvelope& sides);
+  void showCaps(const CapCurves& caps);
+  void showAxis(std::size_t axis, const MotionCurves& curves);
+
+ private:
+  void fill(QCPGraph* graph, const Curve& curve) const;
+  const Curve& mine(const MotionCurves& curves) const;
+
+  Kind kind_;
+  QCPAxisRect* rect_;
+  QCPGraph *feed_, *cap_high_, *cap_low_, *ghost_, *ghost_low_, *curve_;
+  std::array<QCPGraph*, kPlottedAxes> axis_ = {};
+  double factor_ = 1;
+};
+
+/// The contour error of a simulation. Not in the layout until somebody asks for it.
+class ErrorRow {
+ public:
+  explicit ErrorRow(QCustomPlot* plot);
+
+  QCPAxisRect* rect() const { return rect_; }
+  QCPAxis* value() const { return rect_->axis(QCPAxis::atLeft); }
+  QCPAxis* time() const { return rect_->axis(QCPAxis::atBottom); }
+  bool isShown() const { return rect_->visible(); }
+  void setShown(bool shown);
+  void setTrace(std::shared_ptr<const ErrorTrace> trace) { error_ = SampleSeries(std::move(trace)); }
+  void dress(const Theme& theme, const QFont& font);
+  void scale(LengthUnit unit);
+  void show(const TimeWindow& window);
+  /// Height of the curve at a time, in the numbers of the axis; nothing where it is not shown.
+  std::optional<double> heightAt(double time) const;
+
+ private:
+  QCPAxisRect* rect_;
+  QCPGraph* curve_;
+  SampleSeries error_{nullptr};
+  double factor_ = 1000;  // contour errors are micrometres; in inches they are thousandths
+};
+
+}  // namespace toolpace::ui
