@@ -193,7 +193,7 @@ int run_plan(const PlanFlags& flags) {
     const auto servo = follow(*outcome, {}, terminal_monitor("simulating"));
     end_progress();
     if (!servo && servo.error().kind == ErrorKind::cancelled) return report(servo.error());
-    json["servo"] = servo ? nlohmann::json(servo_json(*servo)) : nlohmann::json(nullptr);
+    json["servo"] = servo ? nlohmann::json(servo_json(*servo, outcome->job->machine)) : nlohmann::json(nullptr);
     json["plan_wall_s"] = planned.count();
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else if (flags.setpoints != "-") {

@@ -3,10 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "toolpace/limits/machine.h"
 #include "toolpace/servo/servo_simulation.h"
 
 namespace toolpace::cli {
 
-nlohmann::ordered_json servo_json(const ServoSummary& summary);
+/// What the simulation found, and "drives": what it took each axis' drive to be, under the keys of [servo.X].
+nlohmann::ordered_json servo_json(const ServoSummary& summary, const Machine& machine);
 
 }  // namespace toolpace::cli

@@ -14,6 +14,7 @@
 #include "toolpace/io/output_file.h"
 #include "toolpace/io/setpoint_table.h"
 #include "toolpace/pipeline/follow.h"
+#include "toolpace/pipeline/setup_keys.h"
 
 namespace toolpace::cli {
 namespace {
@@ -120,7 +121,7 @@ int run_simulate(const SimulateFlags& flags) {
     const nlohmann::ordered_json json = {{"program", flags.reading.program},
                                          {"cycle_time_s", outcome->summary.cycle_time},
                                          {"period_ms", setup->machine.period * 1e3},
-                                         {"servo", servo_json(*summary)}};
+                                         {"servo", servo_json(*summary, setup->machine)}};
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else if (flags.trace != "-") {
     print(*outcome, *summary);
@@ -128,9 +129,21 @@ int run_simulate(const SimulateFlags& flags) {
   return kFine;
 }
 
+nlohmann::ordered_json drives_json(const Machine& machine) {
+  constexpr std::string_view kPrefix = "servo.";
+  nlohmann::ordered_json drives;
+  Setup setup{machine, {}};
+  for (const SetupSection& section : setup_sections(setup)) {
+    if (section.name.rfind(kPrefix, 0) != 0) continue;
+    for (const NumberKey& key : section.numbers)
+      drives[section.name.substr(kPrefix.size())][key.name] = *key.value / key.unit;
+  }
+  return drives;
+}
+
 }  // namespace
 
-nlohmann::ordered_json servo_json(const ServoSummary& s) {
+nlohmann::ordered_json servo_json(const ServoSummary& s, const Machine& machine) {
   return {{"max_contour_error_mm", s.max_contour_error},
           {"rms_contour_error_mm", s.rms_contour_error},
           {"worst_t_s", s.worst_time},
@@ -138,7 +151,8 @@ nlohmann::ordered_json servo_json(const ServoSummary& s) {
           {"max_lag_mm", s.max_lag},
           {"rms_lag_mm", s.rms_lag},
           {"settling_time_s", s.settling_time},
-          {"rows", s.rows}};
+          {"rows", s.rows},
+          {"drives", drives_json(machine)}};
 }
 
 void add_simulate_command(CLI::App& app, Action& action) {

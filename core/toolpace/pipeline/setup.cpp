@@ -207,49 +207,34 @@ class SetupReader {
   std::optional<Error> error_;
 };
 
-template <class T>
-std::string_view name_of(const std::vector<Named<T>>& names, T value) {
-  return std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.value == value; })->name;
+/// Where a character that is not plain ASCII stands outside of comments and texts in quotes; npos if nowhere. TOML has
+/// no use for one there, and the parser is not safe against all of them.
+std::size_t find_odd_character(std::string_view text) {
+  std::string_view quote;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const std::string_view rest = text.substr(at);
+    if (!quote.empty()) {
+      if (quote.front() == '"' && rest.front() == '\\') {
+        ++at;
+      } else if (rest.rfind(quote, 0) == 0 || (quote.size() == 1 && rest.front() == '\n')) {
+        at += quote.size() - 1;
+        quote = {};
+      }
+      continue;
+    }
+    if (static_cast<unsigned char>(rest.front()) >= 0x80) return at;
+    if (rest.front() == '#') at = std::min(text.find('\n', at), text.size());
+    if (rest.front() == '"' || rest.front() == '\'') {
+      const bool triple = rest.size() > 2 && rest[1] == rest[0] && rest[2] == rest[0];
+      quote = rest.substr(0, triple ? 3 : 1);
+      at += quote.size() - 1;
+    }
+  }
+  return std::string_view::npos;
 }
 
-std::string format_words(const std::string& section, const Setup& s) {
-  if (section == "machine") {
-    std::ostringstream quoted;
-    quoted << toml::value<std::string>(s.machine.name);
-    return fmt::format("name = {}\n", quoted.str());
-  }
-  if (section == "law") return fmt::format("kind = \"{}\"\n", law_row(s.options.law).id);
-  if (section == "lookahead") {
-    return fmt::format("blocks = {}\nramps = \"{}\"\ncorner = \"{}\"\n",
-                       s.options.lookahead ? std::to_string(*s.options.lookahead) : "\"all\"",
-                       name_of(ramps_names(), s.options.ramps), name_of(corner_names(), s.options.corner.rule));
-  }
-  return "";
-}
-
-/// The shortest decimal of value/unit that reads back to the same value, else the nearest.
-std::string file_number(double value, double unit) {
-  const double in_file = value / unit;
-  for (int digits = 6; digits <= 17; ++digits) {
-    const std::string text = fmt::format("{:.{}g}", in_file, digits);
-    if (std::stod(text) * unit == value) return text;
-  }
-  return to_text(in_file);
-}
-
-/// A section with those of its numbers that are not the usual ones.
-std::string format_differences(const SetupSection& section, const SetupSection& usual) {
-  std::string body;
-  for (std::size_t i = 0; i < section.numbers.size(); ++i) {
-    const NumberKey& key = section.numbers[i];
-    if (*key.value != *usual.numbers[i].value)
-      body += fmt::format("{} = {}\n", key.name, file_number(*key.value, key.unit));
-  }
-  return body.empty() ? body : fmt::format("\n[{}]\n{}", section.name, body);
-}
-
-Error bad_limit(std::string what, std::string remedy) {
-  return {ErrorKind::usage, "bad-limit", std::move(what), std::move(remedy), {}, {}};
+Error syntax_error(std::string what, std::string remedy, const Location& where) {
+  return {ErrorKind::usage, "machine-syntax", std::move(what), std::move(remedy), where, {}};
 }
 
 }  // namespace
@@ -261,14 +246,20 @@ Setup default_setup() {
 }
 
 Result<Setup> parse_setup(std::string_view text, const std::string& name) {
+  constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+  if (text.rfind(kUtf8Mark, 0) == 0) text.remove_prefix(kUtf8Mark.size());
+  if (const std::size_t odd = find_odd_character(text); odd != std::string_view::npos) {
+    const auto line =
+        static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(odd), '\n'));
+    const std::size_t begin = text.rfind('\n', odd);
+    return tl::unexpected(syntax_error("a character that is not plain ASCII stands outside of a text",
+                                       "put texts into quotes",
+                                       {name, line + 1, odd - (begin == std::string_view::npos ? 0 : begin + 1) + 1}));
+  }
   const toml::parse_result parsed = toml::parse(text, name);
   if (!parsed) {
-    return tl::unexpected(Error{ErrorKind::usage,
-                                "machine-syntax",
-                                std::string(parsed.error().description()),
-                                "machine files are TOML",
-                                place(name, parsed.error().source()),
-                                {}});
+    return tl::unexpected(syntax_error(std::string(parsed.error().description()), "machine files are TOML",
+                                       place(name, parsed.error().source())));
   }
   return SetupReader(name).read(parsed.table());
 }
@@ -286,68 +277,6 @@ Result<Setup> read_setup(const std::filesystem::path& file) {
   }
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   return parse_setup(text, file.string());
-}
-
-std::string format_setup(const Setup& setup) {
-  Setup copy = setup;
-  std::string text;
-  Setup plain;
-  const auto defaults = setup_sections(plain);
-  std::size_t index = 0;
-  for (const SetupSection& section : setup_sections(copy)) {
-    const SetupSection& usual = defaults[index++];
-    std::string body = format_words(section.name, setup);
-    if (section.name.rfind("servo.", 0) == 0) {
-      text += format_differences(section, usual);
-      continue;
-    }
-    for (const NumberKey& key : section.numbers) {
-      const bool is_default = !std::isfinite(*key.value) || (*key.value == 0 && key.name != "tool_change_s");
-      if (!is_default) body += fmt::format("{} = {}\n", key.name, file_number(*key.value, key.unit));
-    }
-    for (const RangeKey& key : section.ranges) {
-      if (!std::isfinite(*key.low) || !std::isfinite(*key.high)) continue;
-      body +=
-          fmt::format("{} = [{}, {}]\n", key.name, file_number(*key.low, key.unit), file_number(*key.high, key.unit));
-    }
-    if (!body.empty()) text += fmt::format("{}[{}]\n{}", text.empty() ? "" : "\n", section.name, body);
-  }
-  return text;
-}
-
-Result<void> check_setup(const Machine& machine, const PlanOptions& options) {
-  Setup copy{machine, options};
-  for (const SetupSection& section : setup_sections(copy)) {
-    for (const NumberKey& key : section.numbers) {
-      const bool unset_steps = key.value != nullptr && *key.value == 0 && key.name.rfind("steps_per", 0) == 0;
-      const bool fits = key.range == KeyRange::positive ? *key.value > 0 : *key.value >= 0;
-      if (!fits && !unset_steps) {
-        return tl::unexpected(bad_limit(
-            fmt::format("[{}] {} is {}, which makes no sense", section.name, key.name, to_text(*key.value / key.unit)),
-            key.range == KeyRange::positive ? "give a value above 0" : "give 0 or more"));
-      }
-    }
-  }
-  if (!std::isfinite(machine.period))
-    return tl::unexpected(bad_limit("the period is not a finite number", "give e.g. 1 ms"));
-  if (options.lookahead && *options.lookahead < 1) {
-    return tl::unexpected(bad_limit("the look-ahead is 0 blocks", "give 1 (a stop at every node) or more, or all"));
-  }
-  if (!(options.feed_override > 0 && options.feed_override <= 2)) {
-    return tl::unexpected(bad_limit("the feed override is outside 0 … 200 %, or 0, at which the program never ends",
-                                    "give more than 0 and at most 200 %"));
-  }
-  if (!(options.rapid_override > 0 && options.rapid_override <= 1)) {
-    return tl::unexpected(
-        bad_limit("the rapid override is outside 0 … 100 %, or 0", "give more than 0 and at most 100 %"));
-  }
-  if (options.corner.step && !(*options.corner.step > 0)) {
-    return tl::unexpected(bad_limit("the corner's speed step is not above 0", "give a speed in mm/s"));
-  }
-  if (options.hold_at && !(*options.hold_at >= 0)) {
-    return tl::unexpected(bad_limit("the time of the feed hold is negative", "give 0 s or later"));
-  }
-  return {};
 }
 
 }  // namespace toolpace

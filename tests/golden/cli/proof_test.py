@@ -100,6 +100,19 @@ class Simulate(CommandLineTest):
         self.assertEqual(float(rows[-1]["x_mm"]), 60)
         self.assertAlmostEqual(max(float(row["lag_mm"]) for row in rows), servo["max_lag_mm"], places=12)
 
+    def test_the_drives_are_those_of_the_machine_file_over_the_defaults(self):
+        self.file("m.toml", "[path]\nmax_speed_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 1e5\n"
+                  "[servo]\nkv_1_s = 40\n[servo.Y]\nkv_1_s = 30\nbacklash_mm = 0.02\n")
+        self.file("line.ngc", "G21 G90 G94\nG1 X3 Y4 F600\nM2\n")
+        runs = [self.run_toolpace(command, "line.ngc", "--machine", "m.toml", "--json") for command in ("plan", "simulate")]
+        for run in runs:
+            self.assertEqual(run.code, FINE, run.err)
+            drives = run.json()["servo"]["drives"]
+            self.assertEqual(drives["X"], {"kv_1_s": 40, "velocity_feed_forward": 0, "acceleration_feed_forward": 0, "bandwidth_hz": 100,
+                                           "damping": 0.7, "backlash_mm": 0, "resonance_hz": 0, "resonance_damping": 0.05})
+            self.assertEqual((drives["Y"]["kv_1_s"], drives["Y"]["backlash_mm"]), (30, 0.02))
+            self.assertEqual(drives["C"]["kv_1_s"], 40)
+
     def test_plan_json_has_the_same_object(self):
         plan = self.run_toolpace("plan", EXAMPLES / "butterfly.ngc", "--machine", MILL, "--json").json()
         simulate = self.run_toolpace("simulate", EXAMPLES / "butterfly.ngc", "--machine", MILL, "--json").json()

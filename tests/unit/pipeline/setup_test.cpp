@@ -79,6 +79,30 @@ TEST(Setup, ServoHoldsForAllAxesAndServoXForOne) {
   EXPECT_EQ(parse_setup("[servo.Q]\nkv_1_s = 40\n", "m.toml").error().code, "machine-key");
 }
 
+TEST(Setup, TravelMayBeOpenToOneSide) {
+  const auto setup = parse_setup("[axes.Z]\ntravel_mm = [-inf, 10]\n", "m.toml");
+  ASSERT_TRUE(setup) << setup.error().message;
+  EXPECT_EQ(setup->machine.axes[2].travel_max, 10.0);
+  const auto again = parse_setup(format_setup(*setup), "m.toml");
+  ASSERT_TRUE(again) << format_setup(*setup);
+  EXPECT_EQ(again->machine.axes[2].travel_min, -kUnlimited);
+  EXPECT_EQ(again->machine.axes[2].travel_max, 10.0);
+}
+
+// Such characters led the TOML parser into code that it declares unreachable.
+TEST(Setup, OtherLettersThanAsciiStandInTextsAndCommentsOnly) {
+  const auto key = parse_setup("[path]\n# \u00fcber\n\u03cd = 1\n", "m.toml");
+  ASSERT_FALSE(key);
+  EXPECT_EQ(key.error().code, "machine-syntax");
+  EXPECT_EQ(key.error().where.line, 3u);
+  EXPECT_EQ(key.error().where.column, 1u);
+  const auto text = parse_setup("[machine]\nname = \"\u5371\\\"\u03cd\" # \u03cd\n[machine2]\n", "m.toml");
+  EXPECT_EQ(text.error().code, "machine-key");
+  const auto good = parse_setup("\xEF\xBB\xBF[machine]\nname = '''\u03cd'\n\u0449''' # \u03cd\n", "m.toml");
+  ASSERT_TRUE(good) << good.error().message;
+  EXPECT_EQ(good->machine.name, "\u03cd'\n\u0449");
+}
+
 TEST(Setup, AnUnknownKeyNamesTheNearestOneAndItsPlace) {
   const auto setup = parse_setup("[path]\nmax_speed_mms = 3\n", "m.toml");
   ASSERT_FALSE(setup);
