@@ -94,9 +94,11 @@ void PathFollower::take_match(const AxisVector& point) {
     const double t = square > 0 ? std::clamp(dot(d, e) / square, low, stretch.high) : low;
     const AxisVector off = e - t * d;
     const double distance = std::sqrt(dot(off, off));
-    // Of places equally near the earliest is taken: the walk may still go on from there.
-    if (distance < least * (1 - 1e-9) - 1e-12) {
-      least = distance;
+    // Of places equally near the earliest is taken: the walk may still go on from there. A curve is as near as its chord
+    // can be off it: where an arc turns round into a line, the line ahead is not nearer for being exact.
+    const double nearest = std::max(0.0, distance - vertices_.at(stretch.cell + 1)->sagitta);
+    if (nearest < least * (1 - 1e-9) - 1e-12) {
+      least = nearest;
       best.cell = stretch.cell;
       best.t = t;
       best.distance = distance;

@@ -37,7 +37,7 @@ AxisVector weighted(const AxisVector& point) {
 
 PathVertices::PathVertices(const Path& path, double sagitta) : path_(path), sagitta_(sagitta) {
   if (path.node.empty()) return;
-  vertices_.push_back({weighted(path.node.front()), 0, 0.0, true});
+  vertices_.push_back({weighted(path.node.front()), 0, 0.0, true, 0.0});
 }
 
 bool PathVertices::make_next() {
@@ -48,7 +48,8 @@ bool PathVertices::make_next() {
   const double length = path_.length[segment_];
   const double s = ends ? length : length * static_cast<double>(chord_) / static_cast<double>(chords_);
   const AxisVector point = ends ? path_.node[segment_ + 1] : point_at(path_, segment_, s);
-  vertices_.push_back({weighted(point), static_cast<std::uint32_t>(segment_), s, ends});
+  const double sagitta = path_.kind[segment_] == SegmentKind::line ? 0.0 : sagitta_;
+  vertices_.push_back({weighted(point), static_cast<std::uint32_t>(segment_), s, ends, sagitta});
   if (ends) {
     ++segment_;
     chord_ = chords_ = 0;

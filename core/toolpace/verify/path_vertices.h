@@ -16,6 +16,7 @@ struct PathVertex {
   std::uint32_t segment;  ///< the one that ends here or goes through here
   double s;               ///< path length from the segment's start
   bool is_node;           ///< end of its segment
+  double sagitta;         ///< [mm] how far the chord that ends here may be from the path; 0 on lines
 };
 
 /// Vertices are made when asked for and forgotten when passed, so memory is bounded by the stretch in use.

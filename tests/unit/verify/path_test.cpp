@@ -1,6 +1,7 @@
 /// Setpoints against the programmed path.
 
 #include <fstream>
+#include <numbers>
 
 #include "planned_program.h"
 #include "toolpace/verify/path_follower.h"
@@ -49,6 +50,21 @@ TEST(PathCheck, MeasuresTheDistanceFromExactArcs) {
   // step of 2000 mm/s² · 1 ms = 2 mm/s, and is cut by at most 2 mm/s · 1 ms / 4 = 5e-4 mm then.
   EXPECT_LT(*report.chord_error, 5.01e-4);
   EXPECT_GT(*report.chord_error, 4e-5);
+}
+
+// The arc comes down where the line goes up again: just before the turn, a row on the arc is as near to the line as to the
+// arc's chord.
+TEST(PathCheck, TellsAnArcFromTheLineThatItTurnsRoundInto) {
+  for (const double radius : {2.0, 20.0, 300.0}) {
+    const TemporaryDirectory dir;
+    Program program;
+    program.start(-radius, 0).arc(0, 0, -std::numbers::pi).line(radius, 10).arc(0, 10, 1.0);
+    const toolpace::Setup setup = axis_limited_setup();
+    write_setpoints(planned(program, setup), dir / "a.csv");
+    const VerifyReport report = verified(dir / "a.csv", setup.machine, &program.moves(), 1e-6);
+    EXPECT_TRUE(report.passes()) << broken(report);
+    EXPECT_LT(check_of(report, CheckKind::deviation).value, 2.5e-7) << radius;
+  }
 }
 
 TEST(PathCheck, FindsARowOffTheArc) {
