@@ -5,6 +5,7 @@
 
 #include "toolpace/path/corner_chain.h"
 #include "toolpace/path/merge_lines.h"
+#include "toolpace/path/move_teller.h"
 
 namespace toolpace {
 namespace {
@@ -17,7 +18,8 @@ constexpr double kSameCurvature = 1e-6;  // |Δκ| times the shorter segment
 constexpr double kRest = 1e-9;           // a trimmed segment shorter than this share has vanished
 constexpr int kChainRounds = 12;
 constexpr double kChainShare =
-    0.98;  // of the tolerance at the nodes of a chain: between them it may be passed by a little
+    0.98;                 // of the tolerance at the nodes of a chain: between them it may be passed by a little
+constexpr int kTold = 4;  // parts of a chain's piece in which moves are told by length
 constexpr int kSearchSteps = 40;
 constexpr int kSamples = 16;  // where the distance of a curve blend is looked at
 
@@ -212,6 +214,7 @@ class Blender {
       p.corner_blends.push_back(blend);
       const auto index = static_cast<std::uint32_t>(p.corner_blends.size() - 1);
       push(SegmentKind::blend, slower_move(i), blend_length(blend), index, blend.corner + blend.after);
+      tell_corner(i);
       return;
     }
     const CurveBlend blend = curve_blend(i, d);
@@ -219,6 +222,15 @@ class Blender {
     p.curve_blends.push_back(blend);
     const auto index = static_cast<std::uint32_t>(p.curve_blends.size() - 1);
     push(SegmentKind::blend, slower_move(i), blend_length(blend), Path::kCurveBlend + index, blend.points[5]);
+    tell_corner(i);
+  }
+
+  /// The blend just added passes its node in the middle.
+  void tell_corner(std::size_t i) {
+    const std::size_t now = out_.path.size() - 1;
+    const double before = path_.length[i - 1], whole = out_.path.length[now];
+    teller_.tell({i - 1, before - trim_[i], before}, {now, 0, whole / 2});
+    teller_.tell({i, 0, trim_[i]}, {now, whole / 2, whole});
   }
 
   /// Shortens the trims of a chain until its spline passes every node within the tolerance.
@@ -253,6 +265,45 @@ class Blender {
            piece_length(chain.curve(), pieces[k].begin, pieces[k].end),
            static_cast<std::uint32_t>(p.spline_pieces.size() - 1), end);
     }
+    tell_chain(first, last, chain);
+  }
+
+  /// Tells which moves the pieces just added stand for. They end where the spline is simple, not where it passes the nodes.
+  void tell_chain(std::size_t first, std::size_t last, const CornerChain& chain) {
+    const auto& pieces = chain.pieces();
+    const std::size_t before = out_.path.size() - pieces.size();
+    double from = 0, told = path_.length[first - 1] - trim_[first], told_at = 0;
+    std::size_t k = 0;
+    for (std::size_t segment = first - 1; segment <= last; ++segment, told = 0) {
+      const double to = segment < last ? std::max(from, chain.passing(segment + 1)) : pieces.back().end;
+      const double top = segment < last ? path_.length[segment] : trim_[last];
+      for (const int parts = teller_.is_divided(segment) ? kTold : 1; from < to;) {
+        const CornerChain::Piece& piece = pieces[k];
+        double next = std::min(to, piece.end);
+        if (parts > 1) next = std::min(next, from + (piece.end - piece.begin) / parts);
+        const AxisVector point = spline_point(chain.curve(), next);
+        const double reached = next < to ? std::clamp(along(segment, point), told, top) : top;
+        const double at = next < piece.end ? length_to(before + k, point) : out_.path.length[before + k];
+        teller_.tell({segment, told, reached}, {before + k, told_at, at});
+        told = reached;
+        told_at = at;
+        from = next;
+        if (from < piece.end || k + 1 == pieces.size()) continue;
+        ++k;
+        told_at = 0;
+      }
+    }
+  }
+  /// Path length up to a point of a curved segment of the new path, by its chords.
+  double length_to(std::size_t segment, const AxisVector& point) const {
+    const double before = (point - out_.path.node[segment]).head<3>().norm();
+    const double after = (out_.path.node[segment + 1] - point).head<3>().norm();
+    return out_.path.length[segment] * before / (before + after);
+  }
+  /// Path length from the start of a line to the foot of a point on it.
+  double along(std::size_t segment, const AxisVector& point) const {
+    const AxisVector chord = path_.node[segment + 1] - path_.node[segment], from = point - path_.node[segment];
+    return std::clamp(from.head<3>().dot(chord.head<3>()) / path_.length[segment], 0.0, path_.length[segment]);
   }
 
   void note(std::size_t i, double deviation) {
@@ -266,6 +317,13 @@ class Blender {
     out_.count.deviation = std::max(out_.count.deviation, merge_error_[i]);
     if (end - begin <= kRest * length) return;
     const AxisVector last = trim_[i + 1] > 0 ? point_at(path_, i, end) : path_.node[i + 1];
+    push_rest(i, begin, end, last);
+    const std::size_t now = out_.path.size() - 1;
+    teller_.tell({i, begin, end}, {now, 0, out_.path.length[now]});
+  }
+
+  void push_rest(std::size_t i, double begin, double end, const AxisVector& last) {
+    const double length = path_.length[i];
     Path& p = out_.path;
     switch (path_.kind[i]) {
       case SegmentKind::arc: {
@@ -313,6 +371,7 @@ class Blender {
   std::vector<double> trim_;                // of each node
   std::vector<bool> chained_;               // segments that link their two nodes into one spline
   BlendedPath out_;
+  MoveTeller teller_{path_, out_.path};
 };
 
 }  // namespace

@@ -80,21 +80,28 @@ void CornerChain::cut(const Path& path, std::size_t last) {
   }
 }
 
-double CornerChain::deviation(std::size_t node) const {
+double CornerChain::passing(std::size_t node) const {
   const std::size_t at = node_at_[node - first_];
   const Eigen::Vector3d& p = node_[node - first_];
   const double low = at > 0 ? stations_[at - 1] : 0,
                high = at + 1 < stations_.size() ? stations_[at + 1] : curve_.knots.back();
-  double t = stations_[at], best = 1e300;
+  double t = stations_[at], best = t, least = 1e300;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d e = spline_point(curve_, t).head<3>() - p;
-    best = std::min(best, e.norm());
+    if (e.norm() < least) {
+      least = e.norm();
+      best = t;
+    }
     const ParameterDerivatives d = spline_derivatives(curve_, t);
     const double slope = d.first.head<3>().squaredNorm() + std::max(0.0, e.dot(d.second.head<3>()));
     if (!(slope > 0)) break;
     t = std::clamp(t - e.dot(d.first.head<3>()) / slope, low, high);
   }
   return best;
+}
+
+double CornerChain::deviation(std::size_t node) const {
+  return (spline_point(curve_, passing(node)).head<3>() - node_[node - first_]).norm();
 }
 
 }  // namespace toolpace

@@ -23,7 +23,9 @@ class CornerChain {
   const SplineCurve& curve() const { return curve_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
 
-  /// Distance of a node to the curve where it is passed [mm].
+  /// Parameter at which a node is passed: where the curve is nearest to it.
+  double passing(std::size_t node) const;
+  /// Distance of a node to the curve there [mm].
   double deviation(std::size_t node) const;
 
  private:

@@ -58,12 +58,24 @@ class Merger {
     }
     Path& p = out_.path;
     p.kind.push_back(path_.kind[i]);
-    p.move.push_back(path_.move[end - 1]);
+    p.move.push_back(path_.move[i]);
     p.detail.push_back(path_.detail[i]);
     p.length.push_back(end == i + 1 ? path_.length[i] : (path_.node[end] - path_.node[i]).head<3>().norm());
     p.node.push_back(path_.node[end]);
     out_.error.push_back(error);
+    tell_moves(i, end);
     return end;
+  }
+
+  /// Where the run just added passes the vertices that it leaves out.
+  void tell_moves(std::size_t begin, std::size_t end) {
+    Path& p = out_.path;
+    const auto segment = static_cast<std::uint32_t>(p.size() - 1);
+    const AxisVector chord = p.node[segment + 1] - p.node[segment];
+    for (std::size_t k = begin + 1; k < end; ++k) {
+      const double at = (path_.node[k] - p.node[segment]).head<3>().dot(chord.head<3>()) / p.length[segment];
+      p.handovers.push_back({segment, path_.move[k], at});
+    }
   }
 
   bool may_merge(std::size_t i) const {

@@ -1,5 +1,7 @@
 #include "toolpace/path/path.h"
 
+#include <algorithm>
+
 namespace toolpace {
 namespace {
 
@@ -96,6 +98,14 @@ AxisVector start_direction(const Path& path, std::size_t i) {
 AxisVector end_direction(const Path& path, std::size_t i) {
   if (path.kind[i] >= SegmentKind::spline) return derivatives_at_share(path, i, 1.0).first;
   return frame_at(path, i, path.length[i]).first;
+}
+
+std::uint32_t move_at(const Path& path, std::size_t i, double s) {
+  const auto after = std::partition_point(path.handovers.begin(), path.handovers.end(), [&](const Path::Handover& h) {
+    return h.segment < i || (h.segment == i && h.at <= s);
+  });
+  const bool told = after != path.handovers.begin() && (after - 1)->segment == i;
+  return told ? (after - 1)->move : path.move[i];
 }
 
 bool is_rotary_only(const Path& path, std::size_t i) {

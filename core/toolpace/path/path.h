@@ -21,7 +21,7 @@ struct Path {
   // One entry a segment.
   std::vector<SegmentKind> kind;
   std::vector<double> length;         ///< > 0 [mm; deg where only rotary axes move]
-  std::vector<std::uint32_t> move;    ///< row of Moves that it comes from
+  std::vector<std::uint32_t> move;    ///< row of Moves that it comes from, whose feed holds (see handovers)
   std::vector<std::uint32_t> detail;  ///< index into arcs, spline_pieces or blends; kNoDetail for lines
   std::vector<AxisVector> node;       ///< size() + 1 points where segments meet [mm, rad]
 
@@ -39,6 +39,15 @@ struct Path {
     double duration;     ///< [s] ≥ 0: dwell, tool change or 0
   };
   std::vector<Pause> pauses;
+
+  /// A place inside a segment that stands for several moves (merged lines, corner curves), from which on the tool is on
+  /// another one than before; sorted along the path.
+  struct Handover {
+    std::uint32_t segment;
+    std::uint32_t move;  ///< row of Moves
+    double at;           ///< path length from the segment's start, 0 ≤ at < length
+  };
+  std::vector<Handover> handovers;
 
   std::size_t size() const { return kind.size(); }
 };
@@ -64,6 +73,9 @@ ParameterDerivatives derivatives_at_share(const Path& path, std::size_t segment,
 /// Directions at a segment's ends (Frame::first at 0 and at length).
 AxisVector start_direction(const Path& path, std::size_t segment);
 AxisVector end_direction(const Path& path, std::size_t segment);
+
+/// Row of Moves under the tool at path length `s` of a segment. O(log handovers).
+std::uint32_t move_at(const Path& path, std::size_t segment, double s);
 
 /// True where none of X, Y, Z move, so that path length is in degrees.
 bool is_rotary_only(const Path& path, std::size_t segment);

@@ -53,6 +53,7 @@ void Sampler::seek(std::size_t row) {
   phase_ = after == plan_.phases.begin() ? 0 : static_cast<std::size_t>(after - plan_.phases.begin()) - 1;
   spline_ = 0;
   segment_ = 0;
+  handover_ = 0;
   segment_begin_ = 0.0;
   if (path_.size() > 0) load_segment();
 }
@@ -82,6 +83,17 @@ void Sampler::enter_segment(double distance) {
     ++segment_;
   }
   if (segment_ != before) load_segment();
+  hand_over(distance - segment_begin_);
+}
+
+void Sampler::hand_over(double s) {
+  const auto& handovers = path_.handovers;
+  while (handover_ < handovers.size() && handovers[handover_].segment < segment_) ++handover_;
+  for (; handover_ < handovers.size(); ++handover_) {
+    const Path::Handover& h = handovers[handover_];
+    if (h.segment != segment_ || h.at > s) return;
+    line_ = moves_.line[h.move];
+  }
 }
 
 void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
@@ -90,7 +102,7 @@ void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
   if (row + 1 == rows_) {
     point = path_.node.back();
     if (path_.size() > 0) {
-      line_ = moves_.line[path_.move.back()];
+      line_ = moves_.line[move_at(path_, path_.size() - 1, path_.length.back())];
       if (chords_) chords_->add(path_.size() - 1, path_.length.back(), point);
     }
   } else {

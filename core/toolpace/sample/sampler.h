@@ -42,6 +42,7 @@ class Sampler {
   const TimeSpline* spline_at(double time);
   void enter_segment(double distance);
   void load_segment();
+  void hand_over(double s);
 
   const Path& path_;
   const MotionPlan& plan_;
@@ -52,6 +53,7 @@ class Sampler {
   std::size_t phase_ = 0;
   std::size_t spline_ = 0;
   std::size_t segment_ = 0;
+  std::size_t handover_ = 0;    ///< first one that is not passed yet
   double segment_begin_ = 0.0;  ///< path position of the segment's start
   AxisVector direction_ = AxisVector::Zero();
   std::uint32_t line_ = 0;

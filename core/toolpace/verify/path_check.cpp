@@ -248,10 +248,8 @@ void PathCheck::report(VerifyReport& report, bool followed) const {
   report.checks.push_back(end);
   Check line = line_;
   line.value = static_cast<double>(line_mismatches_);
-  // Where corners are smoothed, one stretch of the motion may stand for several lines.
-  const bool judged = tolerance_.value_or(0) <= kSmoothing;
-  line.limit = judged ? 0 : std::numeric_limits<double>::infinity();
-  line.broken = judged && line_mismatches_ > 0;
+  line.limit = 0;
+  line.broken = line_mismatches_ > 0;
   report.checks.push_back(line);
   report.chord_error = chord_.check().value;
 }

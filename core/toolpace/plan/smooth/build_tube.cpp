@@ -11,6 +11,7 @@ constexpr double kMergeShare = 0.02;     // of the tolerance, for short segments
 constexpr std::size_t kMostMerged = 32;  // segments in one
 constexpr double kMostTime = 1.0;  // [s] of a segment at its feed: longer ones are cut, so that windows stay small
 constexpr double kMostPieces = 1e6;
+constexpr double kLeastOfClosed = 3;  // chords of a full turn, however small
 
 double in_tube_unit(int axis, double value) {
   return is_rotary(static_cast<std::size_t>(axis)) ? value / kRadiansPerDegree : value;
@@ -82,7 +83,9 @@ class Builder {
     for (const double part : {0.0, 0.5, 1.0}) {
       bend = std::max(bend, frame_at(path_, i, part * path_.length[i]).second.head<3>().norm());
     }
-    return path_.length[i] * std::sqrt(1.1 * bend / (8 * kChordShare * tolerance(i)));
+    const double needed = path_.length[i] * std::sqrt(1.1 * bend / (8 * kChordShare * tolerance(i)));
+    const bool is_closed = path_.node[i] == path_.node[i + 1];
+    return is_closed ? std::max(needed, kLeastOfClosed) : needed;
   }
 
   void add_segment(std::size_t i) {
@@ -138,6 +141,7 @@ class Builder {
     const auto axes = static_cast<std::size_t>(tube_.axes);
     double dd = 0;
     for (std::size_t q = 0; q < axes; ++q) dd += (b[q] - a[q]) * (b[q] - a[q]);
+    if (!(dd > 0)) return false;  // there and back
     double before = 0;
     for (std::size_t k = 0; k < inner_.size(); k += axes) {
       double along = 0, square = 0;
@@ -148,7 +152,7 @@ class Builder {
         const double e = inner_[k + q] - a[q] - along / dd * (b[q] - a[q]);
         square += e * e;
       }
-      if (square > most * most) return false;
+      if (!(square <= most * most)) return false;
     }
     return true;
   }

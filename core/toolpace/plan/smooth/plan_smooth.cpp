@@ -5,6 +5,7 @@
 
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/smooth/build_tube.h"
+#include "toolpace/plan/smooth/tube_progress.h"
 
 namespace toolpace {
 namespace {
@@ -105,21 +106,20 @@ class SmoothPlanner {
     result_.deviation = std::max(result_.deviation, motion->deviation);
     result_.windows += motion->windows;
     result_.fallbacks += motion->fallbacks;
-    set_node_times(run, tube, *motion);
+    const TubeProgress progress(tube, *motion);
+    set_node_times(run, tube, *motion, progress);
     add_spline(run, tube, *motion);
-    sketch(run, tube, *motion);
+    sketch(run, progress);
     time_ += motion->duration;
     return {};
   }
 
-  void set_node_times(const Run& run, const TubePath& tube, const TubeMotion& motion) {
+  void set_node_times(const Run& run, const TubePath& tube, const TubeMotion& motion, const TubeProgress& progress) {
     std::size_t k = 0;
     for (std::size_t i = run.begin; i <= run.end; ++i) {
       const double at = position_[i] - position_[run.begin];
       while (k + 1 < tube.segments() && tube.distance[k + 1] <= at) ++k;
-      const double length = tube.distance[k + 1] - tube.distance[k];
-      const double part = length > 0 ? std::clamp((at - tube.distance[k]) / length, 0.0, 1.0) : 0.0;
-      result_.node_time[i] = time_ + motion.pass[k] + part * (motion.pass[k + 1] - motion.pass[k]);
+      result_.node_time[i] = time_ + (at <= tube.distance[k] ? motion.pass[k] : progress.time_at(k, at));
     }
     result_.node_time[run.end] = time_ + motion.duration;
   }
@@ -142,19 +142,14 @@ class SmoothPlanner {
   }
 
   /// Phases, one a knot interval, that say where along the path the spline is and how fast.
-  void sketch(const Run& run, const TubePath& tube, const TubeMotion& motion) {
+  void sketch(const Run& run, const TubeProgress& progress) {
     const TimeSpline& spline = result_.plan.splines.back();
     const std::size_t cells = spline.points() - 3;
-    std::size_t k = 0;
     SplineState state = evaluate(spline, 0.0);
     for (std::size_t i = 0; i < cells; ++i) {
       const double t = static_cast<double>(i) * spline.step;
-      while (k + 2 < motion.pass.size() && motion.pass[k + 1] <= t) ++k;
-      const double span = motion.pass[k + 1] - motion.pass[k];
-      const double part = span > 0 ? std::clamp((t - motion.pass[k]) / span, 0.0, 1.0) : 0.0;
-      const double at = tube.distance[k] + part * (tube.distance[k + 1] - tube.distance[k]);
       const SplineState next = evaluate(spline, t + spline.step);
-      result_.plan.phases.push_back({time_ + t, spline.step, position_[run.begin] + at, state.speed,
+      result_.plan.phases.push_back({time_ + t, spline.step, position_[run.begin] + progress.at_knot(i), state.speed,
                                      (next.speed - state.speed) / spline.step, 0.0, PhaseShape::constant_jerk});
       state = next;
     }
