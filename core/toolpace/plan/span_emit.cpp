@@ -20,14 +20,20 @@ class HullWriter {
       push(place(k, met.meet), (left.leave - met.meet) * up_.slack, up_.jerk);
       return;
     }
-    if (met.meet < 0) {
-      push(place(k, met.meet), (std::min(left.leave, 0.0) - met.meet) * down_.slack, down_.jerk);
-    }
+    write_falling(k, met.meet, left.leave);
     if (k.is_plateau()) out_.push_cruise(met.meet_at, left.leave_at, k.bottom);
-    if (left.leave > 0) {
-      const double from = std::max(met.meet, 0.0);
-      push(place(k, from), (left.leave - from) * up_.slack, up_.jerk);
-    }
+    write_rising(k, met.meet, left.leave);
+  }
+
+  /// Runs along the kernel from one acceleration to a larger one; the negative part, and the positive one.
+  void write_falling(const Kernel& k, double from, double to) {
+    if (from < 0) push(place(k, from), (std::min(to, 0.0) - from) * down_.slack, down_.jerk);
+  }
+
+  void write_rising(const Kernel& k, double from, double to) {
+    if (!(to > 0)) return;
+    const double begin = std::max(from, 0.0);
+    push(place(k, begin), (to - begin) * up_.slack, up_.jerk);
   }
 
   void write_bridge(const Kernel& near, const Kernel& far, const Bridge& b) {
@@ -100,6 +106,33 @@ void emit_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits, con
     const Bridge& left = e + 1 < hull.size() ? hull[e + 1].bridge : rest;
     writer.write_kernel(k, hull[e].bridge, left);
     if (e + 1 < hull.size()) writer.write_bridge(k, kernels[hull[e + 1].kernel], left);
+  }
+}
+
+void emit_hull(const std::vector<Kernel>& kernels, const MixedHull& hull, PhaseWriter& out) {
+  const Bridge rest;
+  for (std::size_t e = 0; e < hull.entries.size(); ++e) {
+    const Kernel& k = kernels[hull.entries[e].kernel];
+    const bool is_last = e + 1 == hull.entries.size();
+    const Bridge& met = hull.entries[e].bridge;
+    const Bridge& left = is_last ? rest : hull.entries[e + 1].bridge;
+    const SpanLimits before = (e > 0 ? hull.met[e] : hull.met[1]).limits();
+    const SpanLimits after = (is_last ? hull.met[e] : hull.met[e + 1]).limits();
+    const Kernel arrived = kernel_under(k, before), departed = kernel_under(k, after);
+    HullWriter arrival(before, out), departure(after, out);
+    if (is_last || (e > 0 && hull.met[e] == hull.met[e + 1])) {
+      arrival.write_kernel(arrived, met, left);
+    } else {
+      // Met before the node, left behind it: at the node itself the acceleration is the tilt.
+      arrival.write_falling(arrived, met.meet, k.tilt);
+      arrival.write_rising(arrived, met.meet, k.tilt);
+      departure.write_falling(departed, k.tilt, left.leave);
+      if (k.is_plateau()) out.push_cruise(met.meet_at, left.leave_at, k.bottom);
+      departure.write_rising(departed, k.tilt, left.leave);
+    }
+    if (!is_last) {
+      departure.write_bridge(departed, kernel_under(kernels[hull.entries[e + 1].kernel], after), left);
+    }
   }
 }
 

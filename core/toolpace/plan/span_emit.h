@@ -6,6 +6,7 @@
 #include "toolpace/plan/phase_writer.h"
 #include "toolpace/plan/span_hull.h"
 #include "toolpace/plan/span_kernel.h"
+#include "toolpace/plan/span_mixed_hull.h"
 
 namespace toolpace::detail {
 
@@ -13,5 +14,8 @@ namespace toolpace::detail {
 /// then the bridge. Every kernel is an anchor for position and speed, so that rounding does not add up.
 void emit_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits, const std::vector<HullEntry>& hull,
                PhaseWriter& out);
+
+/// The same where each bridge has limits of its own.
+void emit_hull(const std::vector<Kernel>& kernels, const MixedHull& hull, PhaseWriter& out);
 
 }  // namespace toolpace::detail

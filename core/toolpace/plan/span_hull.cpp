@@ -3,12 +3,6 @@
 namespace toolpace::detail {
 namespace {
 
-/// Whether the kernel is left no earlier than it is met.
-bool is_in_order(const Kernel& k, const Bridge& met, const Bridge& left) {
-  if (k.is_plateau() && met.meet_at != left.leave_at) return met.meet_at < left.leave_at;
-  return met.meet <= left.leave;
-}
-
 class HullBuilder {
  public:
   HullBuilder(const std::vector<Kernel>& kernels, const SpanLimits& limits, std::vector<HullEntry>& hull)
@@ -52,8 +46,7 @@ class HullBuilder {
       const HullEntry& top = hull_.back();
       const Bridge b = bridge(kernels_[top.kernel], kernels_[k], limits_);
       if (b.kind == BridgeKind::far_is_idle) return;
-      const bool leaves_in_time =
-          b.kind != BridgeKind::near_is_idle && is_in_order(kernels_[top.kernel], top.bridge, b);
+      const bool leaves_in_time = is_in_order(kernels_[top.kernel], top.bridge, b);
       if (leaves_in_time || hull_.size() == 1) {
         feasible_ = feasible_ && leaves_in_time;
         hull_.push_back({b, k});

@@ -15,6 +15,13 @@ struct HullEntry {
   std::uint32_t kernel;
 };
 
+/// Whether a kernel is left no earlier than it is met.
+inline bool is_in_order(const Kernel& k, const Bridge& met, const Bridge& left) {
+  if (left.kind == BridgeKind::near_is_idle) return false;
+  if (k.is_plateau() && met.meet_at != left.leave_at) return met.meet_at < left.leave_at;
+  return met.meet <= left.leave;
+}
+
 /// Goes through the kernels once; each is bridged to from the last touched one. A kernel that cannot be reached is
 /// skipped; a touched one that would have to be left before it is met is dropped again. Linear: at most two bridges a
 /// kernel, amortised.

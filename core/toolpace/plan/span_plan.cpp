@@ -8,6 +8,7 @@
 #include "toolpace/plan/span_emit.h"
 #include "toolpace/plan/span_filter.h"
 #include "toolpace/plan/span_hull.h"
+#include "toolpace/plan/span_mixed_plan.h"
 #include "toolpace/plan/span_tilt.h"
 
 namespace toolpace::detail {
@@ -44,10 +45,17 @@ SpanLimits smallest_limits(const SpeedLimits& limits, std::size_t first, std::si
 /// Plans the stretches from one rest to the next; keeps its buffers between them.
 class StretchPlanner {
  public:
-  StretchPlanner(int passes, std::vector<Phase>& phases) : passes_(passes), writer_(phases) {}
+  StretchPlanner(int passes, std::vector<Phase>& phases) : passes_(passes), mixed_(passes), writer_(phases) {}
 
   /// @return the end that cannot be crossed at its cap with zero acceleration, and then nothing is added; nothing if all is well
   std::optional<std::size_t> add(const SpanChain& chain) {
+    if (!has_one_limit(chain)) {
+      select_kernels(chain, kernels_);
+      if (mixed_.plan(chain, kernels_, best_)) {
+        writer_.splice(best_);
+        return std::nullopt;
+      }
+    }
     const SpanLimits limits = smallest_limits(chain.limits, chain.first, chain.last);
     select_kernels(chain, kernels_);
     if (!build_hull(kernels_, limits, hull_)) return chain.last;
@@ -62,6 +70,13 @@ class StretchPlanner {
   }
 
  private:
+  static bool has_one_limit(const SpanChain& chain) {
+    for (std::size_t i = chain.first + 1; i < chain.last; ++i) {
+      if (chain.limits.ramp[i] != chain.limits.ramp[i - 1]) return false;
+    }
+    return true;
+  }
+
   double emit(const SpanLimits& limits, std::vector<Phase>& phases) const {
     phases.clear();
     phases.reserve(4 * hull_.size());
@@ -101,6 +116,7 @@ class StretchPlanner {
   }
 
   int passes_;
+  MixedPlanner mixed_;
   PhaseWriter writer_;
   std::vector<Kernel> kernels_;
   std::vector<HullEntry> hull_, plain_;

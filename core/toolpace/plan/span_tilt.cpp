@@ -16,16 +16,6 @@ double tolerated(const Kernel& k, const SpanLimits& limits) {
   return k.cap * (1 + kRounding) + std::max(limits.up.top, limits.down.top) * place / k.cap;
 }
 
-double wanted_tilt(const Kernel& k, double meet, double leave, const SpanLimits& limits) {
-  const double steepest = std::max(meet * meet, leave * leave);
-  if (!(steepest > 0)) return k.tilt;
-  const double jerk = std::min(limits.up.jerk, limits.down.jerk);
-  const double weight = std::min(1.0, 2 * jerk * k.cap / steepest);
-  const double tilt = k.tilt + weight * ((leave + meet) / 2 - k.tilt);
-  const double most = std::sqrt(jerk * k.cap / 2);
-  return std::clamp(tilt, -std::min(most, limits.down.top), std::min(most, limits.up.top));
-}
-
 bool borders_after(const Kernel& plateau, const Kernel& point) {
   return plateau.is_plateau() && !point.is_plateau() && plateau.end == point.position && plateau.cap == point.cap;
 }
@@ -160,12 +150,22 @@ class Walker {
 
 }  // namespace
 
+double suitable_tilt(const Kernel& k, double meet, double leave, const SpanLimits& limits) {
+  const double steepest = std::max(meet * meet, leave * leave);
+  if (!(steepest > 0)) return k.tilt;
+  const double jerk = std::min(limits.up.jerk, limits.down.jerk);
+  const double weight = std::min(1.0, 2 * jerk * k.cap / steepest);
+  const double tilt = k.tilt + weight * ((leave + meet) / 2 - k.tilt);
+  const double most = std::sqrt(jerk * k.cap / 2);
+  return std::clamp(tilt, -std::min(most, limits.down.top), std::min(most, limits.up.top));
+}
+
 void tilt_kernels(const std::vector<HullEntry>& hull, const SpanLimits& limits, std::vector<Kernel>& kernels) {
   for (std::size_t e = 1; e + 1 < hull.size(); ++e) {
     const std::uint32_t index = hull[e].kernel;
     Kernel& k = kernels[index];
     if (k.is_plateau()) continue;
-    const double wanted = wanted_tilt(k, hull[e].bridge.meet, hull[e + 1].bridge.leave, limits);
+    const double wanted = suitable_tilt(k, hull[e].bridge.meet, hull[e + 1].bridge.leave, limits);
     set_tilt(k, allowed_tilt(kernels, index, wanted), limits);
   }
   Orderer(limits, kernels).run();

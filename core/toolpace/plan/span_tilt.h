@@ -17,6 +17,9 @@ namespace toolpace::detail {
 /// that would put the bottom past a neighbour's is halved, then dropped.
 void tilt_kernels(const std::vector<HullEntry>& hull, const SpanLimits& limits, std::vector<Kernel>& kernels);
 
+/// The tilt that suits a node which is met and left with these accelerations, without regard to its neighbours.
+double suitable_tilt(const Kernel& k, double meet, double leave, const SpanLimits& limits);
+
 /// Takes all tilts away.
 void drop_all_tilts(const SpanLimits& limits, std::vector<Kernel>& kernels);
 

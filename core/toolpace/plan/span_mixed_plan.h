@@ -1,0 +1,34 @@
+#pragma once
+/// Plans a stretch whose ramp limits change from block to block.
+
+#include <vector>
+
+#include "toolpace/law/phase.h"
+#include "toolpace/plan/span_filter.h"
+#include "toolpace/plan/span_kernel.h"
+#include "toolpace/plan/span_mixed_hull.h"
+
+namespace toolpace::detail {
+
+/// Keeps its buffers between stretches.
+class MixedPlanner {
+ public:
+  /// @param passes  rounds of shifting accelerations at the touched nodes, each kept only if it saves time
+  explicit MixedPlanner(int passes) : passes_(passes) {}
+
+  /// @param kernels  of the chain, tilts 0; they are changed
+  /// @return false where there is no such hull, and then nothing is written
+  bool plan(const SpanChain& chain, std::vector<Kernel>& kernels, std::vector<Phase>& phases);
+
+ private:
+  double emit(const std::vector<Kernel>& kernels, std::vector<Phase>& phases) const;
+  void tilt(std::vector<Kernel>& kernels) const;
+  bool keeps_caps(std::vector<Kernel>& kernels, double& time);
+
+  int passes_;
+  KernelBounds bounds_;
+  MixedHull hull_;
+  std::vector<Phase> trial_;
+};
+
+}  // namespace toolpace::detail
