@@ -73,7 +73,12 @@ Span span_of_block(const SpeedLimits& limits, std::size_t i, bool touched) {
   return s;
 }
 
-Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap, AnchorSites sites) {
+bool is_seam(const SpeedLimits& limits, std::size_t node, double ratio) {
+  return limits.ramp[node] != limits.ramp[node - 1] &&
+         ratio_of(limits.dynamics_of(node - 1), limits.dynamics_of(node)) > ratio;
+}
+
+Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap, double seam_ratio) {
   const std::vector<double> square = fastest_squares(limits, cap);
   const std::vector<double> position = node_positions(limits);
   Anchors a;
@@ -87,8 +92,7 @@ Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap, 
     const double c = cap[i], f = limits.block_cap[i];
     const bool changes = i > 0 && (limits.block_cap[i - 1] != f || c < f);
     const bool touched = changes && square[i] >= c * c * (1 - kTouch);
-    const bool changed = sites == AnchorSites::touched_changed && i > 0 && limits.ramp[i] != limits.ramp[i - 1];
-    if (touched || changed) add(i);
+    if (touched || (i > 0 && is_seam(limits, i, seam_ratio))) add(i);
     const Dynamics& d = limits.dynamics_of(i);
     const double up = d.up.acceleration, down = d.down.acceleration;
     const double share = std::isinf(up) ? 1.0 : up / (up + down);
@@ -283,9 +287,20 @@ MotionPlan write_plan(const Anchors& anchors, const Layout& l) {
 
 }  // namespace
 
+double ratio_of(const Dynamics& a, const Dynamics& b) {
+  double most = 1.0;
+  for (RampLimits Dynamics::*side : {&Dynamics::up, &Dynamics::down}) {
+    for (double RampLimits::*value : {&RampLimits::acceleration, &RampLimits::jerk}) {
+      const double x = a.*side.*value, y = b.*side.*value;
+      if (x != y) most = std::max({most, x / y, y / x});
+    }
+  }
+  return most;
+}
+
 MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, const AnchoredLaw& anchored,
                                const Monitor& monitor) {
-  const Anchors anchors = find_anchors(limits, cap, anchored.sites);
+  const Anchors anchors = find_anchors(limits, cap, anchored.seam_ratio);
   return visit_law(anchored.law, [&](auto chosen) {
     using Law = decltype(chosen);
     AnchorPlanner<Law> planner(anchors, monitor);
@@ -294,14 +309,14 @@ MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<doub
   });
 }
 
-std::vector<double> settle_where_limits_change(const SpeedLimits& limits, const std::vector<double>& cap) {
+std::vector<double> settle_seams(const SpeedLimits& limits, const std::vector<double>& cap, double seam_ratio) {
   const Monitor monitor;
-  const Anchors anchors = find_anchors(limits, cap, AnchorSites::touched_changed);
+  const Anchors anchors = find_anchors(limits, cap, seam_ratio);
   const Layout l = AnchorPlanner<SevenPhase>(anchors, monitor).run_once();
   std::vector<double> settled = cap;
   for (std::size_t p = 0; p < l.place.size(); ++p) {
     const std::size_t node = anchors.node[l.place[p]];
-    if (node > 0 && node < limits.size() && limits.ramp[node] != limits.ramp[node - 1]) settled[node] = l.speed[p];
+    if (node > 0 && node < limits.size() && is_seam(limits, node, seam_ratio)) settled[node] = l.speed[p];
   }
   return settled;
 }

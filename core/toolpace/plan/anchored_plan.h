@@ -1,7 +1,6 @@
 #pragma once
 /// Plans of any law whose ramps run across blocks: block ramps between anchors.
 
-#include <cstdint>
 #include <vector>
 
 #include "toolpace/base/monitor.h"
@@ -11,16 +10,13 @@
 
 namespace toolpace::detail {
 
-/// Where anchors may stand.
-enum class AnchorSites : std::uint8_t {
-  touched,  ///< nodes that the acceleration-limited optimum touches, where caps are lower than feeds or feeds change
-  touched_changed  ///< … and those where the ramp limits change
-};
+/// By how much ramp limits differ between two blocks: the largest ratio of two accelerations or jerks, ≥ 1.
+double ratio_of(const Dynamics& a, const Dynamics& b);
 
 struct AnchoredLaw {
   LawKind law;
-  AnchorSites sites = AnchorSites::touched;
-  bool may_remove = true;  ///< whether anchors are removed where that saves time
+  double seam_ratio = 1e300;  ///< nodes where ramp limits differ by more than this may be anchors, too
+  bool may_remove = true;     ///< whether anchors are removed where that saves time
 };
 
 /// Anchors are nodes that the acceleration-limited optimum touches, and those where the feed changes there; the law
@@ -32,8 +28,8 @@ struct AnchoredLaw {
 MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, const AnchoredLaw& anchored,
                                const Monitor& monitor);
 
-/// Caps under which the nodes where the ramp limits change can all be crossed at their cap with zero acceleration: the
-/// speeds that seven-phase ramps between anchors give them. The other caps stay.
-std::vector<double> settle_where_limits_change(const SpeedLimits& limits, const std::vector<double>& cap);
+/// Caps under which the nodes where ramp limits differ by more than `seam_ratio` can all be crossed with zero acceleration:
+/// the speeds that seven-phase ramps between anchors give them. The other caps stay.
+std::vector<double> settle_seams(const SpeedLimits& limits, const std::vector<double>& cap, double seam_ratio);
 
 }  // namespace toolpace::detail

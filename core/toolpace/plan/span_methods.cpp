@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "toolpace/plan/anchored_plan.h"
 #include "toolpace/plan/block_plan.h"
 #include "toolpace/plan/span_plan.h"
 #include "toolpace/plan/trapezoid_plan.h"
@@ -14,26 +15,19 @@ namespace {
 /// behind the node, in the end without letting touched nodes be crossed with any acceleration.
 constexpr int kNewtonRounds = 3, kClimbRounds = 4, kRestedRounds = 12;
 constexpr int kPasses = 1, kPassesForOptimum = 8;
-/// By how much ramp limits may differ inside a zone; the later ones are tried for chains that are short enough.
-constexpr double kZoneRatios[] = {1.3, 1.1, 1.8};
-constexpr std::size_t kShortChain = 20000;
-/// In longer chains zones are made only where limits differ by more than this, as between a fast and a slow axis.
-constexpr double kWideSpread = 2.0;
+/// Nodes where ramp limits change by more than this are seams.
+constexpr double kSeamRatio = 2.0;
+/// Chains with seams that are no longer than this are planned between anchors, too: that takes long and seldom gains much.
+constexpr std::size_t kShortChain = 1000;
 
 bool is_jerk_hull(LawKind law) { return law == LawKind::seven_phase || law == LawKind::time_optimal; }
 
-/// By how much accelerations or jerks differ over the chain, as a ratio.
-double spread_of(const SpeedLimits& limits) {
-  double spread = 1.0;
-  for (double RampLimits::*value : {&RampLimits::acceleration, &RampLimits::jerk}) {
-    for (RampLimits Dynamics::*side : {&Dynamics::up, &Dynamics::down}) {
-      const auto [low, high] =
-          std::minmax_element(limits.dynamics.begin(), limits.dynamics.end(),
-                              [&](const Dynamics& a, const Dynamics& b) { return a.*side.*value < b.*side.*value; });
-      spread = std::max(spread, (*high).*side.*value / ((*low).*side.*value));
-    }
+bool has_seams(const SpeedLimits& limits) {
+  for (std::size_t i = 1; i < limits.size(); ++i) {
+    if (limits.ramp[i] == limits.ramp[i - 1]) continue;
+    if (ratio_of(limits.dynamics_of(i - 1), limits.dynamics_of(i)) > kSeamRatio) return true;
   }
-  return spread;
+  return false;
 }
 
 }  // namespace
@@ -45,19 +39,13 @@ bool is_faster(const MotionPlan& plan, const MotionPlan& other) {
 std::vector<SpanMethod> span_methods(const SpeedLimits& limits, LawKind law) {
   using Kind = SpanMethod::Kind;
   if (law == LawKind::trapezoid) return {{Kind::trapezoid}};
-  const bool uniform = limits.dynamics.size() == 1;
   if (!is_jerk_hull(law)) {
-    if (uniform) return {{Kind::anchors}};
-    return {{Kind::anchors}, {Kind::anchors, 1.0, AnchorSites::touched_changed}};
+    if (limits.dynamics.size() == 1) return {{Kind::anchors}};
+    return {{Kind::anchors}, {Kind::anchors, 1.0}};
   }
-  if (uniform) return {{Kind::hull}};
-  if (limits.size() > kShortChain) {
-    if (spread_of(limits) < kWideSpread) return {{Kind::hull}};
-    return {{Kind::hull}, {Kind::zones, kZoneRatios[0]}};
-  }
-  std::vector<SpanMethod> all = {{Kind::hull}, {Kind::anchors}, {Kind::anchors, 1.0, AnchorSites::touched_changed}};
-  for (const double ratio : kZoneRatios) all.push_back({Kind::zones, ratio});
-  return all;
+  if (limits.dynamics.size() == 1 || !has_seams(limits)) return {{Kind::hull}};
+  if (limits.size() > kShortChain) return {{Kind::hull}, {Kind::seams, kSeamRatio}};
+  return {{Kind::hull}, {Kind::seams, kSeamRatio}, {Kind::anchors, 1.0}};
 }
 
 SpanPlanner::SpanPlanner(const SpeedLimits& limits, LawKind law, const Monitor& monitor)
@@ -74,10 +62,11 @@ MotionPlan SpanPlanner::plan_by(const SpanMethod& method, const std::vector<doub
   switch (method.kind) {
     case SpanMethod::Kind::trapezoid: return plan_trapezoids(limits_, cap);
     case SpanMethod::Kind::hull: return plan_span_ramps(limits_, cap, passes, monitor_);
-    case SpanMethod::Kind::zones: return plan_zoned_ramps(limits_, cap, method.ratio, passes, monitor_);
+    case SpanMethod::Kind::seams:
+      return plan_span_ramps(limits_, settle_seams(limits_, cap, method.seam_ratio), passes, monitor_);
     case SpanMethod::Kind::anchors: break;
   }
-  return plan_anchored_ramps(limits_, cap, {law_, method.sites, passes > 0}, monitor_);
+  return plan_anchored_ramps(limits_, cap, {law_, method.seam_ratio, passes > 0}, monitor_);
 }
 
 MotionPlan SpanPlanner::plan_whole() {

@@ -7,7 +7,6 @@
 #include "toolpace/base/monitor.h"
 #include "toolpace/law/law.h"
 #include "toolpace/limits/speed_limits.h"
-#include "toolpace/plan/anchored_plan.h"
 #include "toolpace/plan/motion_plan.h"
 #include "toolpace/plan/span_lookahead.h"
 
@@ -15,9 +14,13 @@ namespace toolpace::detail {
 
 /// One way of running ramps across blocks.
 struct SpanMethod {
-  enum class Kind : std::uint8_t { trapezoid, hull, zones, anchors } kind;
-  double ratio = 1.0;                        ///< of zones
-  AnchorSites sites = AnchorSites::touched;  ///< of anchors
+  enum class Kind : std::uint8_t {
+    trapezoid,
+    hull,
+    seams,   ///< a hull that crosses nodes where limits change much no faster than zero acceleration there allows
+    anchors  ///< ramps that end at nodes which limit the speed
+  } kind;
+  double seam_ratio = 1e300;  ///< by how much limits change at a seam, which may be an anchor, too
 };
 
 /// The ways to try for a law. Under limits that are the same everywhere the first is the best one.

@@ -10,6 +10,8 @@ namespace {
 constexpr std::size_t kUnionsPerKernel = 4, kLeastUnions = 64;
 /// Bridges in a row of which each must be made again because of the next.
 constexpr std::size_t kDeepest = 2000;
+/// Share of its cap that a kernel's bottom keeps.
+constexpr double kLeastBottom = 0.5;
 
 class MixedHullBuilder {
  public:
@@ -56,13 +58,22 @@ class MixedHullBuilder {
     return met.meet > k.tilt || left.leave < k.tilt;
   }
 
-  /// Bottoms out of order: their tilts go.
+  /// Whether a tilt, chosen under other limits, still makes a kernel under these.
+  static bool suits(const Kernel& under, const SpanLimits& limits) {
+    return under.tilt == 0 ||
+           (under.tilt <= limits.up.top && -under.tilt <= limits.down.top && under.bottom >= kLeastBottom * under.cap);
+  }
+
+  /// Tilts that do not suit the limits, or put bottoms out of order, go.
+  /// @return whether any did
   bool drop_tilts(std::uint32_t k, const SpanLimits& limits) {
     const std::uint32_t top = hull_.entries.back().kernel;
-    if (kernel_under(kernels_[top], limits).right <= kernel_under(kernels_[k], limits).left) return false;
     if (kernels_[k].tilt == 0 && kernels_[top].tilt == 0) return false;
-    if (kernels_[k].tilt != 0) set_tilt(kernels_[k], 0.0, limits);
-    if (kernels_[top].tilt == 0 || size() == 1) return true;
+    const Kernel near = kernel_under(kernels_[top], limits), far = kernel_under(kernels_[k], limits);
+    const bool in_order = near.right <= far.left, near_suits = suits(near, limits);
+    if (in_order && near_suits && suits(far, limits)) return false;
+    if (far.tilt != 0 && (!in_order || !suits(far, limits))) set_tilt(kernels_[k], 0.0, limits);
+    if (near.tilt == 0 || (in_order && near_suits)) return true;
     set_tilt(kernels_[top], 0.0, limits);
     const SpanBounds met = hull_.met.back(), after = after_.back();
     pop(met);

@@ -1,9 +1,7 @@
 #include "toolpace/plan/span_plan.h"
 
 #include <algorithm>
-#include <optional>
 
-#include "toolpace/plan/anchored_plan.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/span_emit.h"
 #include "toolpace/plan/span_filter.h"
@@ -16,12 +14,6 @@ namespace {
 
 /// Rounds of taking tilts away before a stretch goes back to its plan without tilts.
 constexpr std::size_t kMostRepairs = 8;
-
-/// Blocks a zone on average, at least: where limits jump from block to block a hull in each gains nothing.
-constexpr std::size_t kLeastZone = 10;
-
-/// Rounds of giving up seams between zones before the zones are given up.
-constexpr int kMostSeamTrials = 3;
 
 /// Stretches of no more kernels than this get a few passes more: they cost nothing there and gain some tenths of a percent.
 constexpr std::size_t kShortStretch = 20000;
@@ -47,26 +39,23 @@ class StretchPlanner {
  public:
   StretchPlanner(int passes, std::vector<Phase>& phases) : passes_(passes), mixed_(passes), writer_(phases) {}
 
-  /// @return the end that cannot be crossed at its cap with zero acceleration, and then nothing is added; nothing if all is well
-  std::optional<std::size_t> add(const SpanChain& chain) {
+  /// @return false where the stretch has no hull, which never happens from rest to rest
+  bool add(const SpanChain& chain) {
     if (!has_one_limit(chain)) {
       select_kernels(chain, kernels_);
       if (mixed_.plan(chain, kernels_, best_)) {
         writer_.splice(best_);
-        return std::nullopt;
+        return true;
       }
     }
     const SpanLimits limits = smallest_limits(chain.limits, chain.first, chain.last);
     select_kernels(chain, kernels_);
-    if (!build_hull(kernels_, limits, hull_)) return chain.last;
-    // From a rest, or to one, there is always a way.
-    if (hull_[1].bridge.leave < 0) return chain.first;
-    if (hull_.back().bridge.meet > 0) return chain.last;
+    if (!build_hull(kernels_, limits, hull_) || hull_[1].bridge.leave < 0 || hull_.back().bridge.meet > 0) return false;
     best_.clear();
     if (hull_.size() > 2 && passes_ > 0) improve(limits);
     if (best_.empty()) emit(limits, best_);
     writer_.splice(best_);
-    return std::nullopt;
+    return true;
   }
 
  private:
@@ -123,101 +112,21 @@ class StretchPlanner {
   std::vector<Phase> trial_, best_;
 };
 
-/// What came of planning from seam to seam.
-struct Pieces {
-  MotionPlan plan;
-  std::vector<std::size_t> broken_seams;  ///< nodes that cannot be seams; the plan is worth nothing then
-};
-
-/// Plans from seam to seam; `is_seam(node)` for inner nodes.
-template <class F>
-Pieces plan_pieces(const SpeedLimits& limits, const std::vector<double>& cap, int passes, const Monitor& monitor,
-                   F&& is_seam) {
-  const std::vector<double> square = fastest_squares(limits, cap);
-  const std::vector<double> position = node_positions(limits);
-  Pieces pieces;
-  StretchPlanner planner(passes, pieces.plan.phases);
-  for (std::size_t first = 0; first < limits.size();) {
-    std::size_t last = first + 1;
-    while (last < limits.size() && !is_seam(last)) ++last;
-    if (const auto broken = planner.add({limits, cap, square, position, first, last})) {
-      pieces.broken_seams.push_back(*broken);
-    }
-    if (monitor.is_cancelled()) return pieces;
-    first = last;
-  }
-  return pieces;
-}
-
-bool widens(double& low, double& high, double value, double ratio) {
-  low = std::min(low, value);
-  high = std::max(high, value);
-  return high > low * ratio;
-}
-
-/// Ranges of the ramp limits in a zone.
-struct ZoneRange {
-  Dynamics low, high;
-
-  /// Takes a block in; false where the limits then differ by more than `ratio`.
-  bool include(const Dynamics& d, double ratio) {
-    const bool a = widens(low.up.acceleration, high.up.acceleration, d.up.acceleration, ratio);
-    const bool b = widens(low.up.jerk, high.up.jerk, d.up.jerk, ratio);
-    const bool c = widens(low.down.acceleration, high.down.acceleration, d.down.acceleration, ratio);
-    const bool e = widens(low.down.jerk, high.down.jerk, d.down.jerk, ratio);
-    return !(a || b || c || e);
-  }
-};
-
-/// The same chain with one set of ramp limits a zone, the smallest ones in it. Zones end at rests.
-/// @param joined  nodes where no zone may end
-SpeedLimits unite_zones(const SpeedLimits& limits, const std::vector<double>& cap, double ratio,
-                        const std::vector<bool>& joined) {
-  SpeedLimits zoned = limits;
-  zoned.dynamics.clear();
-  zoned.dynamics_cause.clear();
-  for (std::size_t first = 0; first < limits.size();) {
-    ZoneRange range{limits.dynamics_of(first), limits.dynamics_of(first)};
-    Dynamics smallest = range.low;
-    std::size_t last = first + 1;
-    for (; last < limits.size() && cap[last] > 0; ++last) {
-      if (limits.ramp[last] == limits.ramp[last - 1]) continue;
-      if (!range.include(limits.dynamics_of(last), ratio) && !joined[last]) break;
-      smallest = range.low;
-    }
-    std::fill(zoned.ramp.begin() + static_cast<std::ptrdiff_t>(first),
-              zoned.ramp.begin() + static_cast<std::ptrdiff_t>(last),
-              static_cast<std::uint32_t>(zoned.dynamics.size()));
-    zoned.dynamics.push_back(smallest);
-    first = last;
-  }
-  return zoned;
-}
-
 }  // namespace
 
 MotionPlan plan_span_ramps(const SpeedLimits& limits, const std::vector<double>& cap, int passes,
                            const Monitor& monitor) {
-  auto pieces = plan_pieces(limits, cap, passes, monitor, [&](std::size_t node) { return cap[node] == 0; });
-  if (!pieces.broken_seams.empty() || monitor.is_cancelled()) return {};
-  return std::move(pieces.plan);
-}
-
-MotionPlan plan_zoned_ramps(const SpeedLimits& limits, const std::vector<double>& cap, double ratio, int passes,
-                            const Monitor& monitor) {
-  std::vector<bool> joined(limits.size() + 1, false);
-  for (int trial = 0; trial < kMostSeamTrials; ++trial) {
-    const SpeedLimits zoned = unite_zones(limits, cap, ratio, joined);
-    if (zoned.dynamics.size() * kLeastZone > limits.size()) return {};
-    const std::vector<double> settled = settle_where_limits_change(zoned, cap);
-    auto pieces = plan_pieces(zoned, settled, passes, monitor, [&](std::size_t node) {
-      return settled[node] == 0 || zoned.ramp[node] != zoned.ramp[node - 1];
-    });
-    if (monitor.is_cancelled()) return {};
-    if (pieces.broken_seams.empty()) return std::move(pieces.plan);
-    for (const std::size_t node : pieces.broken_seams) joined[node] = true;
+  const std::vector<double> square = fastest_squares(limits, cap);
+  const std::vector<double> position = node_positions(limits);
+  MotionPlan plan;
+  StretchPlanner planner(passes, plan.phases);
+  for (std::size_t first = 0; first < limits.size();) {
+    std::size_t last = first + 1;
+    while (last < limits.size() && cap[last] > 0) ++last;
+    if (monitor.is_cancelled() || !planner.add({limits, cap, square, position, first, last})) return {};
+    first = last;
   }
-  return {};
+  return plan;
 }
 
 }  // namespace toolpace::detail
