@@ -14,6 +14,7 @@
 #include <QSlider>
 #include <algorithm>
 
+#include "panels/dock_title.h"
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
 #include "panels/problems_panel.h"
@@ -170,6 +171,21 @@ void MainWindow::showCursor(double time) {
     contour_->setHighlightedLine(instant.line);
     if (following_) nc_->view().setCurrentLine(static_cast<int>(instant.line));
   }
+}
+
+void MainWindow::showState() {
+  using State = ui::Refiner::State;
+  const State state = workspace_.refinement();
+  ui::DockTitle& title = *titles_["tuningDock"];
+  transport_->setTask(state == State::running ? tr("refining…") : tr("planning"));
+  if (workspace_.isStale()) return title.setBadge(tr("stale"), tr("The plan shown is not yet the one of these parameters"));
+  if (state == State::running) {
+    return title.setBadge(tr("refining…"), tr("Shown is a quick plan with blended corners; the smooth one is computed"));
+  }
+  if (state == State::given_up) {
+    return title.setBadge(tr("not refined"), tr("Shown is a quick plan with blended corners; reload (F5) to refine it"));
+  }
+  title.setBadge({}, {});
 }
 
 void MainWindow::holdAt(std::optional<double> time) {

@@ -85,6 +85,7 @@ class MainWindow : public QMainWindow {
   void showProblems();
   void showCursor(double time);
   void showTitle();
+  void showState();
   void showFailure(const Error& error, const QString& path);
   // main_window_wiring.cpp
   void connectWorkspace();

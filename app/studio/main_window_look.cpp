@@ -117,6 +117,7 @@ void MainWindow::retranslate() {
   tool_bar_->setWindowTitle(tr("Tools"));
   showProblems();
   showTitle();
+  showState();
 }
 
 }  // namespace toolpace::studio

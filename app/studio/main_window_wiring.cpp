@@ -31,9 +31,8 @@ void MainWindow::connectWorkspace() {
   connect(&workspace_, &Workspace::openFailed, this, &MainWindow::showFailure);
   connect(&workspace_, &Workspace::busyChanged, transport_, &ui::TransportBar::setBusy);
   connect(&workspace_, &Workspace::progressed, transport_, &ui::TransportBar::setProgress);
-  connect(&workspace_, &Workspace::staleChanged, this, [this](bool stale) {
-    for (const auto& [name, title] : titles_) title->setStale(stale && name == "tuningDock");
-  });
+  connect(&workspace_, &Workspace::staleChanged, this, &MainWindow::showState);
+  connect(&workspace_, &Workspace::refinementChanged, this, &MainWindow::showState);
   connect(&workspace_.playback(), &ui::Playback::playingChanged, transport_, &ui::TransportBar::setPlaying);
   connect(&workspace_.tuning().undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
 }

@@ -20,6 +20,14 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
   connect(&planner_, &PlannerService::failed, this, &Workspace::takeFailure);
   connect(&planner_, &PlannerService::progressed, this, &Workspace::progressed);
   connect(&proof_service_, &ProofService::proven, this, &Workspace::takeProof);
+  connect(&refiner_, &Refiner::refined, this, &Workspace::takeRefined);
+  connect(&refiner_, &Refiner::failed, this, [this](const Error& error) { collectProblems({as_diagnostic(error)}); });
+  connect(&refiner_, &Refiner::progressed, this, &Workspace::progressed);
+  connect(&refiner_, &Refiner::stateChanged, this, [this](Refiner::State state) {
+    emit refinementChanged(state);
+    emit busyChanged(isBusy());
+    if (state == Refiner::State::given_up && plan_) proof_service_.request(plan_.timeline->outcome());
+  });
   connect(&watcher_, &FileWatcher::changed, this, &Workspace::reload);
   connect(&playback_, &Playback::advanced, this, &Workspace::setCursorTime);
   const auto busy = [this] { emit busyChanged(isBusy()); };
@@ -64,6 +72,7 @@ void Workspace::editLine(int line, const QString& text) {
 void Workspace::cancel() {
   reader_.cancel();
   planner_.cancel();
+  refiner_.giveUp();
 }
 
 void Workspace::takeDocument(std::shared_ptr<const Document> document) {
@@ -93,17 +102,32 @@ void Workspace::replan() {
   const auto next = job();
   if (!next) return;
   setStale(true);
-  planner_.submit(next);
+  refiner_.drop();
+  proof_service_.request(nullptr);
+  planner_.submit(is_refined_later(*next) ? quick_version(*next) : next);
 }
 
 void Workspace::takePlan(const Planned& plan, quint64 generation) {
   if (!document_ || plan.timeline->outcome()->job->program != document_->reading) return;  // another program was opened
-  plan_ = plan;
   if (planner_.isLatest(generation)) setStale(false);
+  show(plan);
+  if (stale_) return;
+  const auto asked = job();
+  if (is_refined_later(*asked)) return refiner_.request(asked);
+  proof_service_.request(plan_.timeline->outcome());
+}
+
+void Workspace::takeRefined(const Planned& plan) {
+  if (!document_ || plan.timeline->outcome()->job->program != document_->reading) return;
+  show(plan);
+  proof_service_.request(plan_.timeline->outcome());
+}
+
+void Workspace::show(const Planned& plan) {
+  plan_ = plan;
   collectProblems(plan_.timeline->outcome()->warnings);
   emit planChanged();
   setCursorTime(cursor_);
-  proof_service_.request(stale_ ? nullptr : plan_.timeline->outcome());
 }
 
 void Workspace::takeProof(std::shared_ptr<const Proof> proof) {

@@ -9,6 +9,7 @@
 #include "jobs/playback.h"
 #include "jobs/proof_service.h"
 #include "jobs/reader_service.h"
+#include "jobs/refiner.h"
 #include "models/tuning_model.h"
 
 namespace toolpace::ui {
@@ -29,7 +30,10 @@ class Workspace : public QObject {
   const Diagnostics& problems() const { return problems_; }  ///< of reading and of planning
   double cursorTime() const { return cursor_; }
   bool isStale() const { return stale_; }  ///< the plan shown is not yet the one of the present parameters
-  bool isBusy() const { return reader_.isBusy() || planner_.isBusy(); }
+  bool isBusy() const { return reader_.isBusy() || planner_.isBusy() || isRefining(); }
+  /// The plan shown is a quick one; a better one is on its way.
+  bool isRefining() const { return refiner_.state() == Refiner::State::running; }
+  Refiner::State refinement() const { return refiner_.state(); }
   bool isProving() const { return proof_service_.isRunning(); }
   /// The job as it stands; null without a program.
   std::shared_ptr<const Job> job() const;
@@ -57,6 +61,7 @@ class Workspace : public QObject {
   void problemsChanged();
   void cursorChanged(double time);
   void staleChanged(bool stale);
+  void refinementChanged(toolpace::ui::Refiner::State state);
   void busyChanged(bool busy);
   void progressed(double fraction);
   void openFailed(const toolpace::Error& error, const QString& path);
@@ -64,6 +69,8 @@ class Workspace : public QObject {
  private:
   void replan();
   void takeDocument(std::shared_ptr<const Document> document);
+  void show(const Planned& plan);
+  void takeRefined(const Planned& plan);
   void takePlan(const Planned& plan, quint64 generation);
   void takeFailure(const Error& error, quint64 generation);
   void takeProof(std::shared_ptr<const Proof> proof);
@@ -73,6 +80,7 @@ class Workspace : public QObject {
   TuningModel tuning_;
   ReaderService reader_;
   PlannerService planner_;
+  Refiner refiner_;
   ProofService proof_service_;
   FileWatcher watcher_;
   Playback playback_;

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "preview/motion_state.h"
+
 namespace toolpace::ui {
 namespace {
 
-const Phase& phase_at(const std::vector<Phase>& phases, double time) {
-  const auto after = std::upper_bound(phases.begin(), phases.end(), time,
-                                      [](double t, const Phase& phase) { return t < phase.begin; });
-  return after == phases.begin() ? phases.front() : *std::prev(after);
-}
-
-double distance_at(const std::vector<Phase>& phases, double time) {
-  const Phase& phase = phase_at(phases, time);
+double distance_at(const MotionPlan& plan, double time) {
+  const Phase& phase = plan.phases[phase_at(plan, time)];
   return evaluate(phase, std::clamp(time - phase.begin, 0.0, phase.duration)).distance;
 }
 
@@ -91,13 +87,14 @@ Instant Timeline::at(double time) const {
   const auto& o = *outcome_;
   Instant instant;
   instant.time = std::clamp(time, 0.0, duration());
-  const auto& phases = o.plan.phases;
-  if (phases.empty() || o.path->size() == 0) return instant;
-  const Phase& phase = phase_at(phases, instant.time);
-  instant.state = evaluate(phase, std::clamp(instant.time - phase.begin, 0.0, phase.duration));
+  if (o.plan.phases.empty() || o.path->size() == 0) return instant;
+  instant.state = motion_at(o.plan, instant.time);
   instant.block = block_at(instant.time);
-  const double along = instant.state.distance - distance_at(phases, o.node_time[instant.block]);
+  const double along = instant.state.distance - distance_at(o.plan, o.node_time[instant.block]);
   instant.position = point_at(*o.path, instant.block, std::clamp(along, 0.0, o.path->length[instant.block]));
+  if (const TimeSpline* spline = spline_at(o.plan, instant.time)) {
+    instant.position = evaluate(*spline, std::clamp(instant.time - spline->begin, 0.0, spline->duration())).position;
+  }
   instant.line = line_of_block(instant.block);
   const auto restraint = std::upper_bound(o.restraints.begin(), o.restraints.end(), instant.time,
                                           [](double t, const Restraint& r) { return t < r.begin; });

@@ -1,5 +1,5 @@
 #pragma once
-/// Title bar of a panel: a quiet heading, a "stale" badge, room for the panel's own controls.
+/// Title bar of a panel: a quiet heading, a badge, room for the panel's own controls.
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,17 +14,15 @@ class DockTitle : public QWidget {
   explicit DockTitle(QWidget* parent = nullptr);
 
   void setTitle(const QString& title);
-  void setStale(bool stale);
+  /// A few words beside the title, such as "stale"; empty = none.
+  void setBadge(const QString& text, const QString& tip);
   void addControl(QWidget* control);
 
   QSize sizeHint() const override;  ///< what a dock makes room for
   QSize minimumSizeHint() const override;
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
-  QLabel *title_, *stale_;
+  QLabel *title_, *badge_;
   QHBoxLayout* row_;
 };
 

@@ -116,6 +116,8 @@ void TransportBar::setBusy(bool busy) {
   if (busy) setProgress(0);
 }
 
+void TransportBar::setTask(const QString& text) { busy_->setText(text); }
+
 void TransportBar::setProgress(double fraction) { progress_->setValue(static_cast<int>(fraction * 100)); }
 
 void TransportBar::setMessage(const QString& text) {
@@ -155,7 +157,6 @@ void TransportBar::retranslate() {
   name(last_, tr("To the end"), "End");
   name(rate_, tr("Playback speed"));
   name(cancel_, tr("Cancel"), "Esc");
-  busy_->setText(tr("planning"));
   progress_->setAccessibleName(tr("Progress"));
 }
 

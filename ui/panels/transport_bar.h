@@ -23,6 +23,7 @@ class TransportBar : public QWidget {
   void setInstant(const std::optional<Instant>& instant);
   void setPlaying(bool playing);
   void setBusy(bool busy);
+  void setTask(const QString& text);  ///< what it is busy with
   void setProgress(double fraction);
   void setMessage(const QString& text);
   void setLengthUnit(LengthUnit unit);

@@ -1,0 +1,37 @@
+#pragma once
+/// Draws the tolerance band: programmed path, band, and the smoothed path inside it, enlarged about the programmed one.
+
+#include <QImage>
+#include <QString>
+
+#include "models/units.h"
+#include "preview/projection.h"
+#include "preview/tube_trace.h"
+#include "theme/theme.h"
+
+namespace toolpace::ui {
+
+struct TubeStyle {
+  Theme theme;
+  double enlargement = 1.0;  ///< of band and offset
+  double width = 1.6;        ///< of the smoothed path [px of the image]
+};
+
+/// From this share of the tolerance on it counts as used up and is drawn in the colour of a warning.
+inline constexpr double kUsedUp = 0.9;
+
+/// The band and, dashed, the programmed path: to be drawn beneath the plan.
+/// @return false where the band is too narrow to be seen, or too long to be drawn in time
+bool draw_band(QImage& image, const TubeTrace& trace, const Projection& projection, const TubeStyle& style);
+
+/// The planned path, its distance from the programmed one enlarged like the band; where the tolerance is used up, in the
+/// colour of a warning. With a ring at the place that uses most of it. To be drawn over the plan.
+void draw_inside_band(QImage& image, const TubeTrace& trace, const Projection& projection, const TubeStyle& style);
+
+/// "band ±10 µm · at most 9.8 µm used (98 %)"
+QString tube_caption(const TubeTrace& trace, LengthUnit unit);
+
+/// "4.2 of 10 µm tolerance (42 %)" at a row; empty where there is no tolerance.
+QString tube_text(const TubeTrace& trace, std::size_t row, LengthUnit unit);
+
+}  // namespace toolpace::ui
