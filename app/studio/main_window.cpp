@@ -112,7 +112,8 @@ void MainWindow::showPlan() {
   nc_->view().setColourMap(contour_->colourMap());
   const auto speed = static_cast<std::size_t>(ui::ColourBy::speed);
   nc_->view().setTimeline(plan.timeline, plan ? plan.scene->range[speed].high : 0);
-  contour_->setScene(plan.scene);
+  contour_->setScene(plan.proof ? plan.proof->scene : plan.scene);
+  contour_->setTube(plan.proof ? plan.proof->tube : nullptr);
   profile_->setSeries(plan.series);
   profile_->setErrorTrace(plan.proof ? plan.proof->scene->trace : nullptr);
   results_->setPlans(plan, workspace_.pinned());
@@ -178,12 +179,15 @@ void MainWindow::showState() {
   const State state = workspace_.refinement();
   ui::DockTitle& title = *titles_["tuningDock"];
   transport_->setTask(state == State::running ? tr("refining…") : tr("planning"));
-  if (workspace_.isStale()) return title.setBadge(tr("stale"), tr("The plan shown is not yet the one of these parameters"));
+  if (workspace_.isStale())
+    return title.setBadge(tr("stale"), tr("The plan shown is not yet the one of these parameters"));
   if (state == State::running) {
-    return title.setBadge(tr("refining…"), tr("Shown is a quick plan with blended corners; the smooth one is computed"));
+    return title.setBadge(tr("refining…"),
+                          tr("Shown is a quick plan with blended corners; the smooth one is computed"));
   }
   if (state == State::given_up) {
-    return title.setBadge(tr("not refined"), tr("Shown is a quick plan with blended corners; reload (F5) to refine it"));
+    return title.setBadge(tr("not refined"),
+                          tr("Shown is a quick plan with blended corners; reload (F5) to refine it"));
   }
   title.setBadge({}, {});
 }

@@ -23,6 +23,7 @@ void MainWindow::connectWorkspace() {
   connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPinned);
   connect(&workspace_, &Workspace::proofChanged, this, [this] {
     contour_->setScene(workspace_.plan().proof->scene);
+    contour_->setTube(workspace_.plan().proof->tube);
     profile_->setErrorTrace(workspace_.plan().proof->scene->trace);
     results_->setPlans(workspace_.plan(), workspace_.pinned());
   });

@@ -66,6 +66,7 @@ Result<std::shared_ptr<const Proof>> proof_of(std::shared_ptr<const Outcome> out
   if (outcome->plan.splines.empty()) {
     proof->bound = lower_bound(outcome->limits, outcome->job->options.law) + outcome->summary.dwell_time;
   }
+  proof->tube = make_tube_trace(*outcome, monitor);
   proof->scene = make_contour_scene(outcome, errors);
   return proof;
 }

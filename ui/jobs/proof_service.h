@@ -8,6 +8,7 @@
 
 #include "jobs/background.h"
 #include "preview/contour_scene.h"
+#include "preview/tube_trace.h"
 #include "toolpace/servo/servo_simulation.h"
 #include "toolpace/verify/report.h"
 
@@ -20,6 +21,7 @@ struct Proof {
   ServoSummary servo;                         ///< of the machine's drives
   std::optional<double> bound;                ///< no plan on this path is faster [s]; none off the path
   std::shared_ptr<const ContourScene> scene;  ///< the preview with the contour errors in it
+  std::shared_ptr<const TubeTrace> tube;      ///< null for plans that stay on the programmed path
 };
 
 /// A plan of at most this many setpoints is proven without being asked; longer ones would keep a core busy for long.

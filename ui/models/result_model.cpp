@@ -23,16 +23,21 @@ void ResultModel::retranslate() {
   beginResetModel();
   using P = const Planned&;
   const auto proven = [](P p, double value) { return p.proof ? value : std::nan(""); };
-  const auto bound = [](P p) { return p.proof && p.proof->bound ? *p.proof->bound : std::nan(""); };
+  const auto deviation = [](P p) { return p.proof && p.proof->tube ? p.proof->tube->largest_offset : 0.0; };
+  // A motion off the path has no bound of this kind, and its row is left out.
+  const auto bound = [](P p) {
+    if (!p.timeline->outcome()->plan.splines.empty()) return 0.0;
+    return p.proof && p.proof->bound ? *p.proof->bound : std::nan("");
+  };
   using enum Shown;
   rows_ = {
       {tr("Cycle time"), Quantity::time, true, quantity, [](P p) { return summary(p).cycle_time; }},
       {tr("· cutting"), Quantity::time, true, quantity, [](P p) { return summary(p).feed_time; }},
       {tr("· rapid"), Quantity::time, true, quantity, [](P p) { return summary(p).rapid_time; }, true},
       {tr("· dwell"), Quantity::time, true, quantity, [](P p) { return summary(p).dwell_time; }, true},
-      {tr("Lower bound"), Quantity::time, true, quantity, bound},
+      {tr("Lower bound"), Quantity::time, true, quantity, bound, true},
       {tr("· plan above it"), Quantity::time, true, share,
-       [bound](P p) { return bound(p) > 0 ? summary(p).cycle_time / bound(p) - 1 : std::nan(""); }},
+       [bound](P p) { return bound(p) == 0 ? 0.0 : summary(p).cycle_time / bound(p) - 1; }, true},
       {tr("Peak speed"), Quantity::speed, false, quantity, [](P p) { return summary(p).max_speed; }},
       {tr("Peak accel."), Quantity::acceleration, false, quantity, [](P p) { return summary(p).max_acceleration; }},
       {tr("Peak jerk"), Quantity::jerk, false, quantity, [](P p) { return summary(p).max_jerk; }},
@@ -41,6 +46,7 @@ void ResultModel::retranslate() {
        [proven](P p) { return proven(p, p.proof ? p.proof->servo.max_contour_error : 0); }},
       {tr("Chord error"), Quantity::length, true, error,
        [proven](P p) { return proven(p, p.proof ? p.proof->report.chord_error.value_or(std::nan("")) : 0); }},
+      {tr("Off the path"), Quantity::length, true, error, deviation, true},
       {tr("Mean speed"), Quantity::speed, false, quantity,
        [](P p) { return summary(p).cycle_time > 0 ? summary(p).path_length / summary(p).cycle_time : 0.0; }},
       {tr("Path length"), Quantity::length, false, quantity, [](P p) { return summary(p).path_length; }},

@@ -16,7 +16,7 @@ DockTitle::DockTitle(QWidget* parent)
   row_->setSpacing(4);
   title_->setProperty("role", "heading");
   badge_->setProperty("role", "warning");
-  badge_->setObjectName("staleBadge");
+  badge_->setObjectName(parent->objectName() + "Badge");
   badge_->hide();
   row_->addWidget(title_);
   row_->addWidget(badge_);

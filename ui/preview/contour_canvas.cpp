@@ -90,6 +90,16 @@ void ContourCanvas::setTolerance(double tolerance) {
   redraw();
 }
 
+void ContourCanvas::setTube(std::shared_ptr<const TubeTrace> tube) {
+  tube_ = std::move(tube);
+  redraw();
+}
+
+void ContourCanvas::setBandShown(bool shown) {
+  band_shown_ = shown;
+  redraw();
+}
+
 void ContourCanvas::setCursorTime(std::optional<double> time) {
   cursor_time_ = time;
   cursor_.reset();
@@ -164,8 +174,11 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
     if (travel_visible_) drawTravel(painter, projection);
-    if (tolerance_ > 0) drawBand(painter, projection);
+    if (tolerance_ > 0 && band_shown_ && !tube_) drawBand(painter, projection);
   }
+  const bool in_band = tube_ && band_shown_;
+  const TubeStyle tube_style{theme_, enlargement_, 1.6 * ratio};
+  const bool has_band = in_band && draw_band(image, *tube_, projection, tube_style);
   if (ghost_) {
     draw_scene(
         image, *ghost_, projection,
@@ -181,7 +194,8 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
   style.smooth = smooth;
   if (!smooth) style.detail = 1.3;
   last_pieces_ = draw_scene(image, *scene_, projection, style);
-  if (scene_->trace && enlargement_ > 1.0) {
+  if (has_band) draw_inside_band(image, *tube_, projection, tube_style);
+  if (scene_->trace && enlargement_ > 1.0 && !in_band) {
     draw_trace(image, *scene_->trace, projection, enlargement_, theme_.error.rgb(), 1.2 * ratio);
   }
   last_draw_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
@@ -218,6 +232,7 @@ void ContourCanvas::paintEvent(QPaintEvent*) {
   drawAxes(painter);
   if (!scene_ || scene_->is_empty()) return drawHint(painter);
   drawScaleBar(painter);
+  drawCaption(painter);
   drawHighlight(painter);
   drawCursor(painter);
   drawHover(painter);

@@ -11,6 +11,7 @@
 #include "preview/colour_map.h"
 #include "preview/contour_scene.h"
 #include "preview/scene_draw.h"
+#include "preview/tube_draw.h"
 #include "theme/theme.h"
 
 namespace toolpace::ui {
@@ -28,7 +29,10 @@ class ContourCanvas : public QWidget {
   void setColourBy(ColourBy by);
   void setColourMap(ColourMap map);
   void setEnlargement(double factor);   ///< of the contour error, ≥ 1
-  void setTolerance(double tolerance);  ///< [mm] half width of the band; 0 = none
+  void setTolerance(double tolerance);  ///< [mm] half width of the band while there is no tube; 0 = none
+  /// The plan inside the tolerance band; null = it stays on the programmed path.
+  void setTube(std::shared_ptr<const TubeTrace> tube);
+  void setBandShown(bool shown);
   void setCursorTime(std::optional<double> time);
   std::optional<double> cursorTime() const { return cursor_time_; }
   void setHighlight(std::optional<std::pair<double, double>> span);  ///< [s]
@@ -85,6 +89,7 @@ class ContourCanvas : public QWidget {
   void drawAxes(QPainter& painter) const;
   void drawScaleBar(QPainter& painter) const;
   void drawHover(QPainter& painter) const;
+  void drawCaption(QPainter& painter) const;
   void drawHint(QPainter& painter) const;
   void updateColours();
   void hover(const QPointF& at);
@@ -98,7 +103,8 @@ class ContourCanvas : public QWidget {
   ColourMap map_ = ColourMap::cividis;
   ColourTable colours_ = {};
   double enlargement_ = 1.0, tolerance_ = 0.0;
-  bool travel_visible_ = true;
+  bool travel_visible_ = true, band_shown_ = true;
+  std::shared_ptr<const TubeTrace> tube_;
 
   Projection projection_;
   bool follows_fit_ = true;  // until the camera is moved by hand, a new size fits again

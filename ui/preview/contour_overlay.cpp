@@ -167,6 +167,9 @@ void ContourCanvas::drawHover(QPainter& painter) const {
                value(hovered_->state.jerk, Quantity::jerk);
   if (const auto cause = cause_at(*scene_->outcome, hovered_->time))
     lines << tr("held by: %1").arg(cause_title(*cause));
+  if (const auto row = tube_ ? tube_->row_at(hovered_->time) : std::nullopt) {
+    if (const QString text = tube_text(*tube_, *row, unit_); !text.isEmpty()) lines << text;
+  }
   const QFontMetricsF metrics(font());
   double wide = 0;
   for (const auto& line : lines) wide = std::max(wide, metrics.horizontalAdvance(line));
@@ -176,6 +179,17 @@ void ContourCanvas::drawHover(QPainter& painter) const {
   if (area.bottom() > height() - 4) area.moveBottom(hover_at_.y() - 12);
   area.moveLeft(std::max(area.left(), 4.0));
   draw_chip(painter, theme_, area, lines);
+}
+
+/// What is enlarged, and how much of the tolerance the plan takes.
+void ContourCanvas::drawCaption(QPainter& painter) const {
+  QStringList texts;
+  if (enlargement_ > 1) texts << QStringLiteral("×%1").arg(enlargement_);
+  if (tube_ && band_shown_ && tube_->size() > 0) texts << tube_caption(*tube_, unit_);
+  if (texts.isEmpty()) return;
+  painter.setPen(theme_.secondary);
+  painter.drawText(QRectF(rect()).adjusted(16, 8, -16, -8), Qt::AlignLeft | Qt::AlignTop,
+                   texts.join(QStringLiteral("  ·  ")));
 }
 
 void ContourCanvas::drawHint(QPainter& painter) const {

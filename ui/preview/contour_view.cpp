@@ -56,6 +56,14 @@ void ContourView::buildHeader() {
   colour_map_ = combo("colourMap");
   enlargement_ = combo("errorEnlargement");
   for (const int factor : kEnlargements) enlargement_->addItem(QStringLiteral("×%1").arg(factor), factor);
+  band_ = new QToolButton(header_);
+  band_->setObjectName("showBand");
+  band_->setCheckable(true);
+  band_->setChecked(true);
+  band_->setAutoRaise(true);
+  band_->setIconSize({kIcon, kIcon});
+  row->addWidget(band_);
+  connect(band_, &QToolButton::toggled, this, &ContourView::setBandShown);
   row->addStretch(1);
 
   views_ = new QButtonGroup(this);
@@ -99,7 +107,10 @@ void ContourView::retranslate() {
   };
   name(colour_by_, tr("Colour by"), tr("What the colours of the path show"));
   name(colour_map_, tr("Colour map"), tr("Colour map; all are safe for colour-blind eyes"));
-  name(enlargement_, tr("Error enlargement"), tr("How much the contour error is enlarged"));
+  name(enlargement_, tr("Error enlargement"), tr("How much contour error and tolerance band are enlarged"));
+  band_->setText(tr("Band"));
+  name(band_, tr("Tolerance band"),
+       tr("Programmed path, tolerance band, and the plan inside it; off: the simulated drives"));
   if (colour_by_->count() == 0) {
     for (int i = 0; i < static_cast<int>(kColourings); ++i) colour_by_->addItem({}, i);
     for (int i = 0; i < 3; ++i) colour_map_->addItem({});
@@ -138,6 +149,7 @@ void ContourView::updateChoices() {
   }
   items->item(static_cast<int>(ColourBy::contour_error))->setEnabled(scene && scene->trace);
   enlargement_->setVisible(scene && scene->trace);
+  band_->setVisible(has_tube_ || tolerance_ > 0);
 }
 
 void ContourView::setScene(std::shared_ptr<const ContourScene> scene) {
@@ -159,7 +171,22 @@ void ContourView::setUnit(LengthUnit unit) {
   legend_->refresh();
 }
 
-void ContourView::setTolerance(double tolerance) { canvas_->setTolerance(tolerance); }
+void ContourView::setTolerance(double tolerance) {
+  tolerance_ = tolerance;
+  canvas_->setTolerance(tolerance);
+  updateChoices();
+}
+void ContourView::setTube(std::shared_ptr<const TubeTrace> tube) {
+  has_tube_ = tube != nullptr;
+  canvas_->setTube(std::move(tube));
+  updateChoices();
+}
+
+void ContourView::setBandShown(bool shown) {
+  band_->setChecked(shown);
+  canvas_->setBandShown(shown);
+}
+
 void ContourView::setCursorTime(std::optional<double> time) { canvas_->setCursorTime(time); }
 
 void ContourView::setHighlightedLine(std::uint32_t line) {

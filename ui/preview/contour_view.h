@@ -30,7 +30,9 @@ class ContourView : public QWidget {
 
   void setTheme(const Theme& theme);
   void setUnit(LengthUnit unit);
-  void setTolerance(double tolerance);             ///< [mm] half width of the band round the path; 0 = no band
+  void setTolerance(double tolerance);                  ///< [mm] half width of the band round the path; 0 = no band
+  void setTube(std::shared_ptr<const TubeTrace> tube);  ///< see ContourCanvas
+  void setBandShown(bool shown);
   void setCursorTime(std::optional<double> time);  ///< [s]
   void setHighlightedLine(std::uint32_t line);     ///< NC line; 0 = none
   void setColourBy(ColourBy by);
@@ -68,8 +70,11 @@ class ContourView : public QWidget {
   QComboBox* colour_map_;
   QComboBox* enlargement_;
   QButtonGroup* views_;
+  QToolButton* band_;
   QToolButton* fit_;
   View view_ = View::xy;
+  bool has_tube_ = false;
+  double tolerance_ = 0;
   std::uint32_t highlighted_ = 0;
 };
 

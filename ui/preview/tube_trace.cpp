@@ -11,7 +11,7 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr double kReach = 1.5;        // of the tolerance: where setpoints are looked for
+constexpr double kReach = 1.5;         // of the tolerance: where setpoints are looked for
 constexpr double kSagitta = 1.0 / 64;  // of the tolerance: how far a chord of the programmed path may be from its curve
 
 bool rounds(const CornerOptions& corner) {
@@ -29,7 +29,7 @@ double tolerance_of(const Moves& moves, std::uint32_t row, const CornerOptions& 
   switch (mode.control) {
     case PathControl::exact_path:
     case PathControl::exact_stop: return 0.0;
-    case PathControl::blend: return mode.tolerance + mode.naive_tolerance;
+    case PathControl::blend: return mode.tolerance;
     case PathControl::job_default: break;
   }
   return rounds(corner) ? corner.tolerance : 0.0;
@@ -39,7 +39,10 @@ double tolerance_of(const Moves& moves, std::uint32_t row, const CornerOptions& 
 class TubeFollower {
  public:
   TubeFollower(const Path& path, const Outcome& outcome, double reach)
-      : path_(path), outcome_(outcome), reach_(reach), vertices_(path, reach * kSagitta),
+      : path_(path),
+        outcome_(outcome),
+        reach_(reach),
+        vertices_(path, reach * kSagitta),
         follower_(vertices_, reach, turns(path)) {}
 
   /// @return false once the path is lost

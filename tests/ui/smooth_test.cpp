@@ -1,0 +1,171 @@
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include "jobs/refiner.h"
+#include "opened.h"
+#include "panels/number_field.h"
+#include "preview/contour_view.h"
+#include "preview/tube_trace.h"
+#include "support/planned.h"
+#include "support/screenshot.h"
+
+using namespace toolpace;
+using namespace toolpace::ui;
+
+namespace {
+
+constexpr auto kZigzag =
+    "G21 G90 G94\nF3000\nG1 X10\nY2\nX0\nY4\nX10\nY6\nX0\nY8\nX10\nG3 X10 Y18 I0 J5\nG1 X0 Y18\nM2\n";
+
+/// Limits of every axis, which the motion through the tube needs.
+void limit_axes(Workspace& workspace) {
+  workspace.tuning().edit("axes", "axes", [](Tuning& t) {
+    for (auto& axis : t.machine.axes) {
+      axis.speed = 100;
+      axis.acceleration = 3000;
+      axis.jerk = 1e5;
+    }
+    t.options.corner.tolerance = 0.05;
+  });
+}
+
+void choose_corner(Opened& window, CornerRule rule) {
+  auto& box = window.the<QComboBox>("cornerBox");
+  box.setFocus();
+  box.setCurrentIndex(box.findData(static_cast<int>(rule)));
+  emit box.activated(box.currentIndex());
+}
+
+}  // namespace
+
+class SmoothTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void smooth_corners_show_a_quick_plan_first_and_the_refined_one_after_it() {
+    Opened window;
+    window.open(kZigzag);
+    limit_axes(window.workspace());
+    studio::settle(window);
+    QSignalSpy plans(&window.workspace(), &Workspace::planChanged);
+    std::vector<bool> refining;
+    std::vector<double> times;
+    connect(&window.workspace(), &Workspace::planChanged, this, [&] {
+      refining.push_back(window.workspace().plan().timeline->outcome()->plan.splines.empty());
+      times.push_back(window.workspace().timeline()->duration());
+    });
+    choose_corner(window, CornerRule::smooth);
+    QTRY_COMPARE(window.workspace().refinement(), Refiner::State::running);
+    QVERIFY(!window.workspace().isStale());
+    QVERIFY(window.the<QLabel>("tuningDockBadge").isVisible());
+    QVERIFY(window.the<QLabel>("tuningDockBadge").text().contains("refining"));
+    studio::settle(window);
+    QCOMPARE(times.size(), std::size_t{2});
+    QVERIFY2(refining[0] && !refining[1], "a plan along blends first, then one through the tube");
+    QVERIFY2(times[1] < times[0], "what took longer to compute takes less time to run");
+    QVERIFY(!window.the<QLabel>("tuningDockBadge").isVisible());
+  }
+
+  void an_edit_while_refining_is_planned_at_once_and_the_old_refinement_never_arrives() {
+    Opened window;
+    QByteArray many = "G21 G90 G94 F6000\n";
+    for (int i = 0; i < 400; ++i) many += QString("G1 X%1 Y%2\n").arg(i % 2 ? 40 : 0).arg(i).toLatin1();
+    window.open(many + "M2\n");
+    limit_axes(window.workspace());
+    studio::settle(window);
+    choose_corner(window, CornerRule::smooth);
+    QTRY_COMPARE(window.workspace().refinement(), Refiner::State::running);
+    QTest::qWait(200);  // it has begun
+    QSignalSpy plans(&window.workspace(), &Workspace::planChanged);
+    auto& feed = window.the<NumberField>("feedOverrideEdit");
+    feed.setFocus();
+    QTest::keyClick(&feed, Qt::Key_Down);
+    QVERIFY2(plans.wait(5000), "the quick plan of the new parameters");
+    QCOMPARE(window.workspace().plan().timeline->outcome()->job->options.feed_override,
+             window.workspace().tuning().value().options.feed_override);
+    studio::settle(window);
+    QVERIFY(!window.workspace().plan().timeline->outcome()->plan.splines.empty());
+    QCOMPARE(window.workspace().plan().timeline->outcome()->job->options.feed_override,
+             window.workspace().tuning().value().options.feed_override);
+  }
+
+  void cancelling_keeps_the_quick_plan_and_says_so() {
+    Opened window;
+    QByteArray many = "G21 G90 G94 F6000\n";
+    for (int i = 0; i < 1500; ++i) many += QString("G1 X%1 Y%2\n").arg(i % 2 ? 40 : 0).arg(i).toLatin1();
+    window.open(many + "M2\n");
+    limit_axes(window.workspace());
+    studio::settle(window);
+    choose_corner(window, CornerRule::smooth);
+    QTRY_COMPARE(window.workspace().refinement(), Refiner::State::running);
+    auto& cancel = window.the<QToolButton>("cancelButton");
+    QTRY_VERIFY(cancel.isVisible());
+    screenshot(window, "smooth-refining");
+    QTest::mouseClick(&cancel, Qt::LeftButton);
+    QCOMPARE(window.workspace().refinement(), Refiner::State::given_up);
+    QVERIFY(!window.workspace().isBusy());
+    QVERIFY(window.workspace().plan().timeline->outcome()->plan.splines.empty());
+    QVERIFY(window.the<QLabel>("tuningDockBadge").text().contains("not refined"));
+    QTest::keyClick(&window, Qt::Key_F5);  // and begins anew
+    QTRY_COMPARE(window.workspace().refinement(), Refiner::State::running);
+    window.workspace().cancel();
+  }
+
+  void the_band_follows_the_programmed_path_and_never_exceeds_the_tolerance() {
+    for (const CornerRule rule : {CornerRule::blend, CornerRule::smooth}) {
+      Opened window;
+      window.open(kZigzag);
+      limit_axes(window.workspace());
+      choose_corner(window, rule);
+      window.waitForProof();
+      const auto& proof = window.workspace().plan().proof;
+      QVERIFY(proof && proof->tube);
+      const TubeTrace& tube = *proof->tube;
+      // Every setpoint found its place: the whole program was followed.
+      QVERIFY(tube.time.back() > window.workspace().timeline()->duration() - 0.002);
+      QVERIFY2(tube.largest_share <= 1.0 + 1e-3, qPrintable(QString::number(tube.largest_share)));
+      QVERIFY2(tube.largest_share > 0.5, "corners of 90° are rounded by most of the tolerance");
+      // By hand: the place on the programmed path of a setpoint on the first move is (x, 0).
+      const std::size_t early = *tube.row_at(0.05);
+      QVERIFY(std::abs(tube.programmed[early].y()) < 1e-6f);
+      auto& view = window.the<ContourView>("contourView");
+      auto& enlargement = window.the<QComboBox>("errorEnlargement");
+      enlargement.setCurrentIndex(enlargement.findData(10));
+      emit enlargement.activated(enlargement.currentIndex());
+      QVERIFY(window.the<QToolButton>("showBand").isVisible());
+      const QString name = rule == CornerRule::blend ? "band-blend" : "band-smooth";
+      const QImage with = screenshot(window, name);
+      QTest::mouseClick(&window.the<QToolButton>("showBand"), Qt::LeftButton);
+      const QImage without = screenshot(window, name + "-off");
+      QVERIFY(with != without);
+      view.setEnlargement(1);
+    }
+  }
+
+  void a_plan_that_stays_on_the_path_has_no_band() {
+    Opened window;
+    window.open(kZigzag);
+    window.waitForProof();
+    QVERIFY(!window.workspace().plan().proof->tube);
+    QVERIFY(!window.the<QToolButton>("showBand").isVisible());
+  }
+
+  void tolerances_of_the_program_change_from_block_to_block() {
+    Opened window;
+    window.open("G21 G90 G94 F3000\nG64 P0.2\nG1 X10\nY10\nG61\nX0\nY0\nG64 P0.05\nX10\nY10\nM2\n");
+    window.waitForProof();
+    const auto& tube = window.workspace().plan().proof->tube;
+    QVERIFY(tube);
+    float least = 1, most = 0;
+    for (const float t : tube->tolerance) (least = std::min(least, t), most = std::max(most, t));
+    QCOMPARE(least, 0.0f);
+    QCOMPARE(most, 0.2f);
+    QVERIFY(tube->largest_share <= 1.001);
+  }
+};
+
+QTEST_MAIN(SmoothTest)
+#include "smooth_test.moc"
