@@ -146,6 +146,28 @@ Error unbounded(const char* code, const char* what) {
 
 }  // namespace
 
+std::vector<double> commanded_speeds(const Path& path, const Moves& moves, const Machine& machine,
+                                     const LimitOptions& options) {
+  std::vector<double> speed(path.size(), machine.path.speed);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::uint32_t move = path.move[i];
+    const bool is_rapid = moves.kind[move] == MoveKind::rapid;
+    if (!is_rapid) {
+      const double unit = is_rotary_only(path, i) ? kRadiansPerDegree : 1.0;
+      speed[i] = std::min(speed[i], moves.feed[move] / unit * options.feed_override);
+    }
+    if (path.kind[i] == SegmentKind::line) {
+      const AxisVector u = (path.node[i + 1] - path.node[i]) / path.length[i];
+      for (std::size_t k = 0; k < kAxisCount; ++k) {
+        const double share = std::abs(u[static_cast<Eigen::Index>(k)]);
+        if (share > 0) speed[i] = std::min(speed[i], machine.axes[k].speed / share);
+      }
+    }
+    if (is_rapid) speed[i] *= options.rapid_override;
+  }
+  return speed;
+}
+
 Result<SpeedLimits> limit_speed(const Path& path, const Moves& moves, const Machine& machine,
                                 const LimitOptions& options, const Monitor& monitor) {
   Limiter limiter(path, moves, machine, options);

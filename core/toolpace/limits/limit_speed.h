@@ -34,6 +34,11 @@ struct LimitOptions {
 Result<SpeedLimits> limit_speed(const Path& path, const Moves& moves, const Machine& machine,
                                 const LimitOptions& options, const Monitor& monitor = {});
 
+/// What is commanded in each segment, curvature and the axes' accelerations aside [mm/s]: the feed (with override), the
+/// path's top speed; on lines the axes' top speeds too. Of rapids the rapid override's share.
+std::vector<double> commanded_speeds(const Path& path, const Moves& moves, const Machine& machine,
+                                     const LimitOptions& options);
+
 /// Largest speed that the corner rule allows between two directions, ignoring the blocks' own caps; infinite for none.
 /// @param before, after  direction by path length, per axis
 double corner_speed(const CornerOptions& corner, const AxisVector& before, const AxisVector& after,

@@ -90,6 +90,19 @@ ParameterDerivatives derivatives_at_share(const Path& path, std::size_t i, doubl
   return by_arc_length(blend_derivatives(path.curve_blends[detail - Path::kCurveBlend], share));
 }
 
+double parameter_speed(const Path& path, std::size_t i, double share) {
+  const std::uint32_t detail = path.detail[i];
+  if (path.kind[i] == SegmentKind::spline) {
+    const SplinePiece& piece = path.spline_pieces[detail];
+    const double width = piece.end - piece.begin;
+    return width * spline_derivatives(path.splines[piece.spline], piece.begin + share * width).first.head<3>().norm();
+  }
+  if (detail < Path::kCurveBlend) {
+    return 2 * blend_derivatives(path.corner_blends[detail], 2 * share).first.head<3>().norm();
+  }
+  return blend_derivatives(path.curve_blends[detail - Path::kCurveBlend], share).first.head<3>().norm();
+}
+
 AxisVector start_direction(const Path& path, std::size_t i) {
   if (path.kind[i] >= SegmentKind::spline) return derivatives_at_share(path, i, 0.0).first;
   return frame_at(path, i, 0.0).first;

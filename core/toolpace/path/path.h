@@ -70,6 +70,9 @@ Frame frame_at(const Path& path, std::size_t segment, double s);
 /// matter how long the way to the point is.
 ParameterDerivatives derivatives_at_share(const Path& path, std::size_t segment, double share);
 
+/// Length by that share there [mm]: how unevenly the own parameter runs.
+double parameter_speed(const Path& path, std::size_t segment, double share);
+
 /// Directions at a segment's ends (Frame::first at 0 and at length).
 AxisVector start_direction(const Path& path, std::size_t segment);
 AxisVector end_direction(const Path& path, std::size_t segment);

@@ -14,10 +14,14 @@
 #include "toolpace/plan/hold.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/restraint.h"
+#include "toolpace/plan/retime/retime.h"
 #include "toolpace/plan/smooth/plan_smooth.h"
 
 namespace toolpace {
 namespace {
+
+/// Segments of a path whose plan is timed anew: it costs ten times the plan itself.
+constexpr std::size_t kMostRetimed = 50000;
 
 /// A monitor that maps a stage's 0 … 1 onto its share of the whole.
 Monitor stage(const Monitor& whole, double begin, double end) {
@@ -35,6 +39,15 @@ LimitOptions limit_options(const PlanOptions& options) {
     limits.t_dec = options.t_dec;
   }
   return limits;
+}
+
+/// Are a plan's curves timed anew, with jerk and acceleration shared as the motion needs it? Other laws have a shape to
+/// keep; a window, and a hold, want caps that can be braked from.
+bool is_retimed(const Job& job, const Path& path) {
+  const PlanOptions& o = job.options;
+  const bool jerk_law = o.law == LawKind::seven_phase || o.law == LawKind::time_optimal;
+  return jerk_law && o.ramps == Ramps::span && o.corner.rule == CornerRule::blend && !o.corner.step && !o.lookahead &&
+         !o.hold_at && path.size() <= kMostRetimed;
 }
 
 bool stands_still(const Phase& phase) { return phase.speed == 0 && phase.acceleration == 0 && phase.rate == 0; }
@@ -66,6 +79,24 @@ void measure_spline(const TimeSpline& spline, Summary& summary) {
   }
 }
 
+/// Rounded paths are timed under the axes' limits themselves, and the caps of their curves are no bound. No motion gains
+/// speed with more than all axes' accelerations together.
+double bound_of(const Outcome& o, const Moves& moves) {
+  if (!is_retimed(*o.job, *o.path)) return lower_bound(o.limits, o.job->options.law);
+  SpeedLimits open = o.limits;
+  open.block_cap = commanded_speeds(*o.path, moves, o.job->machine, limit_options(o.job->options));
+  for (std::size_t i = 1; i < open.size(); ++i) {
+    if (open.node_cap[i] > 0) open.node_cap[i] = std::min(open.block_cap[i - 1], open.block_cap[i]);
+  }
+  double square = 0;
+  for (std::size_t k = 0; k < kAxisCount; ++k) square += std::pow(o.job->machine.axes[k].acceleration, 2);
+  for (Dynamics& d : open.dynamics) {
+    d.up.acceleration = std::min(o.job->machine.path.acceleration, std::sqrt(square));
+    d.down.acceleration = std::min(o.job->machine.path.deceleration, std::sqrt(square));
+  }
+  return lower_bound(open, LawKind::trapezoid);
+}
+
 Summary summarise(const Outcome& o, const Moves& moves) {
   Summary s;
   s.blocks = static_cast<std::size_t>(std::count_if(moves.kind.begin(), moves.kind.end(), is_motion));
@@ -83,7 +114,7 @@ Summary summarise(const Outcome& o, const Moves& moves) {
   if (!law_row(o.job->options.law).bounds_jerk) s.max_jerk = kUnlimited;
   measure_times(o, moves, s);
   s.time_by_cause = time_by_cause(o.restraints);
-  if (o.job->bound) s.bound = lower_bound(o.limits, o.job->options.law) + s.dwell_time;
+  if (o.job->bound) s.bound = bound_of(o, moves) + s.dwell_time;
   return s;
 }
 
@@ -134,8 +165,13 @@ Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& jo
   if (is_through_tube(job)) {
     return plan_smooth(path, moves, job.machine, limits, job.options, on_all_cores(monitor), monitor);
   }
-  auto plan = plan_motion(limits, job.options, monitor);
+  auto plan = plan_motion(limits, job.options, stage(monitor, 0.0, 0.5));
   if (!plan) return tl::unexpected(plan.error());
+  if (is_retimed(job, path)) {
+    const auto speed = commanded_speeds(path, moves, job.machine, limit_options(job.options));
+    *plan = retime(path, job.machine, limits, speed, *plan, stage(monitor, 0.5, 1.0));
+    if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+  }
   SmoothPlan result;
   result.node_time = node_times(limits, *plan);
   result.plan = std::move(*plan);

@@ -1,0 +1,96 @@
+#pragma once
+/// A motion along a path as a cubic B-spline in time: jerk is constant between knots.
+
+#include <algorithm>
+#include <vector>
+
+namespace toolpace::detail::retime {
+
+/// From rest to rest: the first three control points are equal, and the last three are.
+class ArcMotion {
+ public:
+  struct State {
+    double distance, speed, acceleration;  ///< [mm, mm/s, mm/s²]
+    double jerk;                           ///< from here on [mm/s³]
+  };
+
+  ArcMotion() = default;
+
+  /// The motion whose positions at uniform knots are close to `position`: smoothed a little, but at the ends, where cubic
+  /// polynomials are kept exactly. No limit that the given positions keep in their differences is passed.
+  /// @param position  of each knot [mm], at least four, not falling
+  ArcMotion(const std::vector<double>& position, double step) : step_(position.size() - 1, step) {
+    const std::size_t n = step_.size();
+    control_.resize(n + 3);
+    const double begin = position.front(), end = position.back();
+    for (std::size_t k = 0; k <= n; ++k) {
+      const double before = k > 0 ? position[k - 1] : begin, after = k < n ? position[k + 1] : end;
+      const double near = static_cast<double>(std::min(k, n - k));
+      const double x = std::clamp((near - kExactEnd) / kExactFade, 0.0, 1.0);
+      const double exact = (1 - x) * (1 - x) * (1 + 2 * x);
+      control_[k + 1] = position[k] - exact * (after - 2 * position[k] + before) / 6;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      control_[k] = begin;
+      control_[n + 2 - k] = end;
+    }
+    for (std::size_t k = 1; k < control_.size(); ++k) {
+      control_[k] = std::min(std::max(control_[k], control_[k - 1]), end);
+    }
+    find_states();
+  }
+
+  bool empty() const { return step_.empty(); }
+  std::size_t intervals() const { return step_.size(); }
+  double step(std::size_t k) const { return step_[k]; }
+  double duration() const {
+    double sum = 0;
+    for (const double h : step_) sum += h;
+    return sum;
+  }
+
+  /// At the beginning of interval k.
+  const State& knot(std::size_t k) const { return state_[k]; }
+
+  /// At share x of interval k.
+  State at(std::size_t k, double x) const {
+    const State& s = state_[k];
+    const double t = x * step_[k];
+    return {s.distance + t * (s.speed + t * (s.acceleration / 2 + t * s.jerk / 6)),
+            s.speed + t * (s.acceleration + t * s.jerk / 2), s.acceleration + t * s.jerk, s.jerk};
+  }
+
+  /// Stretches each interval; neighbours should differ little.
+  void stretch(const std::vector<double>& factor) {
+    for (std::size_t k = 0; k < step_.size(); ++k) step_[k] *= factor[k];
+    find_states();
+  }
+
+ private:
+  static constexpr double kExactEnd = 4, kExactFade = 24;  // [knots]
+
+  /// Derivatives of the control polygon; the position at a knot from its control point, which is the blossom of the knots
+  /// around it.
+  void find_states() {
+    const std::size_t n = step_.size();
+    const auto h = [&](std::size_t k) { return step_[std::min(std::max<std::size_t>(k, 2) - 2, n - 1)]; };  // of k − 2
+    const auto first = [&](std::size_t j) {
+      return 3 * (control_[j + 1] - control_[j]) / (h(j) + h(j + 1) + h(j + 2));
+    };
+    state_.resize(n + 1);
+    double d = first(0);
+    for (std::size_t k = 0; k <= n; ++k) {
+      const double before = h(k + 1), after = h(k + 2), next = first(k + 1);
+      const double v = (d * after + next * before) / (before + after), a = 2 * (next - d) / (before + after);
+      state_[k] = {control_[k + 1] - v * (after - before) / 3 + a * before * after / 6, v, a, 0};
+      if (k > 0) state_[k - 1].jerk = (a - state_[k - 1].acceleration) / step_[k - 1];
+      d = next;
+    }
+  }
+
+  std::vector<double> step_;  // [s]
+  std::vector<double> control_;
+  std::vector<State> state_;  // of each knot
+};
+
+}  // namespace toolpace::detail::retime

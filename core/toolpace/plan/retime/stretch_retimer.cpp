@@ -1,0 +1,216 @@
+#include "toolpace/plan/retime/stretch_retimer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace toolpace::detail::retime {
+namespace {
+
+constexpr std::size_t kWindow = 256;                             // intervals
+constexpr double kHeadroom = 0.99;                               // of the limits, aimed at by the rounds
+constexpr double kSettled = 0.998;                               // of the limits, aimed at where they are broken
+constexpr std::array kWeights = {2e-3, 1e-3, 3e-4, 1e-4, 3e-5};  // of the barrier, a round each
+constexpr int kRoughSamples = 3, kFineSamples = 6;               // an interval
+constexpr int kMostSlowDowns = 12;
+constexpr double kOpen = 1e6, kTouch = 1.0002;       // of b: no speed limit near; a little room where there is none
+constexpr double kStill = 1e-9;                      // [mm/s]
+constexpr double kLeastReach = 6, kMostReach = 200;  // of a slow-down [intervals]
+
+/// The quadratic spline of b at share x of interval k.
+double value(const std::vector<double>& b, std::size_t k, double x) {
+  const double y = 1 - x;
+  return (b[k] * y * y + b[k + 1] * (1 + 2 * x * y) + b[k + 2] * x * x) / 2;
+}
+
+/// ∫ du/√b over an interval, in intervals.
+double time_of(const std::vector<double>& b, std::size_t k) {
+  const double g = 0.3872983346207417;  // three-point Gauss rule
+  return (5 / std::sqrt(value(b, k, 0.5 - g)) + 8 / std::sqrt(value(b, k, 0.5)) + 5 / std::sqrt(value(b, k, 0.5 + g))) /
+         18;
+}
+
+}  // namespace
+
+/// Derivatives of each axis by time, and the speed's ratio to the highest allowed.
+struct StretchRetimer::Sample {
+  std::array<double, kMostAxes> first, second, third;
+  double speed_ratio;
+};
+
+StretchRetimer::StretchRetimer(const StretchTask& task) : task_(task) {
+  AxisVector low = task.path.node[task.begin], high = low;
+  for (std::size_t i = task.begin; i <= task.end; ++i) {
+    low = low.cwiseMin(task.path.node[i]);
+    high = high.cwiseMax(task.path.node[i]);
+  }
+  for (std::size_t a = 0; a < kAxisCount; ++a) {
+    const auto i = static_cast<Eigen::Index>(a);
+    bool moves = high[i] > low[i];
+    // A full circle returns to where it began.
+    for (std::size_t k = task.begin; k < task.end && !moves && a < 3; ++k) {
+      moves = task.path.kind[k] == SegmentKind::arc;
+    }
+    if (moves) axes_.push_back(a);
+  }
+  const PathLimits& p = task.machine.path;
+  is_limited_along_ = std::min({p.acceleration, p.deceleration, p.jerk, p.jerk_deceleration}) < kUnlimited;
+}
+
+ArcMotion StretchRetimer::run(ArcMotion motion, const Monitor& monitor) {
+  for (std::size_t round = 0; round < kWeights.size(); ++round) {
+    if (monitor.is_cancelled()) return {};
+    measure(motion, kRoughSamples, kHeadroom);
+    motion = hurry(motion, static_cast<int>(round), kWeights[round]);
+  }
+  for (int round = 0; round < kMostSlowDowns; ++round) {
+    if (measure(motion, kFineSamples, 1.0) <= 1.0) return motion;
+    slow_down(motion);
+  }
+  return {};
+}
+
+void StretchRetimer::set_limits(double step, double share) {
+  const double square = step * step * share, cube = step * step * step * share;
+  limits_.count = axes_.size();
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    limits_.acceleration[i] = task_.machine.axes[axes_[i]].acceleration * square;
+    limits_.jerk[i] = task_.machine.axes[axes_[i]].jerk * cube;
+  }
+  if (!is_limited_along_) return;
+  const PathLimits& p = task_.machine.path;
+  limits_.acceleration[limits_.count] = std::min(p.acceleration, p.deceleration) * square;
+  limits_.jerk[limits_.count] = std::min(p.jerk, p.jerk_deceleration) * cube;
+  ++limits_.count;
+}
+
+StretchRetimer::Sample StretchRetimer::sample(const ArcMotion::State& s, PathSampler& sampler) const {
+  sampler.go(s.distance);
+  const ParameterDerivatives d = sampler.derivatives();
+  const double v = s.speed, a = s.acceleration;
+  Sample r;
+  r.speed_ratio = v / task_.speed[sampler.segment()];
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(axes_[i]);
+    r.first[i] = d.first[k] * v;
+    r.second[i] = d.second[k] * v * v + d.first[k] * a;
+    r.third[i] = d.third[k] * v * v * v + 3 * d.second[k] * v * a + d.first[k] * s.jerk;
+    r.speed_ratio = std::max(r.speed_ratio, std::abs(r.first[i]) / task_.machine.axes[axes_[i]].speed);
+  }
+  if (is_limited_along_) {
+    r.first[axes_.size()] = v;
+    r.second[axes_.size()] = a;
+    r.third[axes_.size()] = s.jerk;
+  }
+  return r;
+}
+
+/// Of each axis the sample counts that comes nearest to a limit. @return by how much time has to be stretched
+double StretchRetimer::measure_interval(const ArcMotion& motion, std::size_t k, int samples, PathSampler& sampler) {
+  IntervalUse& use = use_[k];
+  const double h = motion.step(k), scale = motion.step(0) / h;
+  std::array<double, kMostAxes> nearest;
+  nearest.fill(-1.0);
+  double fastest = 1 / std::sqrt(kOpen), excess = 0;
+  for (int q = 0; q < samples; ++q) {
+    const Sample s = sample(motion.at(k, (q + 0.5) / samples), sampler);
+    fastest = std::max(fastest, s.speed_ratio);
+    for (std::size_t a = 0; a < limits_.count; ++a) {
+      const double x = std::abs(s.second[a]) * h * h * scale * scale / limits_.acceleration[a];
+      const double y = std::abs(s.third[a]) * h * h * h * scale * scale * scale / limits_.jerk[a];
+      excess = std::max({excess, std::sqrt(x), std::cbrt(y)});
+      if (!(std::max(x, y) > nearest[a])) continue;
+      nearest[a] = std::max(x, y);
+      use.first[a] = s.first[a] * h;
+      use.second[a] = s.second[a] * h * h;
+      use.third[a] = s.third[a] * h * h * h;
+    }
+  }
+  use.fastest = std::max(1 / (fastest * fastest), kTouch);
+  return std::max(excess, fastest);
+}
+
+double StretchRetimer::measure(const ArcMotion& motion, int samples, double share) {
+  set_limits(motion.step(0), share);
+  const std::size_t n = motion.intervals();
+  use_.resize(n);
+  excess_.resize(n);
+  PathSampler sampler(task_.path, task_.begin);
+  double most = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    excess_[k] = measure_interval(motion, k, samples, sampler);
+    most = std::max(most, excess_[k]);
+  }
+  return most;
+}
+
+/// Every other round the windows lie half a window further.
+ArcMotion StretchRetimer::hurry(const ArcMotion& motion, int round, double weight) {
+  const std::size_t n = motion.intervals();
+  b_.assign(n + 2, 1.0);
+  for (std::size_t begin = 0, end = round % 2 == 0 ? kWindow : kWindow / 2; begin < n; end = begin + kWindow) {
+    if (end + kWindow / 4 > n) end = n;
+    const auto& b = window_.run(use_.data() + begin, end - begin, limits_, begin > 0, end < n, weight);
+    std::copy(b.begin(), b.end(), b_.begin() + static_cast<std::ptrdiff_t>(begin));
+    begin = end;
+  }
+  return resample(motion);
+}
+
+/// The motion run with u̇ = √b, on uniform knots in the new time.
+ArcMotion StretchRetimer::resample(const ArcMotion& motion) const {
+  const std::size_t n = motion.intervals();
+  std::vector<double> time(n + 1, 0.0);
+  for (std::size_t k = 0; k < n; ++k) time[k + 1] = time[k] + motion.step(k) * time_of(b_, k);
+  const auto count = std::max(kLeastIntervals, static_cast<std::size_t>(std::ceil(time.back() / kInterval)));
+  const double step = time.back() / static_cast<double>(count);
+  std::vector<double> position(count + 1);
+  std::size_t k = 0;
+  for (std::size_t j = 0; j <= count; ++j) {
+    const double t = static_cast<double>(j) * step;
+    while (k + 1 < n && time[k + 1] <= t) ++k;
+    // u by t is nearly a cubic: its third derivative √b·b″/2 hardly changes inside an interval.
+    const double width = time[k + 1] - time[k], y = std::clamp((t - time[k]) / width, 0.0, 1.0), z = 1 - y;
+    const double speed = width / motion.step(k);
+    const double from = std::sqrt(value(b_, k, 0)) * speed, to = std::sqrt(value(b_, k, 1)) * speed;
+    position[j] = motion.at(k, std::clamp(y * y * (3 - 2 * y) + y * z * (from * z - to * y), 0.0, 1.0)).distance;
+  }
+  position.front() = motion.knot(0).distance;
+  position.back() = motion.knot(n).distance;
+  return ArcMotion(position, step);
+}
+
+/// Stretches time smoothly around each interval that uses too much, so far that what this changes of acceleration and jerk is
+/// a quarter of what it mends.
+void StretchRetimer::slow_down(ArcMotion& motion) const {
+  const std::size_t n = motion.intervals();
+  const double jerk =
+      *std::min_element(limits_.jerk.begin(), limits_.jerk.begin() + static_cast<std::ptrdiff_t>(limits_.count));
+  const double h = motion.step(0);
+  std::vector<double> b(n, 1.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (excess_[k] <= 1) continue;
+    const double depth = 1 - kSettled * kSettled / (excess_[k] * excess_[k]);
+    const ArcMotion::State s = motion.at(k, 0.5);
+    const double reach = std::max(std::sqrt(10 * s.speed * h / jerk), 4 * std::abs(s.acceleration) * h * h / jerk);
+    const auto most = static_cast<std::size_t>(std::clamp(reach, kLeastReach, kMostReach));
+    for (std::size_t i = k - std::min(k, most); i < std::min(n, k + most + 1); ++i) {
+      const double x = (static_cast<double>(i) - static_cast<double>(k)) / static_cast<double>(most + 1);
+      const double bump = std::cos(x * std::numbers::pi / 2);
+      b[i] = std::min(b[i], 1 - depth * bump * bump);
+    }
+  }
+  for (int pass = 0; pass < 3; ++pass) {  // where bumps meet
+    double before = b[0];
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      const double here = b[i];
+      b[i] = (before + 2 * here + b[i + 1]) / 4;
+      before = here;
+    }
+  }
+  for (double& x : b) x = 1 / std::sqrt(x);
+  motion.stretch(b);
+}
+
+}  // namespace toolpace::detail::retime

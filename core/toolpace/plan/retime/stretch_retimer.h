@@ -1,0 +1,56 @@
+#pragma once
+/// A stretch from rest to rest, timed anew under the axes' own limits.
+
+#include <vector>
+
+#include "toolpace/base/monitor.h"
+#include "toolpace/limits/machine.h"
+#include "toolpace/path/path.h"
+#include "toolpace/plan/retime/arc_motion.h"
+#include "toolpace/plan/retime/path_sampler.h"
+#include "toolpace/plan/retime/window_retimer.h"
+
+namespace toolpace::detail::retime {
+
+inline constexpr double kInterval = 0.002;  ///< between knots [s]
+inline constexpr std::size_t kLeastIntervals = 8;
+
+/// What a stretch runs along, and at most how fast.
+struct StretchTask {
+  const Path& path;
+  const Machine& machine;
+  const std::vector<double>& speed;  ///< commanded, of each segment [mm/s]
+  std::size_t begin, end;            ///< segments begin … end − 1
+};
+
+/// Rounds of faster (in windows that move by half from round to round) and slower, until every limit is kept at samples in
+/// every interval.
+class StretchRetimer {
+ public:
+  explicit StretchRetimer(const StretchTask& task);
+
+  /// @param motion  a start, about within the limits
+  /// @return empty where limits could not be kept, or when cancelled
+  ArcMotion run(ArcMotion motion, const Monitor& monitor);
+
+ private:
+  struct Sample;
+  void set_limits(double step, double share);
+  double measure(const ArcMotion& motion, int samples, double share);
+  double measure_interval(const ArcMotion& motion, std::size_t k, int samples, PathSampler& sampler);
+  Sample sample(const ArcMotion::State& state, PathSampler& sampler) const;
+  ArcMotion hurry(const ArcMotion& motion, int round, double weight);
+  ArcMotion resample(const ArcMotion& motion) const;
+  void slow_down(ArcMotion& motion) const;
+
+  StretchTask task_;
+  std::vector<std::size_t> axes_;  // that move
+  bool is_limited_along_;
+  StepLimits limits_;
+  std::vector<IntervalUse> use_;
+  std::vector<double> excess_;  // of each interval: by how much time has to be stretched there
+  std::vector<double> b_;
+  WindowRetimer window_;
+};
+
+}  // namespace toolpace::detail::retime

@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "frechet.h"
+#include "planned_program.h"
+
+namespace toolpace {
+namespace {
+
+constexpr double kTolerance = 0.01;
+
+Setup rounding(CornerRule rule = CornerRule::blend) {
+  Setup setup = testing::axis_limited_setup();
+  setup.machine.path = {};
+  setup.machine.path.speed = 100;
+  setup.options.law = LawKind::seven_phase;
+  setup.options.ramps = Ramps::span;
+  setup.options.corner.rule = rule;
+  setup.options.corner.tolerance = kTolerance;
+  return setup;
+}
+
+/// Chords of 0.05 … 0.5 mm; from one to the next the heading turns by up to `turn` either way.
+testing::Program chords(std::size_t count, double turn, unsigned seed) {
+  std::mt19937 engine(seed);
+  const auto random = [&engine] { return static_cast<double>(engine()) / 4294967296.0; };
+  testing::Program program;
+  program.start(0, 0);
+  double x = 0, y = 0, z = 0, heading = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double length = 0.05 + 0.45 * random();
+    heading += turn * (2 * random() - 1);
+    x += length * std::cos(heading);
+    y += length * std::sin(heading);
+    z += 0.02 * length * (2 * random() - 1);
+    program.line(x, y, z);
+  }
+  return program;
+}
+
+test::Points rows(const Outcome& outcome) {
+  test::Points points;
+  Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
+  for (Setpoints chunk; sampler.next(chunk);) {
+    for (std::size_t k = 0; k < chunk.size(); ++k) {
+      points.push_back(Eigen::Vector3d(chunk.position[0][k], chunk.position[1][k], chunk.position[2][k]));
+    }
+  }
+  return points;
+}
+
+/// Largest share of an axis' limits that the setpoints use, from differences.
+double use_of_limits(const test::Points& p, const Machine& machine) {
+  const double h = machine.period;
+  double most = 0;
+  for (std::size_t k = 3; k < p.size(); ++k) {
+    const Eigen::VectorXd v = (p[k] - p[k - 1]) / h, a = (p[k] - 2 * p[k - 1] + p[k - 2]) / (h * h),
+                          j = (p[k] - 3 * p[k - 1] + 3 * p[k - 2] - p[k - 3]) / (h * h * h);
+    for (int i = 0; i < 3; ++i) {
+      const AxisLimits& axis = machine.axes[static_cast<std::size_t>(i)];
+      most =
+          std::max({most, std::abs(v[i]) / axis.speed, std::abs(a[i]) / axis.acceleration, std::abs(j[i]) / axis.jerk});
+    }
+  }
+  return most;
+}
+
+void expect_sound(const Outcome& outcome) {
+  const Moves& moves = outcome.job->program->moves;
+  const Machine& machine = outcome.job->machine;
+  const test::Points run = rows(outcome);
+  EXPECT_LE(use_of_limits(run, machine), 1.005);
+  test::Points programmed = {moves.start.head<3>()};
+  for (const AxisVector& end : moves.end) programmed.push_back(end.head<3>());
+  // Between setpoints a chord may cut off √3·A·Ts²/8.
+  const double chord = std::sqrt(3.0) * machine.axes[0].acceleration * machine.period * machine.period / 8;
+  EXPECT_TRUE(test::frechet_within(run, programmed, kTolerance + chord));
+}
+
+TEST(RoundedPlan, KeepsTheLimitsOfEveryAxisAndTheToleranceOnAnyTurns) {
+  for (const double turn : {0.01, 0.08, 0.3, 1.0, 2.0, 3.14}) {
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+      SCOPED_TRACE(::testing::Message() << "turn " << turn << " seed " << seed);
+      expect_sound(testing::planned(chords(150, turn, seed), rounding()));
+    }
+  }
+}
+
+// The servo rule lets the speed step at corners, jerk aside; blends that hold it come close.
+TEST(RoundedPlan, IsAboutAsFastAsTheServoRuleThatHoldsNoJerk) {
+  for (const double turn : {0.08, 3.14}) {
+    for (unsigned seed = 11; seed <= 13; ++seed) {
+      SCOPED_TRACE(::testing::Message() << "turn " << turn << " seed " << seed);
+      const testing::Program program = chords(400, turn, seed);
+      const double blend = testing::planned(program, rounding()).summary.cycle_time;
+      const double servo = testing::planned(program, rounding(CornerRule::servo)).summary.cycle_time;
+      EXPECT_LE(blend, 1.1 * servo);
+    }
+  }
+}
+
+TEST(RoundedPlan, IsNoFasterThanItsBound) {
+  for (unsigned seed = 21; seed <= 24; ++seed) {
+    auto job = std::make_shared<Job>();
+    job->program = chords(100, 0.5, seed).reading();
+    const toolpace::Setup setup = rounding();
+    job->machine = setup.machine;
+    job->options = setup.options;
+    job->bound = true;
+    const auto outcome = run(job);
+    ASSERT_TRUE(outcome);
+    EXPECT_LE(*outcome->summary.bound, outcome->summary.cycle_time);
+    EXPECT_GT(*outcome->summary.bound, 0.1 * outcome->summary.cycle_time);
+  }
+}
+
+// Issue 8; the butterfly's limits are 294.2 and 3e4 an axis, its tolerance 0.005 mm.
+TEST(RoundedPlan, ReachesTheFiguresOnTheSharedPaths) {
+  struct Case {
+    const char* file;
+    std::size_t blocks;
+    double feed, acceleration, jerk, tolerance, most;
+  };
+  for (const Case& c : {Case{"paths/circle.csv", 5000, 100, 2000, 50000, 0.01, 5.10},
+                        Case{"paths/smooth.csv", 5000, 100, 2000, 50000, 0.01, 44},
+                        Case{"paths/random.csv", 5000, 100, 2000, 50000, 0.01, 222},
+                        Case{"curves/butterfly588.csv", 588, 50, 294.2, 30000, 0.005, 5.45}}) {
+    std::ifstream in(std::string(TOOLPACE_SHARED_DIR "/") + c.file);
+    if (!in) GTEST_SKIP() << "no shared folder";
+    SCOPED_TRACE(c.file);
+    std::string line;
+    testing::Program program;
+    double x, y, z, feed;
+    for (std::size_t n = 0; n <= c.blocks + 1 && std::getline(in, line); ++n) {
+      if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &x, &y, &z, &feed) != 4) continue;
+      n == 1 ? program.start(x, y, z) : program.line(x, y, z, std::min(feed / 60, c.feed));
+    }
+    toolpace::Setup setup = rounding();
+    setup.options.corner.tolerance = c.tolerance;
+    for (std::size_t a = 0; a < 3; ++a) {
+      setup.machine.axes[a].acceleration = c.acceleration;
+      setup.machine.axes[a].jerk = c.jerk;
+    }
+    const Outcome outcome = testing::planned(program, setup);
+    EXPECT_LE(outcome.summary.cycle_time, c.most);
+    EXPECT_LE(use_of_limits(rows(outcome), setup.machine), 1.005);
+  }
+}
+
+}  // namespace
+}  // namespace toolpace
