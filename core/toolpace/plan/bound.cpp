@@ -7,6 +7,7 @@
 
 #include "toolpace/law/law_table.h"
 #include "toolpace/plan/block_plan.h"
+#include "toolpace/plan/bound_valley.h"
 #include "toolpace/plan/increasing_root.h"
 
 namespace toolpace {
@@ -67,7 +68,15 @@ Dynamics largest_jerks(const SpeedLimits& limits, LawKind law) {
   return all;
 }
 
-double block_time(double v0, double v1, double cap, double length, const Envelope& up, const Envelope& down) {
+/// The fastest way through a block along the envelope.
+struct Passage {
+  double rise = 0, cruise = 0, fall = 0;                 ///< lengths [mm]
+  double rise_time = 0, cruise_time = 0, fall_time = 0;  ///< [s]
+
+  double time() const { return rise_time + cruise_time + fall_time; }
+};
+
+Passage pass(double v0, double v1, double cap, double length, const Envelope& up, const Envelope& down) {
   const double low = std::max(v0, v1);
   const auto excess = [&](double peak) { return up.length(v0, peak) + down.length(v1, peak) - length; };
   const double at_cap = excess(cap);
@@ -76,9 +85,65 @@ double block_time(double v0, double v1, double cap, double length, const Envelop
     const double at_low = excess(low);
     peak = at_low < 0 ? detail::increasing_root(low, cap, at_low, at_cap, excess) : low;
   }
-  const double cruise = std::max(0.0, length - up.length(v0, peak) - down.length(v1, peak));
-  return up.time(v0, peak) + down.time(v1, peak) + cruise / peak;
+  Passage p{up.length(v0, peak), 0, down.length(v1, peak), up.time(v0, peak), 0, down.time(v1, peak)};
+  p.cruise = std::max(0.0, length - p.rise - p.fall);
+  p.cruise_time = p.cruise / peak;
+  return p;
 }
+
+/// What the valleys that caps throw add to the time along the envelope.
+class ValleyScan {
+ public:
+  explicit ValleyScan(const SpeedLimits& limits) : limits_(limits) {}
+
+  /// Takes the next block, and the speed at its start if that is a cap of a node alone, else 0.
+  /// @return time that the valley which has come to its end adds [s]
+  double take(std::size_t block, const Passage& p, double cap) {
+    double gain = 0;
+    if (cap > 0 && fall_ > 0) open(cap);
+    if (is_open_) {
+      if (p.rise > 0) {
+        valley_.after += p.rise;
+        envelope_time_ += p.rise_time;
+        include(block, &Dynamics::up, valley_.acceleration, valley_.jerk);
+      }
+      if (p.fall > 0 || p.cruise > 0 || !(p.rise > 0)) gain = close();
+    }
+    if (p.cruise > 0 || p.rise > 0) fall_ = fall_time_ = deceleration_ = jerk_ = 0;
+    if (p.fall > 0) {
+      fall_ += p.fall;
+      fall_time_ += p.fall_time;
+      include(block, &Dynamics::down, deceleration_, jerk_);
+    }
+    return gain;
+  }
+
+ private:
+  void open(double cap) {
+    valley_ = {cap, fall_, 0, deceleration_, 0, jerk_};
+    envelope_time_ = fall_time_;
+    is_open_ = true;
+  }
+
+  double close() {
+    is_open_ = false;
+    if (!(valley_.after > 0) || std::isinf(valley_.jerk)) return 0;
+    return std::max(0.0, detail::valley_time(valley_) - envelope_time_);
+  }
+
+  void include(std::size_t block, RampLimits Dynamics::*side, double& acceleration, double& jerk) const {
+    const Dynamics& d = limits_.dynamics_of(block);
+    acceleration = std::max(acceleration, (d.*side).acceleration);
+    jerk = std::max({jerk, d.up.jerk, d.down.jerk});
+  }
+
+  const SpeedLimits& limits_;
+  double fall_ = 0, fall_time_ = 0;  ///< of the envelope up to here [mm, s]
+  double deceleration_ = 0, jerk_ = 0;
+  detail::Valley valley_{};
+  double envelope_time_ = 0;
+  bool is_open_ = false;
+};
 
 }  // namespace
 
@@ -91,13 +156,19 @@ double lower_bound(const SpeedLimits& limits, LawKind law) {
     up.emplace_back(d.up.acceleration, jerks.up.jerk);
     down.emplace_back(d.down.acceleration, jerks.down.jerk);
   }
-  std::vector<double> v = detail::joined_caps(limits);
+  const std::vector<double> cap = detail::joined_caps(limits);
+  std::vector<double> v = cap;
   for (std::size_t i = 0; i < n; ++i) v[i + 1] = std::min(v[i + 1], up[limits.ramp[i]].after(v[i], limits.length[i]));
   for (std::size_t i = n; i-- > 0;) v[i] = std::min(v[i], down[limits.ramp[i]].after(v[i + 1], limits.length[i]));
+  const bool has_jerk = law_row(law).bounds_jerk;
+  ValleyScan valleys(limits);
   double sum = 0.0, carry = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double t =
-        block_time(v[i], v[i + 1], limits.block_cap[i], limits.length[i], up[limits.ramp[i]], down[limits.ramp[i]]);
+    const std::uint32_t r = limits.ramp[i];
+    const Passage p = pass(v[i], v[i + 1], limits.block_cap[i], limits.length[i], up[r], down[r]);
+    double t = p.time();
+    if (has_jerk && i > 0) t += valleys.take(i, p, v[i] == cap[i] ? v[i] : 0.0);
+    if (has_jerk && i == 0) valleys.take(i, p, 0.0);
     const double next = sum + t;
     carry += (sum - next) + t;
     sum = next;
