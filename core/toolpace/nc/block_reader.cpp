@@ -16,9 +16,18 @@ std::string word_text(std::size_t index) {
   return std::string(1, static_cast<char>('A' + index));
 }
 
-std::string shown(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return byte >= 0x21 && byte < 0x7F ? fmt::format("'{}'", c) : fmt::format("byte 0x{:02X}", byte);
+/// The first character as a person knows it: itself, of UTF-8 with its number, or a byte.
+std::string shown(std::string_view rest) {
+  const auto byte = [&](std::size_t i) { return i < rest.size() ? static_cast<unsigned char>(rest[i]) : 0u; };
+  if (byte(0) >= 0x21 && byte(0) < 0x7F) return fmt::format("'{}'", rest.front());
+  const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : byte(0) >= 0xC2 ? 2 : 1;
+  unsigned code = byte(0) & (0x7Fu >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0u) != 0x80u) return fmt::format("byte 0x{:02X}", byte(0));
+    code = (code << 6u) | (byte(i) & 0x3Fu);
+  }
+  if (length == 1) return fmt::format("byte 0x{:02X}", byte(0));
+  return fmt::format("'{}' (U+{:04X})", rest.substr(0, length), code);
 }
 
 }  // namespace
@@ -70,8 +79,10 @@ bool BlockReader::read(Scanner& text, Block& block) {
     } else if (c == '*' && dialect_ == Dialect::grbl) {
       text.move_to(text.end());  // a sender's checksum
     } else {
-      return faults_.fail("bad-character", fmt::format("{} begins no word", shown(c)),
-                          "words begin with a letter; comments stand in ( ) or behind ;", text.column());
+      return faults_.fail("bad-character", fmt::format("{} begins no word", shown(text.rest())),
+                          c == ',' ? "numbers have a decimal point, not a comma"
+                                   : "words begin with a plain letter; comments stand in ( ) or behind ;",
+                          text.column());
     }
   }
   return is_at_end(text) && (assignments_.empty() || assign());
@@ -131,6 +142,10 @@ bool BlockReader::read_g(double value, std::size_t column, Block& block) {
   const bool plausible = std::fabs(value * 10.0 - tenths) < kCodeWithin && tenths >= 0.0 && tenths < 10000.0;
   const auto use = plausible ? g_code_use(static_cast<Code>(tenths), dialect_) : std::nullopt;
   if (!use) {
+    if (const char* const does = plausible ? unfollowed_code(static_cast<Code>(tenths), dialect_) : nullptr) {
+      return faults_.fail("g-code-unfollowed", fmt::format("G{:g} {}, which is not followed here", value, does),
+                          "post the program without it", column);
+    }
     return faults_.fail("g-code-unknown", fmt::format("unknown code G{:g}", value), "check the code or the dialect",
                         column);
   }
@@ -146,6 +161,7 @@ bool BlockReader::read_g(double value, std::size_t column, Block& block) {
   const auto group = static_cast<std::size_t>(use->group);
   if (use->group == GGroup::ignored) {
     faults_.warn("g-code-ignored", fmt::format("{} has no effect on the path here", code_text('G', code)), "", column);
+    block.g_groups |= 1u << group;
     return true;
   }
   if (use->group == GGroup::motion && block.has(GGroup::motion) && (code == 800 || block.g[group] == 800)) {

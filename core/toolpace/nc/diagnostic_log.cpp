@@ -27,9 +27,14 @@ std::string excerpt_of(std::string_view text, std::size_t column) {
 bool DiagnosticLog::add(Fault fault, const std::string& file, std::size_t line, std::string_view text) {
   if (strict_ && fault.severity == Severity::warning) fault.severity = Severity::error;
   const bool is_error = fault.severity == Severity::error;
-  if (!seen_.insert(fmt::format("{}:{}:{}:{}", file, line, fault.column, fault.code)).second) return is_error;
+  std::size_t& count = counts_[fault.code];
+  // What is only counted is not remembered: a program may have millions of them.
+  if (count < kMostOfOneCode &&
+      !seen_.insert(fmt::format("{}:{}:{}:{}", file, line, fault.column, fault.code)).second) {
+    return is_error;
+  }
   if (is_error) ++errors_;
-  if (++counts_[fault.code] > kMostOfOneCode) return is_error;
+  if (++count > kMostOfOneCode) return is_error;
   diagnostics_.push_back({fault.severity,
                           fault.code,
                           std::move(fault.message),

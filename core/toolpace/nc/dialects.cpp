@@ -32,6 +32,25 @@ struct Hints {
   bool linuxcnc = false, fanuc = false, grbl = false, program_number = false, seen_block = false;
 };
 
+// Codes of 3D printers that machine tools do not have.
+bool is_printing(const std::string& text) {
+  for (const char* marlin : {"m104s", "m109s", "m140s", "m190s", "m106", "m107", "m110", "m117", "m82", "m83", "m201",
+                             "m203", "m204", "m205", "m420", "m600", "g92e"}) {
+    const std::size_t length = std::string_view(marlin).size();
+    if (text.compare(0, length, marlin) != 0) continue;
+    const char before = marlin[length - 1];
+    if (before > '9' || text.size() == length || text[length] < '0' || text[length] > '9') return true;
+  }
+  return false;
+}
+
+// "…*82" at the end of a line, outside of expressions.
+bool has_checksum(const std::string& text) {
+  const std::size_t star = text.rfind('*');
+  return star != std::string::npos && star + 1 < text.size() && skip_number(text, star + 1) == text.size() &&
+         text.find_first_of("[#=") == std::string::npos;
+}
+
 // O-words with a keyword and <names> are LinuxCNC's alone.
 void look_at_o_word(const std::string& text, Hints& hints) {
   std::size_t at = 1;
@@ -61,12 +80,8 @@ void look_at_line(std::string_view line, Hints& hints) {
         text.rfind("while[", 0) == 0) {
       hints.fanuc = true;
     }
-    for (const char* marlin : {"m104s", "m109s", "m140s", "m190s", "m106", "m107", "m117", "m82", "m83", "m205"}) {
-      const std::size_t length = std::string_view(marlin).size();
-      if (text.compare(0, length, marlin) == 0 && (text.size() == length || text[length] < '0' || text[length] > '9')) {
-        hints.grbl = true;
-      }
-    }
+    if (is_printing(text)) hints.grbl = true;
+    if (has_checksum(text)) hints.grbl = true;
   }
   if (contains(text, "#<")) hints.linuxcnc = true;
   hints.seen_block = true;
@@ -101,7 +116,7 @@ std::optional<GGroup> common_group(int code) {
 std::optional<GGroup> fanuc_group(int code) {
   if (is_one_of(code, {650, 660, 670})) return GGroup::macro;
   if (is_one_of(code, {680, 690})) return GGroup::turn_plane;
-  if (is_one_of(code, {51, 80, 90, 150, 500, 620, 630, 641})) return GGroup::ignored;
+  if (is_one_of(code, {50, 51, 80, 90, 150, 270, 500, 620, 630, 641})) return GGroup::ignored;
   return std::nullopt;
 }
 
@@ -136,6 +151,26 @@ Dialect detect_dialect(std::string_view text) {
   return hints.grbl ? Dialect::grbl : Dialect::linuxcnc;
 }
 
+bool looks_like_printing(std::string_view text) {
+  text = text.substr(0, kDetectionBytes);
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    std::string line = fold(text.substr(0, std::min<std::size_t>(length, 1000)));
+    if (!line.empty() && line.front() == 'n') line.erase(0, skip_number(line, 1));
+    if (is_printing(line)) return true;
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return false;
+}
+
+bool is_sender_command(Scanner text) {
+  const char c = text.peek();
+  if (c == '$') return true;
+  if (c != '?' && c != '!' && c != '~') return false;
+  text.take();
+  return text.peek() == '\0';
+}
+
 std::optional<CodeUse<GGroup>> g_code_use(Code tenths, Dialect dialect) {
   if (dialect == Dialect::fanuc) {
     if (const auto group = fanuc_group(tenths)) return CodeUse<GGroup>{*group, true};
@@ -149,8 +184,24 @@ std::optional<CodeUse<GGroup>> g_code_use(Code tenths, Dialect dialect) {
   return std::nullopt;
 }
 
+const char* unfollowed_code(Code tenths, Dialect dialect) {
+  if (dialect != Dialect::fanuc) return nullptr;
+  switch (tenths) {
+    case 71: return "wraps the path around a cylinder";
+    case 121:
+    case 1120: return "interpolates in polar coordinates";
+    case 160: return "begins polar coordinates";
+    case 310: return "moves until a signal comes";
+    case 501:
+    case 511: return "mirrors the path";
+    case 510: return "scales the path";
+    default: return nullptr;
+  }
+}
+
 std::optional<CodeUse<MGroup>> m_code_use(int number, Dialect dialect) {
   if (is_one_of(number, {0, 1, 2, 30, 60})) return CodeUse<MGroup>{MGroup::stop};
+  if (number == 198 && dialect == Dialect::fanuc) return CodeUse<MGroup>{MGroup::subprogram};
   if (is_one_of(number, {98, 99})) return CodeUse<MGroup>{MGroup::subprogram, dialect != Dialect::grbl};
   if (is_one_of(number, {3, 4, 5, 19})) return CodeUse<MGroup>{MGroup::spindle};
   if (is_one_of(number, {6, 61})) return CodeUse<MGroup>{MGroup::tool};

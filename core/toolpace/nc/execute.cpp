@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "toolpace/nc/compensation.h"
 #include "toolpace/nc/coordinates.h"
@@ -54,7 +55,7 @@ std::uint32_t words_of_settings(const Block& block) {
   if (block.has(MGroup::override_) || block.has(MGroup::user)) words |= word_bit('p') | word_bit('q');
   if (block.has(MGroup::spindle)) words |= word_bit('r') | word_bit('q') | word_bit('p');
   if (block.has(MGroup::subprogram)) words |= word_bit('p') | word_bit('l') | word_bit('q');
-  if (block.has(MGroup::ignored)) words |= ~0u;
+  if (block.has(MGroup::ignored) || block.has(GGroup::ignored)) words |= ~0u;
   return words;
 }
 
@@ -67,13 +68,15 @@ bool Interpreter::find_motion(const Block& block, Code& motion) {
   motion = kNoCode;
   const bool claimed = takes_axes(once) || block.code(GGroup::tool_length) == 431 ||
                        block.code(GGroup::tool_length) == 432 || block.has(GGroup::macro) ||
-                       block.has(GGroup::turn_plane);
+                       block.has(GGroup::turn_plane) || (once == 40 && dialect_ != Dialect::linuxcnc) ||
+                       (block.has(MGroup::ignored) && dialect_ == Dialect::grbl);  // M92 X80, M205 X8: settings
   if (claimed && named != kNoCode && named != 800 && takes_axes(once)) {
     return faults_.fail("two-codes-want-axes",
                         fmt::format("{} and {} both use the axis words", code_text('G', once), code_text('G', named)),
                         "put them into blocks of their own", block.column_of(GGroup::motion));
   }
-  if ((once == 920 || once == 520) && !axes) {
+  const bool extruder_alone = dialect_ == Dialect::grbl && once == 920 && block.has('e');
+  if ((once == 920 || once == 520) && !axes && !extruder_alone) {
     return faults_.fail("axes-missing", fmt::format("{} without axis words", code_text('G', once)),
                         "give at least one axis", block.column_of(GGroup::once));
   }
@@ -105,6 +108,12 @@ bool Interpreter::check_words(const Block& block, Code motion) {
   if (unused == 0) return true;
   for (std::size_t i = 0; i < 26; ++i) {
     if ((unused & (1u << i)) == 0) continue;
+    if (dialect_ == Dialect::grbl && i == word_index('e')) {
+      if (!std::exchange(extruder_told_, true)) {
+        faults_.warn("extruder-ignored", "the extruder E is left out of the path", "", block.column[i]);
+      }
+      continue;
+    }
     const std::string what = fmt::format("nothing in this block uses word {}", static_cast<char>('A' + i));
     if (dialect_ == Dialect::linuxcnc) {
       const char* const remedy = i == word_index('e') ? "remove it; numbers have no exponent here: write them out"
@@ -238,7 +247,7 @@ void Interpreter::restore(const Modal& saved) {
 bool Interpreter::run_dwell(const Block& block) {
   if (block.code(GGroup::once) != 40) return true;
   const std::size_t column = block.column_of(GGroup::once);
-  const bool milliseconds = dialect_ == Dialect::fanuc;
+  const bool milliseconds = dialect_ == Dialect::fanuc || is_for_printers_;
   double seconds = 0.0;
   if (block.has('p')) {
     seconds = milliseconds ? block.of('p') / 1000.0 : block.of('p');

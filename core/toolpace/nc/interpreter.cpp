@@ -28,6 +28,7 @@ Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, Dialec
   parameters_.numbered_state = [this](int index) { return numbered_value(index); };
   parameters_.named_state = [this](std::string_view name) { return named_value(name); };
   if (dialect == Dialect::fanuc) parameters_.set_dialect(kFanucLocals, true);
+  if (dialect == Dialect::grbl) is_for_printers_ = looks_like_printing(files.at(0).text);
   if (dialect != Dialect::linuxcnc) state_.modal.motion = 0;
 }
 
@@ -126,6 +127,15 @@ bool Interpreter::run_percent() {
   return true;
 }
 
+bool Interpreter::run_sender_command(Scanner& text) {
+  const std::size_t column = text.column();
+  if (text.take_word("$j") || text.take_word("$h")) {
+    faults_.warn("sender-command", "this command of a sender moves the machine, but is no part of the program's path",
+                 "jog and home before the program begins", column);
+  }
+  return true;
+}
+
 bool Interpreter::run_line(std::string_view line) {
   if (line.size() > kLongestLine) {
     return faults_.fail("line-too-long", fmt::format("a line of {} bytes", line.size()),
@@ -135,7 +145,7 @@ bool Interpreter::run_line(std::string_view line) {
   char c = text.peek();
   if (c == '\0') return reader_.is_at_end(text);
   if (c == '%') return run_percent();
-  if (c == '$' && dialect_ == Dialect::grbl) return true;  // settings of the sender's controller
+  if (dialect_ == Dialect::grbl && is_sender_command(text)) return run_sender_command(text);
   if (c == '/') {
     if (options_.block_delete) return true;
     text.take();

@@ -32,6 +32,7 @@ class Interpreter {
 
   bool run_line(std::string_view line);
   bool run_percent();
+  bool run_sender_command(Scanner& text);
   bool run_block(Scanner& text);
   void end_of_text();
   bool check_bounds();
@@ -82,6 +83,8 @@ class Interpreter {
   bool percent_seen_ = false;
   bool anything_read_ = false;
   bool at_percent_end_ = false;
+  bool is_for_printers_ = false;  ///< dwells in ms, as printers count them
+  bool extruder_told_ = false;
   std::size_t lines_run_ = 0;
   std::optional<Modal> logged_modal_;  ///< the state at the last entry of the modal log, and the tool
   int logged_tool_ = 0;

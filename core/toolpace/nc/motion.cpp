@@ -192,7 +192,9 @@ bool find_straight_feedrate(Context& context, const Block& block, const Position
 }
 
 bool run_motion(Context& context, const Block& block, Code code) {
-  context.state.modal.motion = code;
+  if (code == 0 || code == 10 || code == 20 || code == 30) context.state.plain_motion = code;
+  // On Fanuc controllers G80 ends cycles alone; the motion code before them goes on.
+  context.state.modal.motion = code == 800 && context.dialect == Dialect::fanuc ? context.state.plain_motion : code;
   if (code != 50) context.state.spline.after_cubic = false;
   if (context.state.spline.collecting && code != 52 && code != 53) {
     context.faults.warn("spline-not-closed", "another motion before G5.3 gives the spline up",

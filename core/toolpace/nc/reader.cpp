@@ -109,6 +109,9 @@ Result<Reading> read_text(std::string_view text, const std::string& name, const 
     std::replace(lines.begin(), lines.end(), '\r', '\n');
     return read_text(lines, name, options, monitor);
   }
+  if (text.rfind("\xFF\xFE", 0) == 0 || text.rfind("\xFE\xFF", 0) == 0) {
+    return tl::unexpected(input_error(name, "text-utf-16", "this text is UTF-16", "save it as UTF-8"));
+  }
   if (std::memchr(text.data(), '\0', std::min(text.size(), kBinaryCheck)) != nullptr) {
     return tl::unexpected(input_error(name, "not-text", "this is no text file",
                                       "give an NC program or a CSV polyline, as UTF-8 or an 8-bit text"));

@@ -113,7 +113,8 @@ struct SavedModal {
 struct State {
   Modal modal;
   Offsets offsets;
-  Position position{};  ///< of the tool, in work coordinates
+  Position position{};    ///< of the tool, in work coordinates
+  Code plain_motion = 0;  ///< the last one of G0 G1 G2 G3
   int selected_tool = 0;
   Tool loaded;
   std::map<int, Tool> tools;

@@ -76,7 +76,7 @@ std::string format_setup(const Setup& setup) {
       if (!is_default) body += fmt::format("{} = {}\n", key.name, file_number(*key.value, key.unit));
     }
     for (const RangeKey& key : section.ranges) {
-      if (!std::isfinite(*key.low) || !std::isfinite(*key.high)) continue;
+      if (!std::isfinite(*key.low) && !std::isfinite(*key.high)) continue;
       body +=
           fmt::format("{} = [{}, {}]\n", key.name, file_number(*key.low, key.unit), file_number(*key.high, key.unit));
     }

@@ -216,8 +216,12 @@ std::size_t find_odd_character(std::string_view text) {
     if (!quote.empty()) {
       if (quote.front() == '"' && rest.front() == '\\') {
         ++at;
-      } else if (rest.rfind(quote, 0) == 0 || (quote.size() == 1 && rest.front() == '\n')) {
-        at += quote.size() - 1;
+      } else if (quote.size() == 1 && rest.front() == '\n') {
+        quote = {};
+      } else if (rest.rfind(quote, 0) == 0) {
+        // A text in triple quotes may end in one or two quotes of its own.
+        const std::size_t most = quote.size() == 3 ? 5 : 1;
+        at += std::min({rest.find_first_not_of(quote.front()), rest.size(), most}) - 1;
         quote = {};
       }
       continue;

@@ -1,5 +1,9 @@
 #include "toolpace/nc/dialects.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "reading_test_support.h"
 
 namespace toolpace::nc {
@@ -58,6 +62,30 @@ TEST(Fanuc, DwellsAreInMilliseconds) {
   EXPECT_EQ(reading.moves.dwells, (Values{0.5, 2.5}));
 }
 
+TEST(Fanuc, ADwellMovesNoAxis) { EXPECT_EQ(ends(read_as(Dialect::fanuc, "O1\nG21 G90 G0 X1\nG4 X2.5\nM30\n")), (Values{1})); }
+
+TEST(Fanuc, TheMotionCodeBeforeACycleGoesOnAfterIt) {
+  const auto reading = read_as(Dialect::fanuc, "O1\nG21 G90 G1 X1 F100\nG81 X2 Z-1 R1\nG80\nX3\nM30\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(reading.moves.kind.at(reading.moves.size() - 2), MoveKind::feed);
+  EXPECT_EQ(ends(reading).back(), 3.0);
+}
+
+TEST(Fanuc, WhatWouldChangeThePathUnseenIsRefused) {
+  const std::pair<const char*, const char*> cases[] = {{"G16", "g-code-unfollowed"},
+                                                       {"G51 X0 Y0 P2000", "g-code-unfollowed"},
+                                                       {"G51.1 X0", "g-code-unfollowed"},
+                                                       {"G12.1", "g-code-unfollowed"},
+                                                       {"M198 P77", "sub-program-unknown"}};
+  for (const auto& [line, code] : cases) {
+    const auto reading = read_as(Dialect::fanuc, fmt::format("O1\n{}\nM30\n", line));
+    EXPECT_TRUE(reading.refused) << line;
+    EXPECT_EQ(reading.diagnostics.at(0).code, code) << line;
+  }
+  const auto smoothing = read_as(Dialect::fanuc, "O1\nG05 P10000\nG05.1 Q1\nG21 G1 X1 F100\nG05 P0\nM30\n");
+  EXPECT_EQ(codes(smoothing), (Codes{"g-code-ignored@2:1", "g-code-ignored@3:1", "g-code-ignored@5:1"}));
+}
+
 TEST(Fanuc, TheTurnedPlaneTurnsAboutItsCentre) {
   // (20, 0) turned by 90° about (10, 0) is (10, 10).
   const auto reading = read_as(Dialect::fanuc, "O1\nG21 G90 F100\nG68 X10 Y0 R90\nG1 X20 Y0\nG69\nG1 X0 Y0\nM30\n");
@@ -85,6 +113,36 @@ TEST(Grbl, SettingsAndPrinterLinesMoveNothing) {
   EXPECT_EQ(ends(reading), (Values{5, 10, 10}));
 }
 
+TEST(Grbl, RealtimeCharactersAreNoBlocksAndJogsAreTold) {
+  const auto reading = read_as(Dialect::grbl, "?\n !\n~\n$J=G91 X10 F100\n$H\n$$\nG21 G1 X1 F100\n");
+  EXPECT_EQ(codes(reading), (Codes{"sender-command@4:1", "sender-command@5:1"}));
+  EXPECT_EQ(ends(reading), (Values{1}));
+}
+
+TEST(Printers, SettingsWithAxisLettersMoveNothing) {
+  const auto reading = read_program(
+      "M104 S200\nG28\nM92 X80 Y80 Z400 E93\nM201 X500 Y500\nM205 X8 Y8\nG92 E0\nG1 X5 E1 F600\n"
+      "G1 X6 E2\nG92 X0 E0\n");
+  EXPECT_EQ(reading.dialect, Dialect::grbl);
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{0, 5, 6}));
+  const Codes all = codes(reading);
+  EXPECT_EQ(std::count(all.begin(), all.end(), "extruder-ignored@6:5"), 1);
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const auto& c) { return c.rfind("extruder", 0) == 0; }), 1);
+}
+
+TEST(Printers, DwellInMillisecondsByPAndInSecondsByS) {
+  const auto printer = read_program("M140 S60\nG4 P500\nG4 S2\nG4 X9\n");
+  EXPECT_EQ(printer.moves.dwells, (Values{0.5, 2, 9}));
+  const auto router = read_program("$X\nG4 P0.5\n");
+  EXPECT_EQ(router.moves.dwells, (Values{0.5}));
+}
+
+TEST(Printers, AreKnownByTheirChecksums) {
+  EXPECT_EQ(detect_dialect("N1 G28*18\nN2 G1 X10 F600*82\n"), Dialect::grbl);
+  EXPECT_EQ(detect_dialect("G1 X[2*3]\nG1 Y#1\n"), Dialect::linuxcnc);
+}
+
 TEST(Grbl, AWordThatTheDialectLacksIsNamed) {
   const auto reading = read_as(Dialect::grbl, "G21\nG83 X1 Z-1 R1 Q1 F100\n");
   ASSERT_FALSE(reading.diagnostics.empty());
@@ -104,6 +162,19 @@ TEST(Encodings, CommentsOfAnyEncodingPass) {
     EXPECT_TRUE(reading.diagnostics.empty());
     EXPECT_EQ(ends(reading), (Values{1}));
   }
+}
+
+TEST(Encodings, Utf16IsNamed) {
+  const auto little = read_text(std::string("\xFF\xFEG\0001\0", 6), "a.ngc");
+  ASSERT_FALSE(little);
+  EXPECT_EQ(little.error().code, "text-utf-16");
+  EXPECT_EQ(read_text(std::string("\xFE\xFF\000G\0001", 6), "a.ngc").error().code, "text-utf-16");
+}
+
+TEST(Encodings, LettersThatOnlyLookLikeOursAreNamed) {
+  const auto cyrillic = read_program("G21\nМ2\n");
+  EXPECT_EQ(cyrillic.diagnostics.at(0).message, "'М' (U+041C) begins no word");
+  EXPECT_EQ(read_program("\xCC\x41\nM2\n").diagnostics.at(0).message, "byte 0xCC begins no word");
 }
 
 TEST(Encodings, AllLineEndsCount) {
