@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "interrupt.h"
 #include "report.h"
+#include "usage_error.h"
 
 namespace {
 
@@ -42,7 +43,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     return after_flushing(action ? action() : kFine);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? kFine : kBadUsage;
+    return report_usage(app, e);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "toolpace: internal error: %s\n", e.what());
     return kBadInput;

@@ -27,11 +27,20 @@ void ReadingFlags::add_options_to(CLI::App& command) {
   command.add_flag("--block-delete", block_delete, "Skip lines that start with '/'");
   command.add_option("--tools", tools, "Tool table");
   command.add_option("--parameters", parameters, "File of numbered parameters");
-  command.add_option("--sub-path", sub_paths, "Folder with sub-programs; may be given more than once");
-  command.add_option("--max-blocks", limits.blocks, "Most motion blocks, besides one a line")->capture_default_str();
-  command.add_option("--max-lines", limits.lines, "Most lines that loops and calls run again")->capture_default_str();
-  command.add_option("--max-loop-turns", limits.loop_turns, "Most turns of all loops together")->capture_default_str();
-  command.add_option("--max-call-depth", limits.call_depth, "Most calls within each other")->capture_default_str();
+  command.add_option("--sub-path", sub_paths, "Folder with sub-programs; may be given more than once")
+      ->check(CLI::ExistingDirectory);
+  command.add_option("--max-blocks", limits.blocks, "Most motion blocks, besides one a line")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--max-lines", limits.lines, "Most lines that loops and calls run again")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--max-loop-turns", limits.loop_turns, "Most turns of all loops together")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--max-call-depth", limits.call_depth, "Most calls within each other")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
 }
 
 ReadOptions ReadingFlags::options() const {

@@ -38,7 +38,7 @@ int run_steps(const StepsFlags& flags) {
 void add_steps_command(CLI::App& app, Action& action) {
   auto flags = std::make_shared<StepsFlags>();
   CLI::App& command = *app.add_subcommand("steps", "Writes the timer intervals of a stepper move, from rest to rest.");
-  command.add_option("--steps", flags->move.steps, "number of pulses")->required();
+  command.add_option("--steps", flags->move.steps, "number of pulses")->check(CLI::NonNegativeNumber)->required();
   command.add_option("--speed", flags->move.speed, "top speed in step/s")->required();
   command.add_option("--tacc-ms", flags->tacc_ms, "acceleration time in ms")->required();
   command.add_option("--tdec-ms", flags->tdec_ms, "deceleration time in ms")->required();

@@ -9,6 +9,8 @@
 namespace toolpace {
 namespace {
 
+constexpr double kShortestPeriod = 1e-6 * (1 - 1e-9);  // [s] no drive is that fast, and no disk that large
+
 Error bad_limit(std::string what, std::string remedy) {
   return {ErrorKind::usage, "bad-limit", std::move(what), std::move(remedy), {}, {}};
 }
@@ -28,8 +30,10 @@ Result<void> check_setup(const Machine& machine, const PlanOptions& options) {
       }
     }
   }
-  if (!std::isfinite(machine.period))
-    return tl::unexpected(bad_limit("the period is not a finite number", "give e.g. 1 ms"));
+  if (!(std::isfinite(machine.period) && machine.period >= kShortestPeriod)) {
+    return tl::unexpected(bad_limit(fmt::format("a period of {} ms", to_text(machine.period * 1e3)),
+                                    "give 0.001 ms or more, such as 1 ms"));
+  }
   if (options.lookahead && *options.lookahead < 1) {
     return tl::unexpected(bad_limit("the look-ahead is 0 blocks", "give 1 (a stop at every node) or more, or all"));
   }

@@ -21,6 +21,25 @@ class Usage(CommandLineTest):
             self.assertEqual(run.out, b"")
             self.assertNotEqual(run.err, "")
 
+    def test_the_nearest_flag_and_command_are_named(self):
+        program = self.file("a.ngc", LINE)
+        for arguments, nearest in ((("plam", program), "plan"), (("plan", program, "--look-ahead", "3"), "--lookahead"),
+                                   (("plan", "--setpoint=a.csv", program), "--setpoints"), (("blocks", program, "--jsn"), "--json")):
+            with self.subTest(arguments=arguments):
+                self.expect_failure(self.run_toolpace(*arguments), BAD_USAGE, f"did you mean {nearest}?")
+        self.expect_failure(self.run_toolpace("plan", program, program), BAD_USAGE, "one argument too many")
+
+    def test_numbers_that_count_are_not_negative(self):
+        program = self.file("a.ngc", LINE)
+        for flag in ("--max-blocks", "--max-lines", "--max-loop-turns", "--max-call-depth"):
+            self.expect_failure(self.run_toolpace("blocks", program, flag, "-1"), BAD_USAGE, flag)
+        self.expect_failure(self.run_toolpace("steps", "--steps", "-1", "--speed", "100", "--tacc-ms", "1", "--tdec-ms", "1",
+                                              "--timer-hz", "1e6"), BAD_USAGE, "--steps")
+        self.expect_failure(self.run_toolpace("blocks", program, "--sub-path", "nowhere"), BAD_USAGE, "nowhere")
+
+    def test_a_period_that_no_disk_could_hold_is_refused(self):
+        self.expect_failure(self.run_toolpace("plan", self.file("a.ngc", LINE), "--period-ms", "1e-9"), BAD_USAGE, "period")
+
     def test_limits_that_make_no_sense_are_refused(self):
         program = self.file("a.ngc", LINE)
         for flag in ("--vmax", "--am", "--dm", "--jm", "--jd", "--period-ms"):
