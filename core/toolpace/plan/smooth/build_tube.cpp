@@ -95,7 +95,7 @@ class Builder {
     const double count = std::max(1.0, std::ceil(pieces - 1e-9));
     for (double k = 1; k <= count; ++k) {
       add_vertex(k < count ? point_at(path_, i, length * k / count) : path_.node[i + 1], done_ + length * k / count,
-                 top, tolerance(i));
+                 top, tolerance(i) * (path_.kind[i] == SegmentKind::line ? 1 : 1 - kChordShare));
     }
     done_ += length;
   }
@@ -112,49 +112,51 @@ class Builder {
     }
     inner_.clear();
     tube_.feed.push_back(top);
-    tube_.tolerance.push_back(tol * (1 - kChordShare - kMergeShare));
+    tube_.tolerance.push_back(tol);
+    merge_error_.push_back(0.0);
     tube_.distance.push_back(distance);
   }
 
   /// Lets the last segment end at the vertex just pushed, if all between stay close to it, in order.
   bool merge(double distance, double top, double tol) {
     const std::size_t axes = static_cast<std::size_t>(tube_.axes), n = tube_.segments();
-    if (n == 0 || tube_.feed.back() != top || tube_.tolerance.back() != tol * (1 - kChordShare - kMergeShare))
-      return false;
+    if (n == 0 || tube_.feed.back() != top || tube_.tolerance.back() != tol) return false;
     if (inner_.size() / axes + 1 >= kMostMerged) return false;
     if (distance - tube_.distance[n - 1] > top * kMostTime) return false;
     const double* b = tube_.points.data() + tube_.points.size() - axes;
     const double *middle = b - axes, *a = middle - axes;
     inner_.insert(inner_.end(), middle, middle + axes);
-    if (!is_close(a, b, kMergeShare * tol)) {
+    const double error = farthest(a, b);
+    if (!(error <= kMergeShare * tol)) {
       inner_.resize(inner_.size() - axes);
       return false;
     }
+    merge_error_.back() = error;
     tube_.points.erase(tube_.points.end() - 2 * static_cast<std::ptrdiff_t>(axes),
                        tube_.points.end() - static_cast<std::ptrdiff_t>(axes));
     tube_.distance.back() = distance;
     return true;
   }
 
-  /// Do all inner points lie within `most` of the chord a b, one after another?
-  bool is_close(const double* a, const double* b, double most) const {
+  /// Largest distance of the inner points from the chord a b; none where they do not follow one another along it.
+  double farthest(const double* a, const double* b) const {
     const auto axes = static_cast<std::size_t>(tube_.axes);
     double dd = 0;
     for (std::size_t q = 0; q < axes; ++q) dd += (b[q] - a[q]) * (b[q] - a[q]);
-    if (!(dd > 0)) return false;  // there and back
-    double before = 0;
+    if (!(dd > 0)) return kUnlimited;  // there and back
+    double before = 0, most = 0;
     for (std::size_t k = 0; k < inner_.size(); k += axes) {
       double along = 0, square = 0;
       for (std::size_t q = 0; q < axes; ++q) along += (inner_[k + q] - a[q]) * (b[q] - a[q]);
-      if (!(along >= before && along <= dd)) return false;
+      if (!(along >= before && along <= dd)) return kUnlimited;
       before = along;
       for (std::size_t q = 0; q < axes; ++q) {
         const double e = inner_[k + q] - a[q] - along / dd * (b[q] - a[q]);
         square += e * e;
       }
-      if (!(square <= most * most)) return false;
+      most = std::max(most, square);
     }
-    return true;
+    return std::sqrt(most);
   }
 
   /// A last vertex that was left out because it repeats the one before must still be the exact end.
@@ -162,6 +164,7 @@ class Builder {
     if (tube_.segments() == 0) return;
     tube_.points.resize(tube_.points.size() - static_cast<std::size_t>(tube_.axes));
     push(end);
+    for (std::size_t k = 0; k < tube_.segments(); ++k) tube_.tolerance[k] -= merge_error_[k];
   }
 
   const Path& path_;
@@ -170,7 +173,8 @@ class Builder {
   const TubeOptions& options_;
   TubePath tube_;
   double done_ = 0;
-  std::vector<double> inner_;  // vertices that the last segment passes by
+  std::vector<double> inner_;        // vertices that the last segment passes by
+  std::vector<double> merge_error_;  // of each segment: how far from it they are
 };
 
 }  // namespace

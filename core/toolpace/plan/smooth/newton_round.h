@@ -49,6 +49,8 @@ class NewtonRound {
 
  private:
   static constexpr int kBlock = D + 1;
+  // Control points to either side over which a shortened step is felt.
+  static constexpr std::size_t kHurriedReach = 30, kSettlingReach = 240;
   /// A linear vector quantity: value + Σ w_i·δ_i + Σ pace_i·g_i over `count` control points from `k`.
   struct Row {
     std::size_t k;

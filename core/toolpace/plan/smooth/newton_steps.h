@@ -92,7 +92,8 @@ void NewtonRound<D>::shorten() {
     const double tol = tolerance_[k];
     length_[k] = std::min(length_[k], move_length(k, tol));
   }
-  smooth_minimum(length_, 30, scratch_);
+  // A length that changes along the way breaks what each row kept: by little where it changes slowly.
+  smooth_minimum(length_, options_.hurry ? kHurriedReach : kSettlingReach, scratch_);
   for (std::size_t k = 0; k < n; ++k) {
     bend[k] *= length_[k];
     pace[k] *= length_[k];

@@ -26,7 +26,9 @@ class WindowOptimiser {
         if (i > 0 && round_.mean_pace() < 5e-4 && round_.worst < 1.01) break;
       }
     }
-    return settle(m, monitor);
+    if (!settle(m, kAttempts, monitor)) return false;
+    press(m, monitor);
+    return true;
   }
 
   const TubeCheck<D>& check() const { return check_; }
@@ -37,12 +39,17 @@ class WindowOptimiser {
     double weight, edge;
     int rounds;
   };
-  static constexpr Level kLevels[] = {
-      {0.1, 0.9, 5}, {0.03, 0.97, 3}, {0.01, 0.99, 4}, {0.004, 0.997, 4}, {0.001, 0.999, 5}};
-  static constexpr double kShares[] = {0.999, 0.99, 0.97, 0.96};  ///< left free for the settling at the end
+  static constexpr Level kLevels[] = {{0.1, 0.9, 5}, {0.02, 0.97, 4}, {0.004, 0.995, 4}, {0.0005, 0.999, 5}};
+  static constexpr double kShares[] = {0.9999, 0.9995, 0.995, 0.995};  ///< left free for the settling at the end
 
   /// Aimed at while settling; what lies between them and the limits is room for the steps.
-  static constexpr double kSettled[] = {0.9985, 0.992, 0.98, 0.98};
+  static constexpr double kSettled[] = {0.9999, 0.9995, 0.997, 0.997};
+  static constexpr double kSettledEdge = 0.9998;
+
+  static constexpr int kAttempts = 10, kRounds = 8;  // of settling, a little slower each time; of steps in each
+  static constexpr double kSlower = 0.0025;          // first share of slowing down, doubled each time
+  static constexpr int kPresses = 2;
+  static constexpr double kFaster = 0.001;  // share of pressing
 
   bool step(MotionWindow<D>& m, const Level& level) {
     RoundOptions o;
@@ -56,27 +63,52 @@ class WindowOptimiser {
   }
 
   /// At fixed duration, to a motion that keeps every limit; where that fails, a little slower there, and again.
-  bool settle(MotionWindow<D>& m, const Monitor& monitor) {
-    constexpr int kAttempts = 8, kRounds = 8;
-    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+  bool settle(MotionWindow<D>& m, int attempts, const Monitor& monitor) {
+    for (int attempt = 0; attempt < attempts; ++attempt) {
       Use use;
       for (int i = 0; i <= kRounds; ++i) {
         use = check_.measure(m);
         if (use.is_good()) return true;
         if (monitor.is_cancelled()) return false;
-        if (i == kRounds) break;
-        RoundOptions o;
-        o.weight = 1;
-        o.edge = 0.999;
-        o.hurry = false;
-        std::copy(std::begin(kSettled), std::end(kSettled), o.share);
-        if (!round_.solve(m, o)) return false;
-        warp_.apply(m, round_.bend, round_.pace);
-        passes_.apply(path_, m);
+        if (i < kRounds && !settling_step(m)) return false;
       }
-      slow_down(m, use, 0.01 * (1 << attempt));
+      if (attempt + 1 < attempts) slow_down(m, use, kSlower * (1 << attempt));
     }
     return false;
+  }
+
+  bool settling_step(MotionWindow<D>& m) {
+    RoundOptions o;
+    o.weight = 1;
+    o.edge = kSettledEdge;
+    o.hurry = false;
+    std::copy(std::begin(kSettled), std::end(kSettled), o.share);
+    if (!round_.solve(m, o)) return false;
+    warp_.apply(m, round_.bend, round_.pace);
+    passes_.apply(path_, m);
+    return true;
+  }
+
+  /// Tries whether a slightly shorter duration can be settled too: the barrier stops a little before the limits.
+  void press(MotionWindow<D>& m, const Monitor& monitor) {
+    double by = kFaster;
+    for (int i = 0; i < kPresses && by * static_cast<double>(m.size()) >= 1; ++i) {
+      MotionWindow<D> faster = m;
+      std::vector<double> pace(m.size());
+      for (std::size_t k = 3; k + 3 < m.size(); ++k) pace[k] = by * ease(m, k);
+      change_pace(faster, pace);
+      if (faster.size() < m.size() && settle(faster, 1, monitor)) {
+        m = std::move(faster);
+      } else {
+        by /= 2;
+      }
+    }
+  }
+
+  void change_pace(MotionWindow<D>& m, const std::vector<double>& pace) {
+    const std::vector<typename MotionWindow<D>::Vec> bend(m.size(), MotionWindow<D>::Vec::Zero());
+    warp_.apply(m, bend, pace);
+    passes_.apply(path_, m);
   }
 
   /// Slows down by the share `by` around what is over, fading out smoothly.
@@ -88,9 +120,7 @@ class WindowOptimiser {
     smooth_minimum(free, kReach, low);
     std::vector<double> pace(n);
     for (std::size_t k = 0; k < n; ++k) pace[k] = k < 3 || k + 3 >= n ? 0 : -by * (1 - free[k]) * ease(m, k);
-    const std::vector<typename MotionWindow<D>::Vec> bend(n, MotionWindow<D>::Vec::Zero());
-    warp_.apply(m, bend, pace);
-    passes_.apply(path_, m);
+    change_pace(m, pace);
   }
 
   const TubePath& path_;
