@@ -40,7 +40,24 @@ MotionPlan plan_with(const SpeedLimits& limits, std::size_t blocks, const Monito
   return plan;
 }
 
+template <class Law>
+double time_with(const SpeedLimits& limits) {
+  const std::vector<double> cap = joined_caps(limits);
+  const std::vector<MoveTerms> terms = terms_of<Law>(limits.dynamics);
+  const Chain chain{limits.length, limits.ramp, limits.dynamics, terms, cap};
+  const std::vector<double> v = speeds_of_whole_chain<Law>(chain);
+  double sum = 0;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    sum += stretch_time({0, limits.length[i], limits.block_cap[i], v[i], v[i + 1]}, terms[limits.ramp[i]]);
+  }
+  return sum;
+}
+
 }  // namespace
+
+double time_block_ramps(const SpeedLimits& limits, LawKind law) {
+  return visit_law(law, [&](auto chosen) { return time_with<decltype(chosen)>(limits); });
+}
 
 MotionPlan plan_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks, const Monitor& monitor) {
   return visit_law(law, [&](auto chosen) { return plan_with<decltype(chosen)>(limits, blocks, monitor); });

@@ -15,6 +15,9 @@ namespace toolpace::detail {
 /// Node caps that also respect both neighbours' feeds; the ends rest [mm/s].
 std::vector<double> joined_caps(const SpeedLimits& limits);
 
+/// Cycle time of plan_block_ramps over the whole chain, without the plan [s].
+double time_block_ramps(const SpeedLimits& limits, LawKind law);
+
 /// @param blocks  look-ahead, ≥ 1
 /// @return no phases when cancelled
 MotionPlan plan_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks, const Monitor& monitor);

@@ -1,7 +1,7 @@
 #include "toolpace/plan/span_mixed_hull.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <limits>
 
 namespace toolpace::detail {
 namespace {
@@ -15,12 +15,20 @@ constexpr double kLeastBottom = 0.5;
 
 class MixedHullBuilder {
  public:
-  MixedHullBuilder(std::vector<Kernel>& kernels, const KernelBounds& bounds, MixedHull& hull)
-      : kernels_(kernels), bounds_(bounds), hull_(hull), budget_(kUnionsPerKernel * kernels.size() + kLeastUnions) {}
+  MixedHullBuilder(const SpeedLimits& limits, const std::vector<SpanBounds>& before, std::vector<Kernel>& kernels,
+                   MixedHull& hull)
+      : chain_(limits),
+        before_(before),
+        kernels_(kernels),
+        hull_(hull),
+        budget_(kUnionsPerKernel * kernels.size() + kLeastUnions) {}
 
   bool run() {
     hull_.entries.clear();
     hull_.met.clear();
+    hull_.entries.reserve(kernels_.size());
+    hull_.met.reserve(kernels_.size());
+    after_.reserve(kernels_.size());
     push({}, 0, {});
     for (std::uint32_t k = 1; k < kernels_.size() && budget_ > 0 && feasible_; ++k) add(k);
     return feasible_ && budget_ > 0 && hull_.entries.back().kernel + 1 == kernels_.size();
@@ -32,7 +40,14 @@ class MixedHullBuilder {
   void push(const Bridge& b, std::uint32_t k, const SpanBounds& met) {
     hull_.entries.push_back({b, k});
     hull_.met.push_back(met);
-    after_.push_back(bounds_.own[k]);
+    after_.push_back(own(k));
+  }
+
+  /// Limits of a plateau's blocks; points have none.
+  SpanBounds own(std::uint32_t k) const {
+    SpanBounds bounds;
+    if (kernels_[k].is_plateau()) bounds.include(chain_.dynamics_of(kernels_[k].first_node));
+    return bounds;
   }
 
   /// What lies behind the new top may use no more than this.
@@ -83,8 +98,7 @@ class MixedHullBuilder {
   }
 
   void add(std::uint32_t k) {
-    SpanBounds around = bounds_.own[k];
-    around.include(bounds_.before[k]);
+    const SpanBounds around = smaller(own(k), before_[k]);
     while (budget_ > 0) {
       const HullEntry top = hull_.entries.back();
       const SpanBounds under = smaller(after_.back(), around);
@@ -121,8 +135,9 @@ class MixedHullBuilder {
     --depth_;
   }
 
+  const SpeedLimits& chain_;
+  const std::vector<SpanBounds>& before_;
   std::vector<Kernel>& kernels_;
-  const KernelBounds& bounds_;
   MixedHull& hull_;
   std::vector<SpanBounds> after_;  ///< for each entry: limits from it on to the present kernel
   SpanBounds last_bounds_ = {1, 1, 1, 1};
@@ -132,43 +147,85 @@ class MixedHullBuilder {
   bool feasible_ = true;
 };
 
-}  // namespace
-
-void part_by_limits(const SpanChain& chain, std::vector<Kernel>& kernels, KernelBounds& bounds) {
-  std::vector<Kernel> parted;
-  parted.reserve(kernels.size());
-  bounds.before.clear();
-  bounds.own.clear();
-  std::size_t block = chain.first;
-  const auto include_upto = [&](std::size_t node, SpanBounds& all) {
-    for (; block < node; ++block) all.include(chain.limits.dynamics_of(block));
-  };
-  for (const Kernel& k : kernels) {
-    SpanBounds before;
-    include_upto(k.first_node, before);
-    do {
-      Kernel part = k;
-      SpanBounds own;
-      if (k.is_plateau()) {
-        std::size_t end = block + 1;
-        while (end < k.last_node && chain.limits.ramp[end] == chain.limits.ramp[block]) ++end;
-        part.first_node = static_cast<std::uint32_t>(block);
-        part.last_node = static_cast<std::uint32_t>(end);
-        part.left = part.position = chain.position[block];
-        part.right = part.end = chain.position[end];
-        include_upto(end, own);
-      }
-      parted.push_back(part);
-      bounds.before.push_back(before);
-      bounds.own.push_back(own);
-      before = {};
-    } while (block < k.last_node);
+bool has_one_limit(const SpeedLimits& limits, const Kernel& k) {
+  for (std::uint32_t i = k.first_node + 1; i < k.last_node; ++i) {
+    if (limits.ramp[i] != limits.ramp[i - 1]) return false;
   }
-  kernels.swap(parted);
+  return true;
 }
 
-bool build_mixed_hull(std::vector<Kernel>& kernels, const KernelBounds& bounds, MixedHull& hull) {
-  return MixedHullBuilder(kernels, bounds, hull).run();
+/// Appends the parts of a plateau.
+void part_plateau(const SpanChain& chain, const Kernel& k, std::vector<Kernel>& parts) {
+  for (std::uint32_t begin = k.first_node; begin < k.last_node;) {
+    std::uint32_t end = begin + 1;
+    while (end < k.last_node && chain.limits.ramp[end] == chain.limits.ramp[begin]) ++end;
+    Kernel part = k;
+    part.first_node = begin;
+    part.last_node = end;
+    part.left = part.position = chain.position[begin];
+    part.right = part.end = chain.position[end];
+    parts.push_back(part);
+    begin = end;
+  }
+}
+
+/// Time in which the acceleration rises from one value to another.
+double rising_time(double from, double to, const SpanLimits& limits) {
+  const double down = std::min(to, 0.0) - std::min(from, 0.0), up = std::max(to, 0.0) - std::max(from, 0.0);
+  return down * limits.down.slack + up * limits.up.slack;
+}
+
+}  // namespace
+
+std::vector<SpanBounds> part_by_limits(const SpanChain& chain, std::vector<Kernel>& kernels) {
+  const auto is_mixed = [&](const Kernel& k) { return k.is_plateau() && !has_one_limit(chain.limits, k); };
+  if (std::any_of(kernels.begin(), kernels.end(), is_mixed)) {
+    std::vector<Kernel> parted;
+    parted.reserve(kernels.size());
+    for (const Kernel& k : kernels) {
+      if (k.is_plateau()) {
+        part_plateau(chain, k, parted);
+      } else {
+        parted.push_back(k);
+      }
+    }
+    kernels.swap(parted);
+  }
+  std::vector<SpanBounds> before(kernels.size());
+  std::size_t block = chain.first;
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
+    for (; block < kernels[k].first_node; ++block) before[k].include(chain.limits.dynamics_of(block));
+    block = kernels[k].last_node;
+  }
+  return before;
+}
+
+bool build_mixed_hull(const SpeedLimits& limits, const std::vector<SpanBounds>& before, std::vector<Kernel>& kernels,
+                      MixedHull& hull) {
+  return MixedHullBuilder(limits, before, kernels, hull).run();
+}
+
+double hull_time(const std::vector<Kernel>& kernels, const MixedHull& hull) {
+  double sum = 0.0;
+  SpanLimits before = hull.met[1].limits();
+  for (std::size_t e = 0; e + 1 < hull.entries.size(); ++e) {
+    const Kernel& near = kernels[hull.entries[e].kernel];
+    const Kernel& far = kernels[hull.entries[e + 1].kernel];
+    const Bridge& met = hull.entries[e].bridge;
+    const Bridge& b = hull.entries[e + 1].bridge;
+    const SpanLimits after = hull.met[e + 1].limits();
+    if (near.is_plateau()) sum += (b.leave_at - met.meet_at) / near.bottom;
+    if (e == 0 || hull.met[e] == hull.met[e + 1]) {
+      sum += rising_time(met.meet, b.leave, after);
+    } else {
+      sum += rising_time(met.meet, near.tilt, before) + rising_time(near.tilt, b.leave, after);
+    }
+    sum += rising_time(b.meet, b.leave, after);
+    if (b.leave >= after.up.top) sum += after.up.hold(b.peak - kernel_under(near, after).bottom);
+    if (-b.meet >= after.down.top) sum += after.down.hold(b.peak - kernel_under(far, after).bottom);
+    before = after;
+  }
+  return sum;
 }
 
 }  // namespace toolpace::detail

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "toolpace/plan/phase_writer.h"
 #include "toolpace/plan/span_emit.h"
@@ -30,14 +31,16 @@ bool is_continuous(const std::vector<Phase>& phases, double top, double length) 
   return true;
 }
 
+bool is_sound(const SpanChain& chain, const std::vector<Kernel>& kernels, const std::vector<Phase>& phases) {
+  double top = 0;
+  for (const Kernel& k : kernels) top = std::max(top, k.cap);
+  return is_continuous(phases, top, chain.position[chain.last]);
+}
+
 }  // namespace
 
-double MixedPlanner::emit(const std::vector<Kernel>& kernels, std::vector<Phase>& phases) const {
-  phases.clear();
-  phases.reserve(4 * hull_.entries.size());
-  PhaseWriter writer(phases);
-  emit_hull(kernels, hull_, writer);
-  return writer.time();
+bool MixedPlanner::build(const SpanChain& chain, std::vector<Kernel>& kernels) {
+  return build_mixed_hull(chain.limits, before_, kernels, hull_) && meets_caps(hull_);
 }
 
 /// Towards the middle of the accelerations with which each touched node is met and left.
@@ -51,36 +54,43 @@ void MixedPlanner::tilt(std::vector<Kernel>& kernels) const {
 }
 
 /// Writes the hull into trial_, taking tilts away around caps that it passes.
-bool MixedPlanner::keeps_caps(std::vector<Kernel>& kernels, double& time) {
+/// @return false where it is no faster than `at_most`, or not sound
+bool MixedPlanner::emit_within_caps(const SpanChain& chain, std::vector<Kernel>& kernels, double at_most) {
   SpanBounds all;
   for (const SpanBounds& b : hull_.met) all.include(b);
   const SpanLimits limits = all.limits();
   for (std::size_t round = 0; round < kMostRepairs; ++round) {
-    if (!build_mixed_hull(kernels, bounds_, hull_) || !meets_caps(hull_)) return false;
-    time = emit(kernels, trial_);
+    if (!(hull_time(kernels, hull_) < at_most)) return false;
+    trial_.clear();
+    trial_.reserve(4 * hull_.entries.size());
+    PhaseWriter writer(trial_);
+    emit_hull(kernels, hull_, writer);
     const Broken broken{find_broken(kernels, limits, hull_.entries, trial_), 1 + 2 * round};
-    if (broken.kernels.empty()) return true;
-    if (drop_tilts(hull_.entries, limits, broken, kernels).empty()) return false;
+    if (broken.kernels.empty()) return is_sound(chain, kernels, trial_);
+    if (drop_tilts(hull_.entries, limits, broken, kernels).empty() || !build(chain, kernels)) return false;
   }
   return false;
 }
 
 bool MixedPlanner::plan(const SpanChain& chain, std::vector<Kernel>& kernels, std::vector<Phase>& phases) {
-  part_by_limits(chain, kernels, bounds_);
-  const double begin = chain.position[chain.first], length = chain.position[chain.last];
-  const double top = std::max_element(kernels.begin(), kernels.end(), [](const Kernel& a, const Kernel& b) {
-                       return a.cap < b.cap;
-                     })->cap;
-  double best = 0;
-  if (!keeps_caps(kernels, best) || !is_continuous(trial_, top, std::max(length, begin))) return false;
-  phases.swap(trial_);
+  before_ = part_by_limits(chain, kernels);
+  if (!build(chain, kernels)) return false;
+  double best = hull_time(kernels, hull_);
+  bool has_plan = false;
   for (int pass = 0; pass < passes_ && hull_.entries.size() > 2; ++pass) {
     tilt(kernels);
-    double time = 0;
-    if (!keeps_caps(kernels, time) || !(time < best) || !is_continuous(trial_, top, length)) break;
-    best = time;
+    if (!build(chain, kernels) || !emit_within_caps(chain, kernels, best)) break;
+    best = hull_time(kernels, hull_);
+    has_plan = true;
     phases.swap(trial_);
   }
+  if (has_plan) return true;
+  for (Kernel& k : kernels) {
+    if (k.tilt != 0) set_tilt(k, 0.0, hull_.met.back().limits());
+  }
+  if (!build(chain, kernels) || !emit_within_caps(chain, kernels, std::numeric_limits<double>::infinity()))
+    return false;
+  phases.swap(trial_);
   return true;
 }
 

@@ -21,12 +21,12 @@ class MixedPlanner {
   bool plan(const SpanChain& chain, std::vector<Kernel>& kernels, std::vector<Phase>& phases);
 
  private:
-  double emit(const std::vector<Kernel>& kernels, std::vector<Phase>& phases) const;
+  bool build(const SpanChain& chain, std::vector<Kernel>& kernels);
   void tilt(std::vector<Kernel>& kernels) const;
-  bool keeps_caps(std::vector<Kernel>& kernels, double& time);
+  bool emit_within_caps(const SpanChain& chain, std::vector<Kernel>& kernels, double at_most);
 
   int passes_;
-  KernelBounds bounds_;
+  std::vector<SpanBounds> before_;
   MixedHull hull_;
   std::vector<Phase> trial_;
 };
