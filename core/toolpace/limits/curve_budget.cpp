@@ -11,6 +11,7 @@ namespace {
 constexpr double kCentripetalShare = 0.9;
 constexpr double kCentripetalJerkShare = 0.5;
 constexpr int kSplineSamples = 9;
+constexpr int kBlendSamples = 33;  // at sharp corners curvature changes fast, beside the middle
 constexpr double kSplineMargin = 1.02;
 
 CurveBounds arc_bounds(const Path& path, std::size_t i) {
@@ -36,8 +37,9 @@ CurveBounds arc_bounds(const Path& path, std::size_t i) {
 
 CurveBounds sampled_bounds(const Path& path, std::size_t i) {
   CurveBounds bounds{AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
-  for (int k = 0; k < kSplineSamples; ++k) {
-    const ParameterDerivatives f = derivatives_at_share(path, i, static_cast<double>(k) / (kSplineSamples - 1));
+  const int samples = path.kind[i] == SegmentKind::blend ? kBlendSamples : kSplineSamples;
+  for (int k = 0; k < samples; ++k) {
+    const ParameterDerivatives f = derivatives_at_share(path, i, static_cast<double>(k) / (samples - 1));
     bounds.first = bounds.first.cwiseMax(f.first.cwiseAbs());
     bounds.second = bounds.second.cwiseMax(f.second.cwiseAbs());
     bounds.third = bounds.third.cwiseMax(f.third.cwiseAbs());

@@ -22,9 +22,9 @@ double length_between(const Blend& blend, double a, double b, double piece) {
   return sum;
 }
 
+/// Parameter in 0 … top, the length up to `top` being `length`.
 template <class Blend>
-double solve_parameter(const Blend& blend, double piece, double length, double s) {
-  constexpr double top = 1;
+double solve_parameter(const Blend& blend, double piece, double top, double length, double s) {
   if (s <= 0) return 0;
   if (s >= length) return top;
   double low = 0, high = top, t = top * s / length;
@@ -46,22 +46,19 @@ double solve_parameter(const Blend& blend, double piece, double length, double s
 /// |after − before| / |before| = 2·sin(α/2): gentle corners need no subdivision.
 double piece_of(const CornerBlend& blend) {
   const double turn = (blend.after - blend.before).head<3>().norm();
-  return turn < 0.6 * blend.before.head<3>().norm() ? 1.0 : 1.0 / kCornerPieces;
+  return turn < 0.6 * blend.before.head<3>().norm() ? 0.5 : 0.5 / kCornerPieces;
 }
 
 }  // namespace
 
 AxisVector blend_point(const CornerBlend& b, double t) {
-  const double r = t <= 1 ? t : 2 - t, c = r * r * r / 6;
-  return t <= 1 ? AxisVector(b.corner - (1 - t + c) * b.before + c * b.after)
-                : AxisVector(b.corner - c * b.before + (t - 1 + c) * b.after);
+  const double r = 1 - t;
+  return b.corner - r * r * r * b.before + t * t * t * b.after;
 }
 
 ParameterDerivatives blend_derivatives(const CornerBlend& b, double t) {
-  const double r = t <= 1 ? t : 2 - t;
-  const AxisVector turn = b.after - b.before;
-  if (t <= 1) return {b.before + (r * r / 2) * turn, r * turn, turn};
-  return {b.after - (r * r / 2) * turn, r * turn, -turn};
+  const double r = 1 - t;
+  return {3 * (r * r * b.before + t * t * b.after), 6 * (t * b.after - r * b.before), 6 * (b.before + b.after)};
 }
 
 AxisVector blend_point(const CurveBlend& b, double t) {
@@ -87,7 +84,7 @@ ParameterDerivatives blend_derivatives(const CurveBlend& b, double t) {
 
 double blend_length(const CornerBlend& blend, double t) {
   const double piece = piece_of(blend);
-  if (t >= 2) return 2 * length_between(blend, 0.0, 1.0, piece);
+  if (t >= 1) return 2 * length_between(blend, 0.0, 0.5, piece);
   return length_between(blend, 0.0, t, piece);
 }
 
@@ -96,12 +93,12 @@ double blend_length(const CurveBlend& blend, double t) { return length_between(b
 double blend_parameter(const CornerBlend& blend, double length, double s) {
   // The halves mirror each other.
   if (s > length / 2)
-    return 2 - blend_parameter(CornerBlend{blend.corner, -blend.after, -blend.before}, length, length - s);
-  return solve_parameter(blend, piece_of(blend), length / 2, s);
+    return 1 - blend_parameter(CornerBlend{blend.corner, -blend.after, -blend.before}, length, length - s);
+  return solve_parameter(blend, piece_of(blend), 0.5, length / 2, s);
 }
 
 double blend_parameter(const CurveBlend& blend, double length, double s) {
-  return solve_parameter(blend, 1.0 / kCurvePieces, length, s);
+  return solve_parameter(blend, 1.0 / kCurvePieces, 1.0, length, s);
 }
 
 CurveBlend make_curve_blend(const BlendEnd& begin, const BlendEnd& end, double length) {

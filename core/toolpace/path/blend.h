@@ -8,10 +8,10 @@
 
 namespace toolpace {
 
-/// Between two lines: x(t) = corner − F(t)·before + G(t)·after, 0 ≤ t ≤ 2, two cubic pieces that meet with continuous second
-/// derivative; curvature grows from zero and falls back to zero, for small angles linearly. It misses the corner by
-/// |after − before| / 6.
-///   0 ≤ t ≤ 1: F = 1 − t + t³/6, G = t³/6;  1 ≤ t ≤ 2: F = (2 − t)³/6, G = t − 1 + (2 − t)³/6
+/// Between two lines: the cubic Bézier curve whose two inner control points are both the corner,
+/// x(t) = corner − (1 − t)³·before + t³·after, 0 ≤ t ≤ 1. Its second derivative is along the lines at the ends, so curvature
+/// grows from zero and falls back to zero; its third derivative is constant and small at sharp corners, where a motion slows
+/// down into the curve and speeds up out of it. It misses the corner by |after − before| / 8.
 struct CornerBlend {
   AxisVector corner;         ///< [mm, rad]
   AxisVector before, after;  ///< along the two lines, of equal length in X Y Z: how much of each is replaced
@@ -29,7 +29,7 @@ ParameterDerivatives blend_derivatives(const CurveBlend& blend, double t);
 
 /// Length along X, Y, Z from the start to parameter t [mm]; relative accuracy 1e-9 for corners up to 165° and for curves that
 /// turn as much.
-double blend_length(const CornerBlend& blend, double t = 2);
+double blend_length(const CornerBlend& blend, double t = 1);
 double blend_length(const CurveBlend& blend, double t = 1);
 
 /// Parameter at path length `s`; `length` = blend_length of the whole.

@@ -11,8 +11,8 @@ namespace toolpace {
 namespace {
 
 constexpr std::size_t kReportEvery = 1 << 16;
-// |u2 − u1| = 2·sin(α/2) at 97°: beyond, a stop costs less than the curvature of a curve inside the tolerance.
-constexpr double kSharpest = 1.5;
+// |u2 − u1| = 2·sin(α/2) at 111°: beyond, a stop costs less than the curvature of a curve inside the tolerance.
+constexpr double kSharpest = 1.65;
 constexpr double kSameDirection = 1e-9;  // of unit vectors
 constexpr double kSameCurvature = 1e-6;  // |Δκ| times the shorter segment
 constexpr double kRest = 1e-9;           // a trimmed segment shorter than this share has vanished
@@ -144,7 +144,7 @@ class Blender {
       const double chord = turn.head<3>().norm(), size = in_tube_unit(turn);
       if (chord > kSharpest) ++out_.count.stops;
       if (chord > kSharpest || size <= kSameDirection) return 0;
-      return 6 * tol / size;
+      return 8 * tol / size;
     }
     const Frame a = frame_at(path_, i - 1, path_.length[i - 1]), b = frame_at(path_, i, 0);
     const double chord = (b.first - a.first).head<3>().norm(), bend = (b.second - a.second).norm();
@@ -210,7 +210,7 @@ class Blender {
     Path& p = out_.path;
     if (is_line(i - 1) && is_line(i)) {
       const CornerBlend blend{path_.node[i], d * end_direction(path_, i - 1), d * start_direction(path_, i)};
-      note(i, in_tube_unit(blend.after - blend.before) / 6);
+      note(i, in_tube_unit(blend.after - blend.before) / 8);
       p.corner_blends.push_back(blend);
       const auto index = static_cast<std::uint32_t>(p.corner_blends.size() - 1);
       push(SegmentKind::blend, slower_move(i), blend_length(blend), index, blend.corner + blend.after);

@@ -30,7 +30,7 @@ bool asks_for_blends(const Moves& moves);
 /// Rounds the corners of a path in continuous path mode: curvature is continuous, every point of either curve is within the
 /// tolerance of the other, in order. Runs of nearly straight short segments of one feed become one (at most a third of the
 /// tolerance). Neighbouring blends share a segment. Nodes with a pause, nodes of blocks under G61 or G61.1, and corners
-/// above 97° (where a stop costs less) stay as they are. Linear time.
+/// above 111° (where a stop costs less) stay as they are. Linear time.
 /// @return error cancelled
 Result<BlendedPath> blend_path(const Path& path, const Moves& moves, const BlendOptions& options,
                                const Monitor& monitor = {});

@@ -86,7 +86,7 @@ ParameterDerivatives derivatives_at_share(const Path& path, std::size_t i, doubl
     if (d.first.head<3>().norm() <= kNoParameterSpeed * mean) d = at(share + (share < 0.5 ? kBeside : -kBeside));
     return by_arc_length(d);
   }
-  if (detail < Path::kCurveBlend) return by_arc_length(blend_derivatives(path.corner_blends[detail], 2 * share));
+  if (detail < Path::kCurveBlend) return by_arc_length(blend_derivatives(path.corner_blends[detail], share));
   return by_arc_length(blend_derivatives(path.curve_blends[detail - Path::kCurveBlend], share));
 }
 
@@ -98,7 +98,7 @@ double parameter_speed(const Path& path, std::size_t i, double share) {
     return width * spline_derivatives(path.splines[piece.spline], piece.begin + share * width).first.head<3>().norm();
   }
   if (detail < Path::kCurveBlend) {
-    return 2 * blend_derivatives(path.corner_blends[detail], 2 * share).first.head<3>().norm();
+    return blend_derivatives(path.corner_blends[detail], share).first.head<3>().norm();
   }
   return blend_derivatives(path.curve_blends[detail - Path::kCurveBlend], share).first.head<3>().norm();
 }

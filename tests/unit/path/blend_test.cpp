@@ -72,9 +72,9 @@ double reference_length(const CornerBlend& blend) {
   double sum = 0;
   for (int k = 0; k <= n; ++k) {
     const double weight = k == 0 || k == n ? 1 : k % 2 ? 4 : 2;
-    sum += weight * blend_derivatives(blend, 2.0 * k / n).first.head<3>().norm();
+    sum += weight * blend_derivatives(blend, 1.0 * k / n).first.head<3>().norm();
   }
-  return sum * 2 / n / 3;
+  return sum / n / 3;
 }
 
 TEST(CornerBlend, KnowsItsLengthToANinthAtEveryAngle) {
@@ -90,7 +90,7 @@ TEST(CornerBlend, KnowsItsLengthToANinthAtEveryAngle) {
   }
 }
 
-// Where only rotary axes turn at a corner its blend is straight, and the first guess of the parameter is the answer.
+// Where only rotary axes turn at a corner its blend is straight.
 TEST(CornerBlend, FindsEveryPlaceOnAStraightBlend) {
   CornerBlend blend{at(29, 9), at(0.957, 0), at(0.957, 0)};
   blend.before[5] = 0.0181;
@@ -102,12 +102,12 @@ TEST(CornerBlend, FindsEveryPlaceOnAStraightBlend) {
   }
 }
 
-// By hand: x(1) = corner + (after − before)/6.
-TEST(CornerBlend, MissesTheCornerByASixthOfTheTurn) {
-  const CornerBlend blend{at(0, 0), at(0.6, 0), at(0, 0.6)};
-  EXPECT_LE((blend_point(blend, 1) - at(-0.1, 0.1)).norm(), 1e-15);
-  EXPECT_EQ(blend_point(blend, 0), at(-0.6, 0));
-  EXPECT_EQ(blend_point(blend, 2), at(0, 0.6));
+// By hand: x(1/2) = corner + (after − before)/8.
+TEST(CornerBlend, MissesTheCornerByAnEighthOfTheTurn) {
+  const CornerBlend blend{at(0, 0), at(0.8, 0), at(0, 0.8)};
+  EXPECT_LE((blend_point(blend, 0.5) - at(-0.1, 0.1)).norm(), 1e-15);
+  EXPECT_EQ(blend_point(blend, 0), at(-0.8, 0));
+  EXPECT_EQ(blend_point(blend, 1), at(0, 0.8));
 }
 
 TEST(BlendPath, UsesTheToleranceOfASquareCornerAndNoMore) {

@@ -5,12 +5,9 @@
 namespace toolpace::detail::retime {
 namespace {
 
-constexpr double kMostSlope = 4.0;  // keeps the cubic from running back
-
-double slope(const Path& path, std::size_t segment, double share) {
-  const double speed = parameter_speed(path, segment, share);
-  return speed * kMostSlope > path.length[segment] ? path.length[segment] / speed : kMostSlope;
-}
+// Pieces of splines are short; through a sharp corner the parameter runs very unevenly.
+constexpr std::size_t kSplineKnots = 2, kBlendKnots = 9;
+constexpr double kMostSlope = 3.0;  // of a Hermite cubic that does not run back
 
 }  // namespace
 
@@ -44,15 +41,37 @@ void PathSampler::enter() {
     const Frame f = frame_at(path_, segment_, 0.0);
     line_ = {f.first, f.second, f.third};
   } else if (path_.kind[segment_] >= SegmentKind::spline) {
-    begin_slope_ = slope(path_, segment_, 0.0);
-    end_slope_ = slope(path_, segment_, 1.0);
+    tabulate(path_.kind[segment_] == SegmentKind::spline ? kSplineKnots : kBlendKnots);
   }
 }
 
-/// Share of the own parameter, as a Hermite cubic in the share of the length.
+/// Lengths by Simpson's rule, scaled to the segment's own.
+void PathSampler::tabulate(std::size_t knots) {
+  knots_ = knots;
+  const double h = 1.0 / static_cast<double>(knots - 1);
+  length_[0] = 0;
+  speed_[0] = parameter_speed(path_, segment_, 0.0);
+  for (std::size_t k = 1; k < knots; ++k) {
+    const double share = static_cast<double>(k) * h;
+    speed_[k] = parameter_speed(path_, segment_, share);
+    length_[k] = length_[k - 1];
+    length_[k] += knots == 2
+                      ? path_.length[segment_]
+                      : h / 6 * (speed_[k - 1] + 4 * parameter_speed(path_, segment_, share - h / 2) + speed_[k]);
+  }
+  const double scale = path_.length[segment_] / length_[knots - 1];
+  for (std::size_t k = 0; k < knots; ++k) length_[k] *= scale;
+}
+
+/// Share of the own parameter, as Hermite cubics in the length.
 double PathSampler::share() const {
-  const double x = std::clamp(at_ / path_.length[segment_], 0.0, 1.0), y = 1 - x;
-  return std::clamp(x * x * (3 - 2 * x) + x * y * (begin_slope_ * y - end_slope_ * x), 0.0, 1.0);
+  std::size_t k = 1;
+  while (k + 1 < knots_ && at_ > length_[k]) ++k;
+  const double h = 1.0 / static_cast<double>(knots_ - 1), width = length_[k] - length_[k - 1];
+  const double x = std::clamp((at_ - length_[k - 1]) / width, 0.0, 1.0), y = 1 - x;
+  const auto slope = [&](double speed) { return speed * h * kMostSlope > width ? width / (speed * h) : kMostSlope; };
+  const double part = x * x * (3 - 2 * x) + x * y * (slope(speed_[k - 1]) * y - slope(speed_[k]) * x);
+  return std::clamp((static_cast<double>(k - 1) + part) * h, 0.0, 1.0);
 }
 
 }  // namespace toolpace::detail::retime

@@ -1,6 +1,8 @@
 #pragma once
 /// Derivatives along a path for planning: where on a curve a path length lies is good to about a hundredth of the piece.
 
+#include <array>
+
 #include "toolpace/path/path.h"
 
 namespace toolpace::detail::retime {
@@ -20,12 +22,15 @@ class PathSampler {
 
  private:
   void enter();
+  void tabulate(std::size_t knots);
   double share() const;
 
   const Path& path_;
   std::size_t segment_;
-  double start_ = 0, at_ = 0;               // of the segment; of the place, from there
-  double begin_slope_ = 1, end_slope_ = 1;  // d share / d (s / length) at the segment's ends
+  double start_ = 0, at_ = 0;     // of the segment; of the place, from there
+  std::size_t knots_ = 0;         // of the table
+  std::array<double, 9> length_;  // up to even shares of a curve's own parameter
+  std::array<double, 9> speed_;   // length by share there
   ParameterDerivatives line_;
 };
 
