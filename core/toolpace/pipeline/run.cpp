@@ -149,16 +149,6 @@ bool blends_everywhere(const Job& job) {
   return job.options.corner.rule == CornerRule::blend && !job.options.corner.step;
 }
 
-/// A hold stops on the path, and a motion through the tube has left it.
-Error hold_needs_path() {
-  return {ErrorKind::usage,
-          "hold-needs-path",
-          "a feed hold cannot be inserted into a motion through the tolerance tube",
-          "take another corner rule than smooth",
-          {},
-          {}};
-}
-
 /// Plans by the job's corner rule: along the path, or through the tube around it.
 Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& job, const SpeedLimits& limits,
                              const Monitor& monitor) {
@@ -205,8 +195,7 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   outcome.limits = std::move(*limits);
   outcome.node_time = delayed_times(std::move(planned->node_time), outcome.path->pauses);
   outcome.plan = insert_pauses(planned->plan, outcome.path->pauses, node_positions(outcome.limits));
-  if (const auto hold = outcome.job->options.hold_at) {
-    if (is_through_tube(*outcome.job)) return tl::unexpected(hold_needs_path());
+  if (const auto hold = outcome.job->options.hold_at; hold && !is_through_tube(*outcome.job)) {
     auto held = insert_hold(outcome.limits, outcome.plan, outcome.job->options, {*hold}, stage(monitor, 0.9, 0.95));
     if (!held) return tl::unexpected(held.error());
     outcome.plan = std::move(*held);

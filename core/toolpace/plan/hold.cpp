@@ -283,20 +283,25 @@ class HoldInserter {
 
 }  // namespace
 
+Result<void> check_hold(const Hold& hold) {
+  if (hold.time >= 0 && hold.pause >= 0) return {};
+  return tl::make_unexpected(
+      Error{ErrorKind::usage, "hold-time", "a hold needs a time and a pause of 0 s or more", "", {}, {}});
+}
+
+Error hold_after_end(double cycle_time) {
+  return {ErrorKind::infeasible,
+          "hold-after-end",
+          "the hold comes after the end of the program",
+          "choose a time before the end",
+          {},
+          cycle_time};
+}
+
 Result<MotionPlan> insert_hold(const SpeedLimits& limits, const MotionPlan& plan, const PlanOptions& options,
                                const Hold& hold, const Monitor& monitor) {
-  if (!(hold.time >= 0) || !(hold.pause >= 0)) {
-    return tl::make_unexpected(
-        Error{ErrorKind::usage, "hold-time", "a hold needs a time and a pause of 0 s or more", "", {}, {}});
-  }
-  if (hold.time >= plan.cycle_time()) {
-    return tl::make_unexpected(Error{ErrorKind::infeasible,
-                                     "hold-after-end",
-                                     "the hold comes after the end of the program",
-                                     "choose a time before the end",
-                                     {},
-                                     plan.cycle_time()});
-  }
+  if (auto checked = check_hold(hold); !checked) return tl::make_unexpected(checked.error());
+  if (hold.time >= plan.cycle_time()) return tl::make_unexpected(hold_after_end(plan.cycle_time()));
   return HoldInserter(limits, plan, options, hold).run(monitor);
 }
 

@@ -27,4 +27,10 @@ struct Hold {
 Result<MotionPlan> insert_hold(const SpeedLimits& limits, const MotionPlan& plan, const PlanOptions& options,
                                const Hold& hold, const Monitor& monitor = {});
 
+/// Usage error "hold-time" where it has a negative time.
+Result<void> check_hold(const Hold& hold);
+
+/// Infeasible "hold-after-end", with the cycle time as attainable value.
+Error hold_after_end(double cycle_time);
+
 }  // namespace toolpace

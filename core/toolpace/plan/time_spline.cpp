@@ -43,7 +43,9 @@ SplineState evaluate(const TimeSpline& spline, double time) {
   }
   // Weights that sum to 1 but for rounding: a stretch at rest must not tremble.
   for (std::size_t a = 0; a < axes; ++a) {
-    if (c[a] == c[axes + a] && c[a] == c[2 * axes + a] && c[a] == c[3 * axes + a]) d[0][spline.axis[a]] = c[a];
+    if (c[a] != c[axes + a] || c[a] != c[2 * axes + a] || c[a] != c[3 * axes + a]) continue;
+    d[0][spline.axis[a]] = c[a];
+    for (int order = 1; order < 4; ++order) d[order][spline.axis[a]] = 0.0;
   }
   const bool linear = spline.axis[0] < 3;
   const AxisVector v = along_path(d[1], linear), acc = along_path(d[2], linear), jerk = along_path(d[3], linear);

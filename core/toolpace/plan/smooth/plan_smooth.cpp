@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/plan/hold.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/smooth/build_tube.h"
 #include "toolpace/plan/smooth/tube_progress.h"
@@ -65,24 +66,52 @@ class SmoothPlanner {
         options_(options),
         position_(node_positions(limits)) {
     result_.node_time.assign(path.size() + 1, 0.0);
+    if (options.hold_at) hold_ = Hold{*options.hold_at};
   }
 
   Result<SmoothPlan> plan(const ForEach& for_each, const Monitor& monitor) {
+    if (hold_) {
+      if (auto checked = check_hold(*hold_); !checked) return tl::unexpected(checked.error());
+    }
     for (const Run& run : find_runs(path_, moves_)) {
       if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+      hold_in_pause(run.begin);
       const auto added = run.exact ? add_exact(run, monitor) : add_tube(run, for_each, monitor);
       if (!added) return tl::unexpected(added.error());
     }
+    hold_in_pause(path_.size());
+    if (hold_) return tl::unexpected(hold_after_end(time_ + paused_));
     return std::move(result_);
   }
 
  private:
+  /// Passes the pauses up to a node; one that the hold falls into gets longer.
+  void hold_in_pause(std::size_t node) {
+    for (; pause_ < path_.pauses.size() && path_.pauses[pause_].node <= node; ++pause_) {
+      paused_ += path_.pauses[pause_].duration;
+    }
+    if (!hold_ || hold_->time >= time_ + paused_) return;
+    result_.plan.phases.push_back({time_, hold_->pause, position_[node], 0, 0, 0, PhaseShape::constant_jerk});
+    time_ += hold_->pause;
+    hold_.reset();
+  }
+  /// The hold as a run that begins now sees it.
+  double hold_time() const { return hold_->time - time_ - paused_; }
+  void set_node_time(const Run& run, std::size_t node, double time) {
+    if (node > run.begin || node == 0) result_.node_time[node] = time;  // a pause there has not begun later
+  }
+
   Result<void> add_exact(const Run& run, const Monitor& monitor) {
     const SpeedLimits part = slice(limits_, run);
     auto plan = plan_motion(part, options_, {monitor.stop, {}});
     if (!plan) return tl::unexpected(plan.error());
+    if (hold_ && hold_time() < plan->cycle_time()) {
+      plan = insert_hold(part, *plan, options_, {hold_time(), hold_->pause}, {monitor.stop, {}});
+      if (!plan) return tl::unexpected(plan.error());
+      hold_.reset();
+    }
     const std::vector<double> times = node_times(part, *plan);
-    for (std::size_t i = 0; i < times.size(); ++i) result_.node_time[run.begin + i] = time_ + times[i];
+    for (std::size_t i = 0; i < times.size(); ++i) set_node_time(run, run.begin + i, time_ + times[i]);
     for (Phase& phase : plan->phases) {
       phase.begin += time_;
       phase.distance += position_[run.begin];
@@ -101,8 +130,11 @@ class SmoothPlanner {
       const double from = position_[run.begin], to = position_[run.end], all = position_.back();
       part.progress = [&monitor, from, to, all](double f) { monitor.report((from + f * (to - from)) / all); };
     }
-    auto motion = plan_tube(tube, tube_limits(machine_), machine_.period, for_each, part);
+    std::optional<TubeHold> hold;
+    if (hold_) hold = TubeHold{hold_time(), hold_->pause};
+    auto motion = plan_tube(tube, tube_limits(machine_), machine_.period, for_each, part, hold);
     if (!motion) return tl::unexpected(motion.error());
+    if (motion->held) hold_.reset();
     result_.deviation = std::max(result_.deviation, motion->deviation);
     result_.windows += motion->windows;
     result_.fallbacks += motion->fallbacks;
@@ -119,7 +151,7 @@ class SmoothPlanner {
     for (std::size_t i = run.begin; i <= run.end; ++i) {
       const double at = position_[i] - position_[run.begin];
       while (k + 1 < tube.segments() && tube.distance[k + 1] <= at) ++k;
-      result_.node_time[i] = time_ + (at <= tube.distance[k] ? motion.pass[k] : progress.time_at(k, at));
+      set_node_time(run, i, time_ + (at <= tube.distance[k] ? motion.pass[k] : progress.time_at(k, at)));
     }
     result_.node_time[run.end] = time_ + motion.duration;
   }
@@ -161,7 +193,10 @@ class SmoothPlanner {
   const SpeedLimits& limits_;
   const PlanOptions& options_;
   std::vector<double> position_;
-  double time_ = 0;
+  std::optional<Hold> hold_;  ///< that is not in the plan yet
+  double time_ = 0;           ///< of the plan so far, without the path's pauses
+  double paused_ = 0;         ///< by the path so far
+  std::size_t pause_ = 0;
   SmoothPlan result_;
 };
 

@@ -19,8 +19,10 @@ struct SmoothPlan {
 
 /// Runs of blocks in continuous path mode become one motion each, through the tube; blocks under G61 and G61.1, and the
 /// stops at pauses, stay exactly on the path, planned by the law of the options.
+/// A feed hold of the options (hold_at, pauses of the path included) is in the plan: a pause becomes longer, exact blocks hold
+/// as insert_hold() says, a motion through the tube as plan_tube().
 /// @param limits  of the same path; the corner rule in them counts for the exact blocks alone
-/// @return Errors: of plan_tube and plan_motion
+/// @return Errors: of plan_tube, plan_motion and insert_hold
 Result<SmoothPlan> plan_smooth(const Path& path, const Moves& moves, const Machine& machine, const SpeedLimits& limits,
                                const PlanOptions& options, const ForEach& for_each = for_each_in_turn,
                                const Monitor& monitor = {});

@@ -6,6 +6,7 @@
 
 #include "toolpace/plan/smooth/exact_motion.h"
 #include "toolpace/plan/smooth/first_motion.h"
+#include "toolpace/plan/smooth/hold_window.h"
 #include "toolpace/plan/smooth/pass_through.h"
 #include "toolpace/plan/smooth/window_optimiser.h"
 
@@ -53,7 +54,7 @@ class Planner {
   Planner(const TubePath& path, const StepLimits& limits, const ForEach& for_each, const Monitor& monitor)
       : path_(path), limits_(limits), for_each_(for_each), monitor_(monitor), progress_(monitor, 2 * path.segments()) {}
 
-  Result<TubeMotion> plan() {
+  Result<TubeMotion> plan(const std::optional<TubeHold>& hold) {
     motion_.step = limits_.step;
     std::vector<Planned> batch;
     std::size_t at = 0;
@@ -66,6 +67,7 @@ class Planner {
     }
     if (monitor_.is_cancelled()) return tl::unexpected(cancelled_error());
     append(batch.back().window, batch.back().from, batch.back().window.size());
+    if (hold && !insert_hold(*hold)) return tl::unexpected(cancelled_error());
     finish();
     return std::move(motion_);
   }
@@ -207,6 +209,25 @@ class Planner {
     }
   }
 
+  /// @return false if it was cancelled
+  bool insert_hold(const TubeHold& hold) {
+    MotionWindow<D> whole;
+    for (std::size_t i = 0; i < motion_.control.size(); i += D) {
+      whole.c.push_back(Eigen::Map<const Eigen::Matrix<double, D, 1>>(motion_.control.data() + i));
+    }
+    if (hold.time > (static_cast<double>(whole.size()) - 3) * limits_.step) return true;
+    whole.pass = std::move(motion_.pass);
+    const auto rest = static_cast<std::size_t>(std::lround(hold.pause / limits_.step));
+    const auto held = tube::HoldWindow<D>(path_, limits_).apply(whole, 1 + hold.time / limits_.step, rest, monitor_);
+    if (!held) return false;
+    motion_.control.clear();
+    motion_.pass.clear();
+    append(*held, 0, held->size());
+    motion_.deviation = std::max(motion_.deviation, tube::TubeCheck<D>(path_, limits_).deviation(*held));
+    motion_.held = true;
+    return true;
+  }
+
   void finish() {
     motion_.duration = (static_cast<double>(motion_.control.size() / D) - 3) * limits_.step;
     for (double& u : motion_.pass) u = std::clamp((u - 1) * limits_.step, 0.0, motion_.duration);
@@ -225,13 +246,13 @@ class Planner {
 
 template <int D>
 Result<TubeMotion> plan_in(const TubePath& path, const StepLimits& limits, const ForEach& for_each,
-                           const Monitor& monitor) {
-  return Planner<D>(path, limits, for_each, monitor).plan();
+                           const Monitor& monitor, const std::optional<TubeHold>& hold) {
+  return Planner<D>(path, limits, for_each, monitor).plan(hold);
 }
 
 /// The planner is compiled for 2, 3 and 6 coordinates; in between, coordinates that stand still are added and taken away.
 Result<TubeMotion> plan_widened(const TubePath& path, int axes, const TubeLimits& limits, double period,
-                                const ForEach& for_each, const Monitor& monitor) {
+                                const ForEach& for_each, const Monitor& monitor, const std::optional<TubeHold>& hold) {
   TubePath wide = path;
   wide.axes = axes;
   if (wide.linear == 0) wide.linear = path.axes;
@@ -241,7 +262,8 @@ Result<TubeMotion> plan_widened(const TubePath& path, int axes, const TubeLimits
     wide.points.resize((i + 1) * static_cast<std::size_t>(axes), 0.0);
   }
   const StepLimits steps = tube::step_limits(path, limits, period);
-  auto motion = axes == 2 ? plan_in<2>(wide, steps, for_each, monitor) : plan_in<6>(wide, steps, for_each, monitor);
+  auto motion =
+      axes == 2 ? plan_in<2>(wide, steps, for_each, monitor, hold) : plan_in<6>(wide, steps, for_each, monitor, hold);
   if (!motion) return motion;
   std::vector<double> control;
   for (std::size_t i = 0; i < motion->control.size(); i += static_cast<std::size_t>(axes)) {
@@ -268,7 +290,7 @@ void for_each_in_turn(std::size_t count, const std::function<void(std::size_t)>&
 }
 
 Result<TubeMotion> plan_tube(const TubePath& path, const TubeLimits& limits, double period, const ForEach& for_each,
-                             const Monitor& monitor) {
+                             const Monitor& monitor, const std::optional<TubeHold>& hold) {
   if (!is_bounded(path, limits)) {
     return tl::unexpected(Error{ErrorKind::usage,
                                 "tube-unbounded",
@@ -277,11 +299,12 @@ Result<TubeMotion> plan_tube(const TubePath& path, const TubeLimits& limits, dou
                                 {},
                                 {}});
   }
-  if (path.axes == 2) return plan_in<2>(path, tube::step_limits(path, limits, period), for_each, monitor);
+  if (path.axes == 2) return plan_in<2>(path, tube::step_limits(path, limits, period), for_each, monitor, hold);
   const int axes = path.axes == 1 ? 2 : path.axes <= 3 ? 3 : 6;
-  if (path.axes != axes) return plan_widened(path, axes, limits, period, for_each, monitor);
+  if (path.axes != axes) return plan_widened(path, axes, limits, period, for_each, monitor, hold);
   const StepLimits steps = tube::step_limits(path, limits, period);
-  return axes == 3 ? plan_in<3>(path, steps, for_each, monitor) : plan_in<6>(path, steps, for_each, monitor);
+  return axes == 3 ? plan_in<3>(path, steps, for_each, monitor, hold)
+                   : plan_in<6>(path, steps, for_each, monitor, hold);
 }
 
 }  // namespace toolpace

@@ -2,6 +2,7 @@
 /// The fastest motion through the tolerance tube of a path, as a cubic B-spline in time.
 
 #include <functional>
+#include <optional>
 
 #include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
@@ -15,6 +16,12 @@ using ForEach = std::function<void(std::size_t count, const std::function<void(s
 /// The same on the calling thread.
 void for_each_in_turn(std::size_t count, const std::function<void(std::size_t)>& task);
 
+/// A feed hold: when the motion begins to brake, and how long it rests.
+struct TubeHold {
+  double time;   ///< [s] ≥ 0 from the motion's start; the brakes are put on at the next knot
+  double pause;  ///< [s] ≥ 0, rounded to steps
+};
+
 struct TubeMotion {
   double step = 0.001;          ///< h [s]
   std::vector<double> control;  ///< control points, axes values each [mm, deg]; the first and last three are equal
@@ -23,6 +30,7 @@ struct TubeMotion {
   std::size_t windows = 0;      ///< optimised
   std::size_t fallbacks = 0;    ///< of these, planned with stops because no faster plan passed every check
   double duration = 0;          ///< [s], a whole number of steps
+  bool held = false;            ///< the hold is in it; otherwise it comes after the motion's end
 };
 
 /// Plans a path from rest to rest.
@@ -33,9 +41,13 @@ struct TubeMotion {
 /// planned independently of each other, then the stops between them are removed, so time is linear, memory beyond the
 /// result bounded, and the result the same whatever runs the tasks.
 ///
+/// With a hold the motion stops inside the tube, as soon after the hold's time as the limits allow, rests, and goes on to
+/// join the motion without it some way behind: the same guarantees.
+///
 /// @param period  interpolation period [s] > 0
 /// @return Error "cancelled"; usage "tube-unbounded" where neither acceleration nor jerk of a moving axis is bounded
 Result<TubeMotion> plan_tube(const TubePath& path, const TubeLimits& limits, double period,
-                             const ForEach& for_each = for_each_in_turn, const Monitor& monitor = {});
+                             const ForEach& for_each = for_each_in_turn, const Monitor& monitor = {},
+                             const std::optional<TubeHold>& hold = {});
 
 }  // namespace toolpace
