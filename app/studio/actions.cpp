@@ -12,6 +12,9 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   open_example = add("openExampleAction", "");
   close_window = add("quitAction", "", {QKeySequence("Ctrl+Q")});
   export_setpoints = add("exportSetpointsAction", "export", {QKeySequence("Ctrl+E")});
+  export_pulses = add("exportPulsesAction", "", {QKeySequence("Ctrl+Shift+E")});
+  axis_derivatives = addToggle("axisDerivativesAction", "");
+  decimal_comma = addToggle("decimalCommaAction", "");
   export_picture = add("exportPictureAction", "");
   export_plots = add("exportPlotsAction", "");
   export_window = add("exportWindowAction", "");
@@ -104,6 +107,9 @@ void Actions::retranslate() {
   open_example->setText(tr("Open the e&xample"));
   close_window->setText(tr("&Quit"));
   export_setpoints->setText(tr("&Setpoints…"));
+  export_pulses->setText(tr("Step p&ulses…"));
+  axis_derivatives->setText(tr("Setpoints with v, a, j of each &axis"));
+  decimal_comma->setText(tr("Semicolon files with &decimal comma"));
   export_picture->setText(tr("&Contour preview…"));
   export_plots->setText(tr("&Plots…"));
   export_window->setText(tr("&Window…"));

@@ -22,7 +22,8 @@ class Actions : public QObject {
   std::vector<const QAction*> withShortcuts() const;
 
   QAction *open, *reload, *open_example, *close_window;
-  QAction *export_setpoints, *export_picture, *export_plots, *export_window, *export_report;
+  QAction *export_setpoints, *export_pulses, *axis_derivatives, *decimal_comma, *export_picture, *export_plots,
+      *export_window, *export_report;
   QAction *open_machine, *save_machine, *save_machine_as, *default_machine;
   QAction *undo, *redo, *find, *edit_line;
   QAction *play, *previous_line, *next_line, *to_start, *to_end, *cancel, *next_problem, *slowest_place;

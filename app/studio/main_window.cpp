@@ -14,6 +14,7 @@
 #include <QSlider>
 #include <algorithm>
 
+#include "panels/circle_panel.h"
 #include "panels/dock_title.h"
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
@@ -120,6 +121,7 @@ void MainWindow::showPlan() {
   what_if_->setTimeline(plan.timeline);
   loss_->setTimeline(plan.timeline);
   sweep_->setTimeline(plan.timeline);
+  circle_->setPlan(plan);
   if (plan) {
     tuning_->setBlockCount(plan.timeline->outcome()->summary.blocks);
     const auto& corner = plan.timeline->outcome()->job->options.corner;
@@ -168,6 +170,7 @@ void MainWindow::showCursor(double time) {
   transport_->setInstant(instant);
   contour_->setCursorTime(time);
   profile_->setCursorTime(time);
+  circle_->setCursorTime(time);
   if (instant.line > 0) {
     contour_->setHighlightedLine(instant.line);
     if (following_) nc_->view().setCurrentLine(static_cast<int>(instant.line));

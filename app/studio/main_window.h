@@ -21,6 +21,7 @@ class QDockWidget;
 class QMenuBar;
 
 namespace toolpace::ui {
+class CirclePanel;
 class ContourView;
 class DockTitle;
 class LossPanel;
@@ -56,7 +57,9 @@ class MainWindow : public QMainWindow {
   /// Opens a machine file, or imports a LinuxCNC .ini or a grbl dump (.txt).
   bool openMachine(const QString& path);
   void storeMachineAs(const QString& path);
-  void saveSetpoints(const QString& path);  ///< in a worker; the status line tells when it is done
+  /// In a worker; the status line tells when it is done. .pulses.csv = step pulses.
+  void saveSetpoints(const QString& path);
+  void setTimerFrequency(double hz);  ///< of the pulses' timer
   enum class Picture { contour, plots, window };
   bool saveReport(const QString& path);
   bool savePicture(Picture picture, const QString& path);
@@ -103,12 +106,14 @@ class MainWindow : public QMainWindow {
   void buildToolBar();
   void buildMenus();
   void fillRecent();
+  void fillFormats();
   void fillMachines();
   // main_window_files.cpp
   void askProgram();
   void askMachine();
   void saveMachine(bool ask);
-  void exportSetpoints();
+  void exportSetpoints(const QString& suffix);
+  void exportPulses();
   void exportPicture(Picture picture);
   void exportReport();
   QString askFile(const QString& title, const QString& suffix, const QStringList& filters);
@@ -138,6 +143,7 @@ class MainWindow : public QMainWindow {
   ui::WhatIfPanel* what_if_ = nullptr;
   ui::LossPanel* loss_ = nullptr;
   ui::SweepPanel* sweep_ = nullptr;
+  ui::CirclePanel* circle_ = nullptr;
   ui::ProblemsPanel* problems_ = nullptr;
   ui::SingleMovePage* single_move_ = nullptr;
   ui::StepperPage* stepper_ = nullptr;
@@ -147,7 +153,7 @@ class MainWindow : public QMainWindow {
   QToolBar* tool_bar_ = nullptr;
   QMenuBar* menu_bar_ = nullptr;  // in the tool bar: one row of chrome instead of two
   QMenu *file_menu_, *edit_menu_, *plan_menu_, *view_menu_, *help_menu_, *recent_menu_, *machine_menu_, *export_menu_,
-      *panels_menu_, *language_menu_;
+      *setpoint_menu_, *panels_menu_, *language_menu_;
   QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *unit_button_ = nullptr, *export_button_ = nullptr;
   bool had_errors_ = false;
   bool following_ = true;  // the program scrolls along with the cursor

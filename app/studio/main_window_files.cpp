@@ -2,6 +2,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMessageBox>
 
 #include "import_machine.h"
@@ -21,6 +22,15 @@ namespace {
 QString extension_of(const QString& filter) {
   const qsizetype star = filter.indexOf('*');
   return star < 0 ? QString() : filter.mid(star + 1).section(')', 0, 0).section(' ', 0, 0);
+}
+
+/// Extension and title of each format of setpoint files.
+std::vector<std::pair<QString, QString>> setpoint_formats() {
+  return {{".csv", MainWindow::tr("Comma-separated")},
+          {".npy", MainWindow::tr("NumPy array")},
+          {".npz", MainWindow::tr("NumPy archive")},
+          {".halstream", MainWindow::tr("LinuxCNC halstreamer")},
+          {".semicolon.csv", MainWindow::tr("Semicolons")}};
 }
 
 Result<Setup> read_any_machine(const QString& path, const Setup& base) {
@@ -104,28 +114,58 @@ QString MainWindow::askFile(const QString& title, const QString& suffix, const Q
   return path;
 }
 
-void MainWindow::exportSetpoints() {
+void MainWindow::fillFormats() {
+  setpoint_menu_->clear();
+  for (const auto& [suffix, title] : setpoint_formats()) {
+    setpoint_menu_->addAction(title, this, [this, ending = suffix] { exportSetpoints(ending); })
+        ->setObjectName("export" + suffix);
+  }
+}
+
+/// The dialog offers every format, the one asked for first.
+void MainWindow::exportSetpoints(const QString& suffix) {
   if (!workspace_.timeline() || exporter_.isBusy()) return;
-  const QString path = askFile(tr("Save setpoints"), ".csv",
-                               {tr("Comma-separated (*.csv)"), tr("NumPy array (*.npy)"), tr("NumPy archive (*.npz)"),
-                                tr("LinuxCNC halstreamer (*.halstream)"), tr("Semicolons (*.semicolon.csv)")});
+  QStringList filters;
+  for (const auto& [ending, title] : setpoint_formats()) {
+    const QString filter = title + " (*" + ending + ")";
+    ending == suffix ? filters.prepend(filter) : filters.append(filter);
+  }
+  const QString path = askFile(tr("Save setpoints"), suffix, filters);
   if (!path.isEmpty()) saveSetpoints(path);
 }
 
+void MainWindow::exportPulses() {
+  if (!workspace_.timeline() || exporter_.isBusy()) return;
+  constexpr double kSlowest = 1, kFastest = 1e10;
+  bool fine = false;
+  const double hz = QInputDialog::getDouble(this, tr("Step pulses"), tr("Frequency of the timer in Hz"),
+                                            preferences_.timer_hz, kSlowest, kFastest, 0, &fine);
+  if (!fine) return;
+  setTimerFrequency(hz);
+  const QString path = askFile(tr("Save step pulses"), ".pulses.csv", {tr("Step pulses") + " (*.pulses.csv)"});
+  if (!path.isEmpty()) saveSetpoints(path);
+}
+
+void MainWindow::setTimerFrequency(double hz) { preferences_.timer_hz = hz; }
+
 void MainWindow::saveSetpoints(const QString& path) {
   if (!workspace_.timeline() || exporter_.isBusy()) return;
+  transport_->setTask(tr("saving"));
   transport_->setBusy(true);
-  exporter_.start(workspace_.timeline()->outcome(), path);
+  exporter_.start(workspace_.timeline()->outcome(), path,
+                  {preferences_.axis_derivatives, preferences_.decimal_comma, preferences_.timer_hz});
 }
 
 void MainWindow::connectExporter() {
   connect(&exporter_, &ui::ExportService::progressed, transport_, &ui::TransportBar::setProgress);
   connect(&exporter_, &ui::ExportService::saved, this, [this](const QString& file, qulonglong rows) {
     transport_->setBusy(workspace_.isBusy());
+    showState();
     transport_->setMessage(tr("saved %1 rows to %2").arg(rows).arg(QFileInfo(file).fileName()));
   });
   connect(&exporter_, &ui::ExportService::failed, this, [this](const Error& error, const QString& file) {
     transport_->setBusy(workspace_.isBusy());
+    showState();
     showFailure(error, file);
   });
   connect(transport_, &ui::TransportBar::cancelRequested, this, [this] { exporter_.cancel(); });

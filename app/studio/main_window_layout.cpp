@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "main_window.h"
+#include "panels/circle_panel.h"
 #include "panels/dock_title.h"
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
@@ -55,6 +56,7 @@ void MainWindow::buildPanels() {
   what_if_ = new ui::WhatIfPanel(this);
   loss_ = new ui::LossPanel(this);
   sweep_ = new ui::SweepPanel(this);
+  circle_ = new ui::CirclePanel(this);
   problems_ = new ui::ProblemsPanel(this);
   addDock("programDock", nc_, Qt::LeftDockWidgetArea, true);
   addDock("plotsDock", profile_, Qt::BottomDockWidgetArea, false);
@@ -63,6 +65,7 @@ void MainWindow::buildPanels() {
   addDock("limitsDock", what_if_, Qt::RightDockWidgetArea, false);
   addDock("lossDock", loss_, Qt::RightDockWidgetArea, false);
   addDock("sweepDock", sweep_, Qt::RightDockWidgetArea, false);
+  addDock("circleDock", circle_, Qt::RightDockWidgetArea, false);
   addDock("problemsDock", problems_, Qt::RightDockWidgetArea, false);
   single_move_ = new ui::SingleMovePage(this);
   stepper_ = new ui::StepperPage(this);
@@ -102,7 +105,7 @@ void MainWindow::addTool(const char* name, QWidget* page, const QSize& size) {
 }
 
 void MainWindow::arrange() {
-  const std::vector<QString> tabs = {"limitsDock", "lossDock", "sweepDock", "problemsDock"};
+  const std::vector<QString> tabs = {"limitsDock", "lossDock", "sweepDock", "circleDock", "problemsDock"};
   splitDockWidget(docks_["tuningDock"], docks_["resultsDock"], Qt::Vertical);
   for (const auto& tab : tabs) tabifyDockWidget(docks_["resultsDock"], docks_[tab]);
   docks_["resultsDock"]->raise();
@@ -145,7 +148,14 @@ void MainWindow::buildMenus() {
   export_menu_ = new QMenu(this);
   language_menu_ = new QMenu(this);
   panels_menu_ = new QMenu(this);
-  export_menu_->addActions({a.export_setpoints, a.export_picture, a.export_plots, a.export_window, a.export_report});
+  setpoint_menu_ = new QMenu(this);
+  connect(setpoint_menu_, &QMenu::aboutToShow, this, &MainWindow::fillFormats);
+  fillFormats();
+  export_menu_->addActions({a.export_setpoints});
+  export_menu_->addMenu(setpoint_menu_);
+  export_menu_->addActions({a.axis_derivatives, a.decimal_comma, a.export_pulses});
+  export_menu_->addSeparator();
+  export_menu_->addActions({a.export_picture, a.export_plots, a.export_window, a.export_report});
   language_menu_->addActions({a.english, a.chinese});
   connect(recent_menu_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   connect(machine_menu_, &QMenu::aboutToShow, this, &MainWindow::fillMachines);
@@ -184,7 +194,7 @@ void MainWindow::buildMenus() {
   view_menu_->addMenu(panels_menu_);
   view_menu_->addAction(a.reset_layout);
   for (const auto* name : {"programDock", "plotsDock", "tuningDock", "resultsDock", "limitsDock", "lossDock",
-                           "sweepDock", "problemsDock"}) {
+                           "sweepDock", "circleDock", "problemsDock"}) {
     panels_menu_->addAction(docks_[name]->toggleViewAction());
   }
   help_menu_ = menu("helpMenu");

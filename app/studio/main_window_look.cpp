@@ -6,6 +6,7 @@
 #include <QToolBar>
 
 #include "main_window.h"
+#include "panels/circle_panel.h"
 #include "panels/dock_title.h"
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
@@ -49,6 +50,7 @@ void MainWindow::applyAppearance() {
   results_->setTheme(theme_);
   what_if_->setTheme(theme_);
   sweep_->setTheme(theme_);
+  circle_->setTheme(theme_);
   problems_->setTheme(theme_);
   single_move_->setTheme(theme_);
   stepper_->setTheme(theme_);
@@ -68,6 +70,7 @@ void MainWindow::setInch(bool inch) {
   tuning_->setLengthUnit(unit);
   results_->setLengthUnit(unit);
   loss_->setLengthUnit(unit);
+  circle_->setLengthUnit(unit);
   transport_->setLengthUnit(unit);
   unit_button_->setText(inch ? "in" : "mm");
 }
@@ -100,13 +103,14 @@ void MainWindow::retranslate() {
   title("limitsDock", tr("Limits"));
   title("lossDock", tr("Lines"));
   title("sweepDock", tr("Depth"));
+  title("circleDock", tr("Circle"));
   title("singleMoveDock", tr("Single move"));
   title("stepperDock", tr("Stepper pulses"));
-  const std::pair<QMenu*, QString> menus[] = {{file_menu_, tr("&File")},       {edit_menu_, tr("&Edit")},
-                                              {plan_menu_, tr("&Plan")},       {view_menu_, tr("&View")},
-                                              {help_menu_, tr("&Help")},       {recent_menu_, tr("Open re&cent")},
-                                              {machine_menu_, tr("&Machine")}, {export_menu_, tr("&Export")},
-                                              {panels_menu_, tr("&Panels")},   {language_menu_, tr("&Language")}};
+  const std::pair<QMenu*, QString> menus[] = {
+      {file_menu_, tr("&File")},       {edit_menu_, tr("&Edit")},        {plan_menu_, tr("&Plan")},
+      {view_menu_, tr("&View")},       {help_menu_, tr("&Help")},        {recent_menu_, tr("Open re&cent")},
+      {machine_menu_, tr("&Machine")}, {export_menu_, tr("&Export")},    {setpoint_menu_, tr("Setpoints &as")},
+      {panels_menu_, tr("&Panels")},   {language_menu_, tr("&Language")}};
   for (const auto& [menu, text] : menus) menu->setTitle(text);
   export_button_->setText(tr("Export"));
   export_button_->setToolTip(tr("Save setpoints and pictures"));

@@ -2,6 +2,7 @@
 #include <QUndoStack>
 
 #include "main_window.h"
+#include "panels/circle_panel.h"
 #include "panels/dock_title.h"
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
@@ -26,6 +27,7 @@ void MainWindow::connectWorkspace() {
     contour_->setTube(workspace_.plan().proof->tube);
     profile_->setErrorTrace(workspace_.plan().proof->scene->trace);
     results_->setPlans(workspace_.plan(), workspace_.pinned());
+    circle_->setPlan(workspace_.plan());
   });
   connect(&workspace_, &Workspace::problemsChanged, this, &MainWindow::showProblems);
   connect(&workspace_, &Workspace::cursorChanged, this, &MainWindow::showCursor);
@@ -57,6 +59,7 @@ void MainWindow::connectPanels() {
     preferences_.colour_map = ui::colour_map_name(map);
     nc_->view().setColourMap(map);
   });
+  connect(circle_, &ui::CirclePanel::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
   connect(profile_, &ui::ProfileView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
   profile_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(profile_, &QWidget::customContextMenuRequested, this, &MainWindow::showPlotMenu);
@@ -83,7 +86,12 @@ void MainWindow::connectActions() {
   on(a.reload, [this] { workspace_.reload(); });
   on(a.open_example, [this] { openExample(); });
   on(a.close_window, [this] { close(); });
-  on(a.export_setpoints, [this] { exportSetpoints(); });
+  on(a.export_setpoints, [this] { exportSetpoints(".csv"); });
+  on(a.export_pulses, [this] { exportPulses(); });
+  on(a.axis_derivatives, [this](bool with) { preferences_.axis_derivatives = with; });
+  on(a.decimal_comma, [this](bool with) { preferences_.decimal_comma = with; });
+  a.axis_derivatives->setChecked(preferences_.axis_derivatives);
+  a.decimal_comma->setChecked(preferences_.decimal_comma);
   on(a.export_picture, [this] { exportPicture(Picture::contour); });
   on(a.export_plots, [this] { exportPicture(Picture::plots); });
   on(a.export_window, [this] { exportPicture(Picture::window); });

@@ -5,7 +5,7 @@
 namespace toolpace::studio {
 namespace {
 
-constexpr int kLayoutVersion = 1;  // an older layout does not fit the panels
+constexpr int kLayoutVersion = 2;  // an older layout does not fit the panels
 constexpr qsizetype kRecent = 10;
 
 QSettings settings() { return QSettings(QSettings::IniFormat, QSettings::UserScope, "toolpace", "studio"); }
@@ -20,6 +20,9 @@ Preferences load_preferences() {
   p.inch = s.value("window/inch", false).toBool();
   p.language = s.value("window/language").toString();
   p.colour_map = s.value("window/colour_map", "cividis").toString();
+  p.timer_hz = s.value("export/timer_hz", p.timer_hz).toDouble();
+  p.axis_derivatives = s.value("export/axis_derivatives", false).toBool();
+  p.decimal_comma = s.value("export/decimal_comma", false).toBool();
   if (s.value("window/layout_version").toInt() == kLayoutVersion) {
     p.geometry = s.value("window/geometry").toByteArray();
     p.layout = s.value("window/layout").toByteArray();
@@ -38,6 +41,9 @@ void save_preferences(const Preferences& p) {
   s.setValue("window/inch", p.inch);
   s.setValue("window/language", p.language);
   s.setValue("window/colour_map", p.colour_map);
+  s.setValue("export/timer_hz", p.timer_hz);
+  s.setValue("export/axis_derivatives", p.axis_derivatives);
+  s.setValue("export/decimal_comma", p.decimal_comma);
   s.setValue("window/layout_version", kLayoutVersion);
   s.setValue("window/geometry", p.geometry);
   s.setValue("window/layout", p.layout);

@@ -11,8 +11,10 @@ struct Preferences {
   bool dark = false;
   bool touch = false;
   bool inch = false;
-  QString language;    ///< "en", "zh_CN"; empty = that of the system
-  QString colour_map;  ///< "cividis", "viridis", "turbo"
+  QString language;                                      ///< "en", "zh_CN"; empty = that of the system
+  QString colour_map;                                    ///< "cividis", "viridis", "turbo"
+  double timer_hz = 1e6;                                 ///< of the step pulses' timer
+  bool axis_derivatives = false, decimal_comma = false;  ///< of exported setpoints
   QByteArray geometry, layout;
   QStringList recent_programs, recent_machines;  ///< latest first
   QString last_program, last_machine;

@@ -438,6 +438,578 @@
             <source>violation-travel-max</source>
             <translation>超出行程</translation>
         </message>
+        <message>
+            <source>arc-centre-off-plane</source>
+            <translation>圆心不在圆弧平面内</translation>
+        </message>
+        <message>
+            <source>arc-radius-too-large</source>
+            <translation>圆弧半径过大</translation>
+        </message>
+        <message>
+            <source>arc-turns</source>
+            <translation>圆弧圈数无效</translation>
+        </message>
+        <message>
+            <source>atan-needs-two</source>
+            <translation>ATAN 需要两个参数</translation>
+        </message>
+        <message>
+            <source>axes-with-g80</source>
+            <translation>G80 后不能带坐标字</translation>
+        </message>
+        <message>
+            <source>axis-absent</source>
+            <translation>机床没有该轴</translation>
+        </message>
+        <message>
+            <source>bad-line-number</source>
+            <translation>行号无效</translation>
+        </message>
+        <message>
+            <source>call-repeats</source>
+            <translation>调用重复次数无效</translation>
+        </message>
+        <message>
+            <source>cancelled</source>
+            <translation>已取消</translation>
+        </message>
+        <message>
+            <source>closed-pipe</source>
+            <translation>输出管道已关闭</translation>
+        </message>
+        <message>
+            <source>column-twice</source>
+            <translation>列名重复</translation>
+        </message>
+        <message>
+            <source>compensation-already-on</source>
+            <translation>刀补已经生效</translation>
+        </message>
+        <message>
+            <source>compensation-arc-too-small</source>
+            <translation>刀补下圆弧半径过小</translation>
+        </message>
+        <message>
+            <source>compensation-entry-short</source>
+            <translation>刀补引入段过短</translation>
+        </message>
+        <message>
+            <source>compensation-exit-arc</source>
+            <translation>不能在圆弧上取消刀补</translation>
+        </message>
+        <message>
+            <source>compensation-orientation</source>
+            <translation>刀尖方位无效</translation>
+        </message>
+        <message>
+            <source>compensation-plane</source>
+            <translation>该平面不能用刀补</translation>
+        </message>
+        <message>
+            <source>compensation-without-d</source>
+            <translation>刀补缺少 D</translation>
+        </message>
+        <message>
+            <source>coordinate-too-large</source>
+            <translation>坐标过大</translation>
+        </message>
+        <message>
+            <source>cycle-inverse-time</source>
+            <translation>固定循环不能用反比时间进给</translation>
+        </message>
+        <message>
+            <source>cycle-peck</source>
+            <translation>啄钻量无效</translation>
+        </message>
+        <message>
+            <source>cycle-r-below-depth</source>
+            <translation>R 平面低于孔底</translation>
+        </message>
+        <message>
+            <source>cycle-repeats</source>
+            <translation>循环次数无效</translation>
+        </message>
+        <message>
+            <source>cycle-rotary</source>
+            <translation>固定循环不能移动旋转轴</translation>
+        </message>
+        <message>
+            <source>cycle-with-compensation</source>
+            <translation>刀补下不能用固定循环</translation>
+        </message>
+        <message>
+            <source>cycle-with-g53</source>
+            <translation>固定循环不能与 G53 同用</translation>
+        </message>
+        <message>
+            <source>cycle-without-dwell</source>
+            <translation>循环缺少暂停时间 P</translation>
+        </message>
+        <message>
+            <source>cycle-without-r</source>
+            <translation>循环缺少 R</translation>
+        </message>
+        <message>
+            <source>cycle-words</source>
+            <translation>循环字不完整</translation>
+        </message>
+        <message>
+            <source>equals-missing</source>
+            <translation>缺少等号</translation>
+        </message>
+        <message>
+            <source>exists-needs-name</source>
+            <translation>EXISTS 需要参数名</translation>
+        </message>
+        <message>
+            <source>exit-unreachable</source>
+            <translation>循环无法退出</translation>
+        </message>
+        <message>
+            <source>feed-too-large</source>
+            <translation>进给过大</translation>
+        </message>
+        <message>
+            <source>file-is-directory</source>
+            <translation>是文件夹，不是文件</translation>
+        </message>
+        <message>
+            <source>file-missing</source>
+            <translation>文件不存在</translation>
+        </message>
+        <message>
+            <source>file-not-opened</source>
+            <translation>文件无法打开</translation>
+        </message>
+        <message>
+            <source>file-not-read</source>
+            <translation>文件无法读取</translation>
+        </message>
+        <message>
+            <source>file-too-large</source>
+            <translation>文件过大</translation>
+        </message>
+        <message>
+            <source>file-trouble</source>
+            <translation>文件出错</translation>
+        </message>
+        <message>
+            <source>function-domain</source>
+            <translation>函数自变量超出定义域</translation>
+        </message>
+        <message>
+            <source>function-unknown</source>
+            <translation>未知函数</translation>
+        </message>
+        <message>
+            <source>g10-form</source>
+            <translation>G10 格式错误</translation>
+        </message>
+        <message>
+            <source>g10-ignored</source>
+            <translation>G10 被忽略</translation>
+        </message>
+        <message>
+            <source>g10-rotation</source>
+            <translation>G10 旋转无效</translation>
+        </message>
+        <message>
+            <source>g10-system</source>
+            <translation>G10 坐标系编号无效</translation>
+        </message>
+        <message>
+            <source>g10-without-p</source>
+            <translation>G10 缺少 P</translation>
+        </message>
+        <message>
+            <source>g53-incremental</source>
+            <translation>增量方式下不能用 G53</translation>
+        </message>
+        <message>
+            <source>g53-polar</source>
+            <translation>G53 不能用极坐标</translation>
+        </message>
+        <message>
+            <source>g53-with-arc</source>
+            <translation>G53 只能用于 G0 或 G1</translation>
+        </message>
+        <message>
+            <source>g53-with-compensation</source>
+            <translation>刀补下不能用 G53</translation>
+        </message>
+        <message>
+            <source>g96-without-s</source>
+            <translation>G96 缺少 S</translation>
+        </message>
+        <message>
+            <source>hold-after-end</source>
+            <translation>进给保持时刻在程序结束之后</translation>
+        </message>
+        <message>
+            <source>hold-needs-path</source>
+            <translation>平滑拐角下不能插入进给保持</translation>
+        </message>
+        <message>
+            <source>hold-time</source>
+            <translation>进给保持时刻无效</translation>
+        </message>
+        <message>
+            <source>is-directory</source>
+            <translation>是文件夹</translation>
+        </message>
+        <message>
+            <source>line-number-unknown</source>
+            <translation>找不到跳转的行号</translation>
+        </message>
+        <message>
+            <source>lookahead-zero</source>
+            <translation>前瞻段数至少为 1</translation>
+        </message>
+        <message>
+            <source>loop-unmatched</source>
+            <translation>循环首尾不匹配</translation>
+        </message>
+        <message>
+            <source>m-code-user</source>
+            <translation>用户 M 代码被忽略</translation>
+        </message>
+        <message>
+            <source>m98-without-p</source>
+            <translation>M98 缺少 P</translation>
+        </message>
+        <message>
+            <source>macro-without-p</source>
+            <translation>宏调用缺少 P</translation>
+        </message>
+        <message>
+            <source>more-of-the-same</source>
+            <translation>同类问题还有更多</translation>
+        </message>
+        <message>
+            <source>name-empty</source>
+            <translation>参数名为空</translation>
+        </message>
+        <message>
+            <source>name-not-closed</source>
+            <translation>参数名缺少 &gt;</translation>
+        </message>
+        <message>
+            <source>nesting-too-deep</source>
+            <translation>嵌套过深</translation>
+        </message>
+        <message>
+            <source>no-steppers</source>
+            <translation>没有步进轴</translation>
+        </message>
+        <message>
+            <source>number-out-of-range</source>
+            <translation>数值超出范围</translation>
+        </message>
+        <message>
+            <source>o-word-computed</source>
+            <translation>O 字标签不能计算</translation>
+        </message>
+        <message>
+            <source>o-word-duplicate</source>
+            <translation>O 字标签重复</translation>
+        </message>
+        <message>
+            <source>o-word-label</source>
+            <translation>O 字标签无效</translation>
+        </message>
+        <message>
+            <source>o-word-misplaced</source>
+            <translation>O 字位置错误</translation>
+        </message>
+        <message>
+            <source>o-word-unknown</source>
+            <translation>未知 O 字</translation>
+        </message>
+        <message>
+            <source>o-word-unmatched</source>
+            <translation>O 字首尾不匹配</translation>
+        </message>
+        <message>
+            <source>offset-with-compensation</source>
+            <translation>刀补下不能更改偏置</translation>
+        </message>
+        <message>
+            <source>operator-unknown</source>
+            <translation>未知运算符</translation>
+        </message>
+        <message>
+            <source>parameter-file-line</source>
+            <translation>参数文件行无效</translation>
+        </message>
+        <message>
+            <source>parameter-not-integer</source>
+            <translation>参数号必须是整数</translation>
+        </message>
+        <message>
+            <source>parameter-out-of-range</source>
+            <translation>参数号超出范围</translation>
+        </message>
+        <message>
+            <source>parameter-read-only</source>
+            <translation>参数只读</translation>
+        </message>
+        <message>
+            <source>path-not-finite</source>
+            <translation>路径坐标不是有限数</translation>
+        </message>
+        <message>
+            <source>pitch-missing</source>
+            <translation>缺少螺距</translation>
+        </message>
+        <message>
+            <source>plane-with-compensation</source>
+            <translation>刀补下不能换平面</translation>
+        </message>
+        <message>
+            <source>polar-angle-unknown</source>
+            <translation>极角未知</translation>
+        </message>
+        <message>
+            <source>polar-with-axis-words</source>
+            <translation>极坐标不能与坐标字同用</translation>
+        </message>
+        <message>
+            <source>power-of-negative</source>
+            <translation>负数不能取小数次幂</translation>
+        </message>
+        <message>
+            <source>probe-goes-nowhere</source>
+            <translation>探测没有位移</translation>
+        </message>
+        <message>
+            <source>probe-inverse-time</source>
+            <translation>探测不能用反比时间进给</translation>
+        </message>
+        <message>
+            <source>probe-with-compensation</source>
+            <translation>刀补下不能探测</translation>
+        </message>
+        <message>
+            <source>program-alarm</source>
+            <translation>程序报警</translation>
+        </message>
+        <message>
+            <source>program-repeats</source>
+            <translation>程序无限重复</translation>
+        </message>
+        <message>
+            <source>reading-stopped</source>
+            <translation>读取已停止</translation>
+        </message>
+        <message>
+            <source>return-without-call</source>
+            <translation>没有调用却返回</translation>
+        </message>
+        <message>
+            <source>rotation-plane</source>
+            <translation>旋转平面无效</translation>
+        </message>
+        <message>
+            <source>servo-unstable</source>
+            <translation>位置环不稳定</translation>
+        </message>
+        <message>
+            <source>servo-value</source>
+            <translation>伺服参数无效</translation>
+        </message>
+        <message>
+            <source>setpoint-columns</source>
+            <translation>设定点列不一致</translation>
+        </message>
+        <message>
+            <source>setpoint-format-unknown</source>
+            <translation>未知的设定点格式</translation>
+        </message>
+        <message>
+            <source>setpoint-not-finite</source>
+            <translation>设定点不是有限数</translation>
+        </message>
+        <message>
+            <source>setpoint-rows</source>
+            <translation>设定点行不连续</translation>
+        </message>
+        <message>
+            <source>setpoints-axes</source>
+            <translation>设定点轴不符</translation>
+        </message>
+        <message>
+            <source>setpoints-broken</source>
+            <translation>设定点文件损坏</translation>
+        </message>
+        <message>
+            <source>setpoints-compressed</source>
+            <translation>设定点文件被压缩</translation>
+        </message>
+        <message>
+            <source>setpoints-empty</source>
+            <translation>设定点文件为空</translation>
+        </message>
+        <message>
+            <source>setpoints-header</source>
+            <translation>设定点表头无效</translation>
+        </message>
+        <message>
+            <source>setpoints-shape</source>
+            <translation>设定点数组形状不符</translation>
+        </message>
+        <message>
+            <source>setpoints-time</source>
+            <translation>设定点时间无效</translation>
+        </message>
+        <message>
+            <source>speed-above-feed</source>
+            <translation>速度高于进给</translation>
+        </message>
+        <message>
+            <source>speed-negative</source>
+            <translation>速度为负</translation>
+        </message>
+        <message>
+            <source>spindle-direction</source>
+            <translation>主轴方向无效</translation>
+        </message>
+        <message>
+            <source>spline-axes</source>
+            <translation>样条轴无效</translation>
+        </message>
+        <message>
+            <source>spline-not-closed</source>
+            <translation>样条未结束</translation>
+        </message>
+        <message>
+            <source>spline-not-open</source>
+            <translation>样条未开始</translation>
+        </message>
+        <message>
+            <source>spline-order</source>
+            <translation>样条阶数无效</translation>
+        </message>
+        <message>
+            <source>spline-plane</source>
+            <translation>样条平面无效</translation>
+        </message>
+        <message>
+            <source>spline-too-long</source>
+            <translation>样条过长</translation>
+        </message>
+        <message>
+            <source>spline-too-short</source>
+            <translation>样条控制点太少</translation>
+        </message>
+        <message>
+            <source>spline-weight</source>
+            <translation>样条权重无效</translation>
+        </message>
+        <message>
+            <source>spline-with-compensation</source>
+            <translation>刀补下不能用样条</translation>
+        </message>
+        <message>
+            <source>spline-words</source>
+            <translation>样条字不完整</translation>
+        </message>
+        <message>
+            <source>state-not-saved</source>
+            <translation>没有保存的状态可恢复</translation>
+        </message>
+        <message>
+            <source>stream-too-long</source>
+            <translation>数据流过长</translation>
+        </message>
+        <message>
+            <source>sub-program-kind</source>
+            <translation>子程序类型不符</translation>
+        </message>
+        <message>
+            <source>text-after-o-word</source>
+            <translation>O 字后有多余文字</translation>
+        </message>
+        <message>
+            <source>then-missing</source>
+            <translation>缺少 THEN</translation>
+        </message>
+        <message>
+            <source>thread-plane</source>
+            <translation>螺纹平面无效</translation>
+        </message>
+        <message>
+            <source>thread-words</source>
+            <translation>螺纹字不完整</translation>
+        </message>
+        <message>
+            <source>timer-too-fast</source>
+            <translation>定时器频率过高</translation>
+        </message>
+        <message>
+            <source>timer-too-slow</source>
+            <translation>定时器频率过低</translation>
+        </message>
+        <message>
+            <source>timer-value</source>
+            <translation>定时器频率无效</translation>
+        </message>
+        <message>
+            <source>tolerance-negative</source>
+            <translation>公差为负</translation>
+        </message>
+        <message>
+            <source>too-many-arguments</source>
+            <translation>参数过多</translation>
+        </message>
+        <message>
+            <source>too-many-blocks</source>
+            <translation>程序段过多</translation>
+        </message>
+        <message>
+            <source>too-many-lines</source>
+            <translation>行数过多</translation>
+        </message>
+        <message>
+            <source>too-many-modes</source>
+            <translation>模态组合过多</translation>
+        </message>
+        <message>
+            <source>too-many-names</source>
+            <translation>参数名过多</translation>
+        </message>
+        <message>
+            <source>too-many-values</source>
+            <translation>数值过多</translation>
+        </message>
+        <message>
+            <source>tool-change-with-compensation</source>
+            <translation>刀补下不能换刀</translation>
+        </message>
+        <message>
+            <source>tool-number</source>
+            <translation>刀号无效</translation>
+        </message>
+        <message>
+            <source>tool-orientation</source>
+            <translation>刀具方位无效</translation>
+        </message>
+        <message>
+            <source>tool-table-number</source>
+            <translation>刀具表中的数无效</translation>
+        </message>
+        <message>
+            <source>tool-table-word</source>
+            <translation>刀具表中的字无效</translation>
+        </message>
+        <message>
+            <source>tube-unbounded</source>
+            <translation>平滑拐角需要各轴有限值</translation>
+        </message>
+        <message>
+            <source>two-codes-want-axes</source>
+            <translation>两个代码都要坐标字</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::Actions</name>
@@ -613,6 +1185,26 @@
             <source>Report</source>
             <translation>报告</translation>
         </message>
+        <message>
+            <source>Step p&amp;ulses…</source>
+            <translation>步进脉冲(&amp;U)…</translation>
+        </message>
+        <message>
+            <source>Setpoints with v, a, j of each &amp;axis</source>
+            <translation>设定点附各轴 v、a、j(&amp;A)</translation>
+        </message>
+        <message>
+            <source>Semicolon files with &amp;decimal comma</source>
+            <translation>分号文件用逗号作小数点(&amp;D)</translation>
+        </message>
+        <message>
+            <source>Feed &amp;hold at the cursor</source>
+            <translation>在光标处进给保持(&amp;H)</translation>
+        </message>
+        <message>
+            <source>Take the feed h&amp;old away</source>
+            <translation>取消进给保持(&amp;O)</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::MainWindow</name>
@@ -765,26 +1357,6 @@
             <translation>保存设定点</translation>
         </message>
         <message>
-            <source>Comma-separated (*.csv)</source>
-            <translation>逗号分隔 (*.csv)</translation>
-        </message>
-        <message>
-            <source>NumPy array (*.npy)</source>
-            <translation>NumPy 数组 (*.npy)</translation>
-        </message>
-        <message>
-            <source>NumPy archive (*.npz)</source>
-            <translation>NumPy 归档 (*.npz)</translation>
-        </message>
-        <message>
-            <source>LinuxCNC halstreamer (*.halstream)</source>
-            <translation>LinuxCNC halstreamer (*.halstream)</translation>
-        </message>
-        <message>
-            <source>Semicolons (*.semicolon.csv)</source>
-            <translation>分号分隔 (*.semicolon.csv)</translation>
-        </message>
-        <message>
             <source>saved %1 rows to %2</source>
             <translation>已将 %1 行保存到 %2</translation>
         </message>
@@ -836,6 +1408,94 @@
             <source>Web page (*.html)</source>
             <translation>网页 (*.html)</translation>
         </message>
+        <message>
+            <source>refining…</source>
+            <translation>优化中…</translation>
+        </message>
+        <message>
+            <source>planning</source>
+            <translation>规划中</translation>
+        </message>
+        <message>
+            <source>stale</source>
+            <translation>待更新</translation>
+        </message>
+        <message>
+            <source>The plan shown is not yet the one of these parameters</source>
+            <translation>显示的规划尚未按这些参数更新</translation>
+        </message>
+        <message>
+            <source>Shown is a quick plan with blended corners; the smooth one is computed</source>
+            <translation>当前显示拐角过渡的快速规划；平滑规划正在计算</translation>
+        </message>
+        <message>
+            <source>not refined</source>
+            <translation>未优化</translation>
+        </message>
+        <message>
+            <source>Shown is a quick plan with blended corners; reload (F5) to refine it</source>
+            <translation>当前显示拐角过渡的快速规划；按 F5 重新优化</translation>
+        </message>
+        <message>
+            <source>no feed hold with smooth corners: the motion has left the path</source>
+            <translation>平滑拐角下不能进给保持：运动已离开路径</translation>
+        </message>
+        <message>
+            <source>Feed hold</source>
+            <translation>进给保持</translation>
+        </message>
+        <message>
+            <source>Feed hold here, at %1</source>
+            <translation>在此处进给保持（%1）</translation>
+        </message>
+        <message>
+            <source>Cursor here</source>
+            <translation>光标移到此处</translation>
+        </message>
+        <message>
+            <source>Comma-separated</source>
+            <translation>逗号分隔</translation>
+        </message>
+        <message>
+            <source>NumPy array</source>
+            <translation>NumPy 数组</translation>
+        </message>
+        <message>
+            <source>NumPy archive</source>
+            <translation>NumPy 归档</translation>
+        </message>
+        <message>
+            <source>LinuxCNC halstreamer</source>
+            <translation>LinuxCNC halstreamer</translation>
+        </message>
+        <message>
+            <source>Semicolons</source>
+            <translation>分号分隔</translation>
+        </message>
+        <message>
+            <source>Step pulses</source>
+            <translation>步进脉冲</translation>
+        </message>
+        <message>
+            <source>Frequency of the timer in Hz</source>
+            <translation>定时器频率（Hz）</translation>
+        </message>
+        <message>
+            <source>Save step pulses</source>
+            <translation>保存步进脉冲</translation>
+        </message>
+        <message>
+            <source>saving</source>
+            <translation>保存中</translation>
+        </message>
+        <message>
+            <source>Circle</source>
+            <translation>圆度</translation>
+        </message>
+        <message>
+            <source>Setpoints &amp;as</source>
+            <translation>设定点另存为(&amp;A)</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::Report</name>
@@ -881,6 +1541,10 @@
         <message>
             <source>%1; empty = no limit</source>
             <translation>%1；留空表示无限制</translation>
+        </message>
+        <message>
+            <source>Axis</source>
+            <translation>轴</translation>
         </message>
     </context>
     <context>
@@ -944,10 +1608,6 @@
             <translation>误差放大</translation>
         </message>
         <message>
-            <source>How much the contour error is enlarged</source>
-            <translation>轮廓误差的放大倍数</translation>
-        </message>
-        <message>
             <source>cividis</source>
             <translation>cividis</translation>
         </message>
@@ -999,16 +1659,21 @@
             <source>Show the whole path (F)</source>
             <translation>显示整个路径 (F)</translation>
         </message>
-    </context>
-    <context>
-        <name>toolpace::ui::DockTitle</name>
         <message>
-            <source>stale</source>
-            <translation>未更新</translation>
+            <source>How much contour error and tolerance band are enlarged</source>
+            <translation>轮廓误差与公差带的放大倍数</translation>
         </message>
         <message>
-            <source>The plan shown is not yet the one of these parameters</source>
-            <translation>所示规划尚未反映当前参数</translation>
+            <source>Band</source>
+            <translation>公差带</translation>
+        </message>
+        <message>
+            <source>Tolerance band</source>
+            <translation>公差带</translation>
+        </message>
+        <message>
+            <source>Programmed path, tolerance band, and the plan inside it; off: the simulated drives</source>
+            <translation>编程路径、公差带及其中的规划路径；关闭时显示仿真驱动</translation>
         </message>
     </context>
     <context>
@@ -1353,6 +2018,18 @@
         <message>
             <source>Peak accel.</source>
             <translation>峰值加速度</translation>
+        </message>
+        <message>
+            <source>Lower bound</source>
+            <translation>时间下界</translation>
+        </message>
+        <message>
+            <source>· plan above it</source>
+            <translation>· 超出下界</translation>
+        </message>
+        <message>
+            <source>Off the path</source>
+            <translation>偏离路径</translation>
         </message>
     </context>
     <context>
@@ -1802,10 +2479,6 @@
             <translation>取消</translation>
         </message>
         <message>
-            <source>planning</source>
-            <translation>规划中</translation>
-        </message>
-        <message>
             <source>Progress</source>
             <translation>进度</translation>
         </message>
@@ -1889,10 +2562,6 @@
             <translation>拐角规则</translation>
         </message>
         <message>
-            <source>Tolerance</source>
-            <translation>公差</translation>
-        </message>
-        <message>
             <source>Junction deviation</source>
             <translation>拐角偏差</translation>
         </message>
@@ -1941,16 +2610,28 @@
             <translation>公差内光顺</translation>
         </message>
         <message>
-            <source>Axis limits</source>
-            <translation>轴限值</translation>
-        </message>
-        <message>
             <source>Feed</source>
             <translation>进给</translation>
         </message>
         <message>
             <source>Rapid</source>
             <translation>快移</translation>
+        </message>
+        <message>
+            <source>Feed hold at; empty = none</source>
+            <translation>进给保持时刻；空 = 无</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>保持</translation>
+        </message>
+        <message>
+            <source>Tolerance of rounded corners</source>
+            <translation>拐角圆滑公差</translation>
+        </message>
+        <message>
+            <source>Toler.</source>
+            <translation>公差</translation>
         </message>
     </context>
     <context>
@@ -2001,6 +2682,223 @@
         <message>
             <source>Swap A and B</source>
             <translation>交换 A 与 B</translation>
+        </message>
+        <message>
+            <source>Feed hold</source>
+            <translation>进给保持</translation>
+        </message>
+    </context>
+    <context>
+        <name>Tube</name>
+        <message>
+            <source>band ±%1 %2, used up to %3 %</source>
+            <translation>公差带 ±%1 %2，最多用到 %3 %</translation>
+        </message>
+        <message>
+            <source>%1 of %2 %3 tolerance (%4 %)</source>
+            <translation>偏差 %1，公差 %2 %3（%4 %）</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::CirclePanel</name>
+        <message>
+            <source>line %1 · R %2 · %3°</source>
+            <translation>第 %1 行 · R %2 · %3°</translation>
+        </message>
+        <message>
+            <source>at %1°</source>
+            <translation>在 %1°</translation>
+        </message>
+        <message>
+            <source>circular deviation %1 %2   ·   ×%3</source>
+            <translation>圆度偏差 %1 %2   ·   ×%3</translation>
+        </message>
+        <message>
+            <source>most %1   ·   least %2</source>
+            <translation>最大 %1   ·   最小 %2</translation>
+        </message>
+        <message>
+            <source>Circle before</source>
+            <translation>上一个圆</translation>
+        </message>
+        <message>
+            <source>Next circle</source>
+            <translation>下一个圆</translation>
+        </message>
+        <message>
+            <source>Enlargement of the radial error</source>
+            <translation>径向误差放大倍数</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>Radial error of the simulated drives over the angle</source>
+            <translation>仿真驱动的径向误差随角度的变化</translation>
+        </message>
+        <message>
+            <source>Click on the curve to go there</source>
+            <translation>单击曲线跳到该处</translation>
+        </message>
+        <message>
+            <source>no arc in this program, or not simulated yet</source>
+            <translation>程序中没有圆弧，或尚未仿真</translation>
+        </message>
+        <message>
+            <source>Circular deviation</source>
+            <translation>圆度偏差</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::ModalStrip</name>
+        <message>
+            <source>Motion</source>
+            <translation>运动</translation>
+        </message>
+        <message>
+            <source>Plane</source>
+            <translation>平面</translation>
+        </message>
+        <message>
+            <source>Units</source>
+            <translation>单位</translation>
+        </message>
+        <message>
+            <source>Distances</source>
+            <translation>坐标方式</translation>
+        </message>
+        <message>
+            <source>Feed mode</source>
+            <translation>进给方式</translation>
+        </message>
+        <message>
+            <source>Work offset</source>
+            <translation>工件坐标系</translation>
+        </message>
+        <message>
+            <source>Path control</source>
+            <translation>路径控制</translation>
+        </message>
+        <message>
+            <source>Arc centres</source>
+            <translation>圆心方式</translation>
+        </message>
+        <message>
+            <source>Cutter compensation</source>
+            <translation>刀具半径补偿</translation>
+        </message>
+        <message>
+            <source>Tool length</source>
+            <translation>刀具长度</translation>
+        </message>
+        <message>
+            <source>Spindle mode</source>
+            <translation>主轴方式</translation>
+        </message>
+        <message>
+            <source>Return of cycles</source>
+            <translation>循环返回</translation>
+        </message>
+        <message>
+            <source>Lathe</source>
+            <translation>车床</translation>
+        </message>
+        <message>
+            <source>rapid</source>
+            <translation>快移</translation>
+        </message>
+        <message>
+            <source>straight, at the feed</source>
+            <translation>直线进给</translation>
+        </message>
+        <message>
+            <source>arc, clockwise</source>
+            <translation>顺时针圆弧</translation>
+        </message>
+        <message>
+            <source>arc, counter-clockwise</source>
+            <translation>逆时针圆弧</translation>
+        </message>
+        <message>
+            <source>inches</source>
+            <translation>英寸</translation>
+        </message>
+        <message>
+            <source>millimetres</source>
+            <translation>毫米</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>关闭</translation>
+        </message>
+        <message>
+            <source>left of the path</source>
+            <translation>路径左侧</translation>
+        </message>
+        <message>
+            <source>right of the path</source>
+            <translation>路径右侧</translation>
+        </message>
+        <message>
+            <source>no offset</source>
+            <translation>无补偿</translation>
+        </message>
+        <message>
+            <source>exact path</source>
+            <translation>精确路径</translation>
+        </message>
+        <message>
+            <source>exact stop</source>
+            <translation>精确停止</translation>
+        </message>
+        <message>
+            <source>continuous</source>
+            <translation>连续</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>absolute</source>
+            <translation>绝对</translation>
+        </message>
+        <message>
+            <source>incremental</source>
+            <translation>增量</translation>
+        </message>
+        <message>
+            <source>inverse time</source>
+            <translation>反比时间</translation>
+        </message>
+        <message>
+            <source>per minute</source>
+            <translation>每分钟</translation>
+        </message>
+        <message>
+            <source>per revolution</source>
+            <translation>每转</translation>
+        </message>
+        <message>
+            <source>constant surface speed</source>
+            <translation>恒线速</translation>
+        </message>
+        <message>
+            <source>revolutions per minute</source>
+            <translation>每分钟转数</translation>
+        </message>
+        <message>
+            <source>to the first height</source>
+            <translation>回到初始高度</translation>
+        </message>
+        <message>
+            <source>to the plane R</source>
+            <translation>回到 R 平面</translation>
+        </message>
+        <message>
+            <source>Modal state at the cursor line</source>
+            <translation>光标行的模态</translation>
         </message>
     </context>
 </TS>

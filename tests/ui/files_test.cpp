@@ -2,6 +2,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUrl>
@@ -10,6 +11,7 @@
 #include "main_window.h"
 #include "panels/nc_panel.h"
 #include "preferences.h"
+#include "preview/contour_view.h"
 #include "screenshot.h"
 #include "support/screenshot.h"
 
@@ -127,7 +129,7 @@ class FilesTest : public QObject {
     window.show();
     window.openExample();
     settle(window);
-    for (const char* name : {"out.csv", "out.npy", "out.npz", "out.halstream"}) {
+    for (const char* name : {"out.csv", "out.npy", "out.npz", "out.halstream", "out.semicolon.csv"}) {
       window.saveSetpoints(in(name));
       QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 10000);
       QVERIFY2(QFileInfo(in(name)).size() > 10000, name);
@@ -135,6 +137,76 @@ class FilesTest : public QObject {
     QFile csv(in("out.csv"));
     QVERIFY(csv.open(QIODevice::ReadOnly));
     QVERIFY(csv.readLine().startsWith("t_s,x_mm,y_mm,z_mm,v_mm_s,a_mm_s2,j_mm_s3,line"));
+  }
+
+  void the_export_menu_names_every_format_and_what_else_is_asked_for_is_in_the_file() {
+    MainWindow window(false);
+    window.setLanguage("en");
+    window.show();
+    window.workspace().openText(kSquare, "square.ngc");
+    settle(window);
+    QStringList names;
+    for (const auto* action : window.findChildren<QAction*>()) names << action->objectName();
+    for (const char* format : {"export.csv", "export.npy", "export.npz", "export.halstream", "export.semicolon.csv"}) {
+      QVERIFY2(names.contains(format), format);
+    }
+    window.actions().axis_derivatives->trigger();
+    window.actions().decimal_comma->trigger();
+    for (const char* name : {"axes.csv", "comma.semicolon.csv"}) {
+      window.saveSetpoints(in(name));
+      QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 10000);
+    }
+    QFile csv(in("axes.csv"));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QVERIFY(csv.readLine().contains(",v_x_mm_s"));
+    QFile comma(in("comma.semicolon.csv"));
+    QVERIFY(comma.open(QIODevice::ReadOnly));
+    comma.readLine();
+    QVERIFY(comma.readLine().contains(';'));
+    QVERIFY(comma.readLine().contains("0,001;"));
+  }
+
+  void step_pulses_of_a_whole_program_are_saved_and_a_machine_without_steppers_says_so() {
+    MainWindow window(false);
+    window.setLanguage("en");
+    window.show();
+    window.workspace().openText(kSquare, "square.ngc");
+    settle(window);
+    const QString file = in("square.pulses.csv");
+    window.saveSetpoints(file);
+    QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 10000);
+    QVERIFY(!QFile::exists(file));
+    auto& problems = *window.findChild<QTableView*>("problemTable");
+    QVERIFY(problems.model()->rowCount() > 0);
+    window.workspace().tuning().edit("steps", "steps", [](ui::Tuning& t) {
+      for (std::size_t axis = 0; axis < 3; ++axis) t.machine.axes[axis].steps_per_unit = 100;
+    });
+    settle(window);
+    window.setTimerFrequency(1e6);
+    window.saveSetpoints(file);
+    QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 10000);
+    QFile csv(file);
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QCOMPARE(csv.readLine().trimmed(), QByteArray("t_ticks,axis,direction"));
+    // 10 mm there and back in X and in Y at 100 steps a millimetre.
+    int rows = 0;
+    while (!csv.atEnd()) rows += csv.readLine().isEmpty() ? 0 : 1;
+    QCOMPARE(rows, 4000);
+  }
+
+  void the_colour_map_and_the_export_choices_are_remembered() {
+    {
+      MainWindow window(true);
+      window.show();
+      window.findChild<ui::ContourView*>("contourView")->setColourMap(ui::ColourMap::turbo);
+      window.actions().axis_derivatives->setChecked(false);
+      window.actions().axis_derivatives->trigger();
+      window.close();
+    }
+    MainWindow window(true);
+    window.show();
+    QCOMPARE(window.findChild<ui::ContourView*>("contourView")->colourMap(), ui::ColourMap::turbo);
+    QVERIFY(window.actions().axis_derivatives->isChecked());
   }
 
   void pictures_are_saved_as_png_svg_and_pdf() {

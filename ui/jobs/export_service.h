@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "jobs/background.h"
+#include "jobs/setpoint_export.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {
@@ -17,7 +18,7 @@ class ExportService : public QObject {
   explicit ExportService(QObject* parent = nullptr);
 
   /// Precondition: not busy. The extension chooses the format.
-  void start(std::shared_ptr<const Outcome> outcome, const QString& file);
+  void start(std::shared_ptr<const Outcome> outcome, const QString& file, const ExportOptions& options = {});
   void cancel() { worker_.cancel(); }
   bool isBusy() const { return worker_.isBusy(); }
 

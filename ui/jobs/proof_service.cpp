@@ -16,7 +16,7 @@ constexpr int kDelayMs = 200;
 Result<VerifyReport> verified(const Outcome& outcome, const Monitor& monitor) {
   QTemporaryDir folder;
   const QString file = folder.filePath("setpoints.npz");  // of all formats the quickest that keeps the lines
-  if (auto written = write_setpoints(outcome, file, monitor); !written) return tl::unexpected(written.error());
+  if (auto written = write_setpoints(outcome, file, {}, monitor); !written) return tl::unexpected(written.error());
   return prove(file.toStdString(), outcome, monitor);
 }
 

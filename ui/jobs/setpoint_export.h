@@ -1,5 +1,5 @@
 #pragma once
-/// Writes a plan's setpoints to a file.
+/// Writes what a machine runs: a plan's setpoints, or its step pulses, as a file.
 
 #include <QString>
 
@@ -7,8 +7,17 @@
 
 namespace toolpace::ui {
 
-/// The extension chooses the format; the file appears whole or not at all. Errors: usage (unknown format), io, cancelled.
+struct ExportOptions {
+  bool axis_derivatives = false;  ///< add v, a, j of each axis (not in halstream)
+  bool decimal_comma = false;     ///< .semicolon.csv
+  double timer_hz = 1e6;          ///< of the pulses' timer, .pulses.csv
+};
+
+/// The name chooses the format: .csv, .npy, .npz, .halstream, .semicolon.csv, or .pulses.csv for the step pulses of every
+/// axis that has steps_per_mm. The file appears whole or not at all. Errors: usage (unknown format, no steppers, timer),
+/// io, cancelled.
 /// @return rows written
-Result<std::size_t> write_setpoints(const Outcome& outcome, const QString& file, const Monitor& monitor = {});
+Result<std::size_t> write_setpoints(const Outcome& outcome, const QString& file, const ExportOptions& options = {},
+                                    const Monitor& monitor = {});
 
 }  // namespace toolpace::ui

@@ -32,7 +32,8 @@ LossPanel::LossPanel(QWidget* parent)
   table_->setSortingEnabled(true);
   table_->sortByColumn(LossModel::kLoss, Qt::DescendingOrder);
   table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(LossModel::kLine, QHeaderView::Stretch);
   table_->horizontalHeader()->setMinimumSectionSize(40);
   column->addWidget(table_, 1);
   const auto go = [this](const QModelIndex& index) {

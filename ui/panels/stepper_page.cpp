@@ -16,6 +16,7 @@
 namespace toolpace::ui {
 namespace {
 
+constexpr int kFieldWidth = 84;  // for the frequency of a timer
 constexpr int kFormWidth = 300;
 constexpr double kMostSteps = 1e9;
 constexpr double kMillisecondsPerSecond = 1e3;
@@ -57,7 +58,9 @@ StepperPage::Entry StepperPage::makeEntry(Field field, const char* name, const D
   auto* entry = new NumberField(name, name, Quantity::time, range, grid_);
   entry->setUnit(unit);
   connect(entry, &NumberField::edited, this, [this, field](double value) { take(field, value); });
-  return {entry, grid_->add(static_cast<int>(field), 0, entry)};
+  const Entry made{entry, grid_->add(static_cast<int>(field), 0, entry)};
+  entry->setMinimumWidth(kFieldWidth);
+  return made;
 }
 
 void StepperPage::buildForm(QVBoxLayout* column) {

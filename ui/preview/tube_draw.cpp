@@ -12,12 +12,10 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr double kLeastBand = 1.5;       // px on each side; a narrower one says nothing
-constexpr double kStep = 0.8;            // px; shorter pieces are joined
+constexpr double kLeastBand = 1.5;               // px on each side; a narrower one says nothing
+constexpr double kStep = 0.8;                    // px; shorter pieces are joined
 constexpr std::size_t kMostBandPieces = 30'000;  // stroking is slow
 constexpr double kBandShare = 0.16, kEdgeShare = 0.4;
-
-QString tr(const char* text) { return QCoreApplication::translate("Tube", text); }
 
 /// A row on the screen: on the programmed path, and inside the enlarged band.
 struct Place {
@@ -142,14 +140,14 @@ void draw_inside_band(QImage& image, const TubeTrace& trace, const Projection& p
 QString tube_caption(const TubeTrace& trace, LengthUnit unit) {
   const DisplayUnit shown = small_unit(unit);
   const double tolerance = trace.size() > 0 ? static_cast<double>(trace.tolerance[trace.worst]) : 0.0;
-  return tr("band ±%1 %2, used up to %3 %")
+  return QCoreApplication::translate("Tube", "band ±%1 %2, used up to %3 %")
       .arg(number_text(tolerance * shown.factor, 3), shown.text, QString::number(trace.largest_share * 100, 'f', 0));
 }
 
 QString tube_text(const TubeTrace& trace, std::size_t row, LengthUnit unit) {
   if (row >= trace.size() || trace.tolerance[row] <= 0) return {};
   const DisplayUnit shown = small_unit(unit);
-  return tr("%1 of %2 %3 tolerance (%4 %)")
+  return QCoreApplication::translate("Tube", "%1 of %2 %3 tolerance (%4 %)")
       .arg(number_text(static_cast<double>(trace.offset[row].norm()) * shown.factor, 3),
            number_text(static_cast<double>(trace.tolerance[row]) * shown.factor, 3), shown.text,
            QString::number(trace.share(row) * 100, 'f', 0));

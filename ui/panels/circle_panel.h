@@ -1,0 +1,52 @@
+#pragma once
+/// The page "Circle": how round the simulated drives make the arc under the cursor.
+
+#include <QComboBox>
+#include <QLabel>
+#include <QToolButton>
+#include <QWidget>
+
+#include "jobs/planned.h"
+#include "panels/polar_plot.h"
+
+namespace toolpace::ui {
+
+class CirclePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CirclePanel(QWidget* parent = nullptr);
+
+  void setPlan(const Planned& plan);
+  /// Shows the circle that is cut at this time, if there is one.
+  void setCursorTime(double time);
+  void setLengthUnit(LengthUnit unit);
+  void setTheme(const Theme& theme);
+  const Roundness& roundness() const { return *roundness_; }
+
+ signals:
+  void cursorTimeRequested(double time);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void look();
+  void measure(std::size_t block);
+  void step(int direction);
+  void showFigures();
+  void retranslate();
+
+  QLabel *title_, *figures_;
+  QToolButton *previous_, *next_;
+  QComboBox* enlargement_;
+  PolarPlot* plot_;
+  Planned plan_;
+  double cursor_ = 0;
+  bool stale_ = true;  // the plan is another than the one measured
+  std::shared_ptr<const Roundness> roundness_ = std::make_shared<Roundness>();
+  LengthUnit unit_ = LengthUnit::mm;
+};
+
+}  // namespace toolpace::ui
