@@ -47,9 +47,9 @@ class Output(CommandLineTest):
         self.assertEqual(cells[-1][1:5], ["10", "-7.3", "0", "0"])
 
     def test_ten_hours_of_setpoints_need_little_memory(self):
-        # 360 moves of 100 mm at 60 mm/min: 36 010 s. Text is slower to write and gets a tenth of it.
+        # 360 moves of 100 mm at 60 mm/min: 36 010 s. The others share its sampling and get a tenth of it.
         moves = [f"G1 X{100 * (i % 2)} Y{i % 7}" for i in range(1, 361)]
-        for ending, count in (("npy", 360), ("npz", 360), ("csv", 36), ("halstream", 36)):
+        for ending, count in (("npy", 360), ("npz", 36), ("csv", 36), ("halstream", 36)):
             self.file("long.ngc", "\n".join(["G21 G90 G94 F60", *moves[:count], "M2", ""]))
             link = self.folder / f"nowhere.{ending}"
             link.symlink_to("/dev/null")
