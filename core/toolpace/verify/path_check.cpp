@@ -10,7 +10,7 @@ constexpr double kFinest = 2e-7, kCoarsest = 1e-5;  // [mm] sagitta of the chord
 constexpr double kNegligibleStep = 1e-9;            // change of a direction that is rounding
 constexpr double kSmoothing = 2 * kOnPath;          // a tolerance that lets corners be smoothed
 constexpr double kNearNode = 1e-3;  // of the chord: a node this near to a row counts on both sides of it
-constexpr double kCircular = 1e-4;  // change of radius up to which angle and path length are proportional
+constexpr double kCircular = 1e-4;  // relative change of radius up to which its square does not matter
 constexpr int kNewtonSteps = 3;     // from a chord that is within 1e-5 mm of the curve
 
 bool has_rotary(const RowStream& stream) {
@@ -29,6 +29,14 @@ AxisVector point_of(const RowStream& stream, std::size_t local) {
 
 bool path_has_rotary(const Path& path) {
   return std::any_of(path.node.begin(), path.node.end(), [](const AxisVector& n) { return !n.tail<3>().isZero(0); });
+}
+
+/// Which part of its sweep an arc has made after a part u of its length. The length grows with √(r² + (rise/sweep)²) a
+/// radian, by κ over the whole arc: u = (p + κp²/2)/(1 + κ/2), so p = u + κ/2·u(1 − u) up to κ².
+double part_of_sweep(const ArcCurve& arc, double u) {
+  const double r = arc.start_radius, slope = arc.rise / arc.sweep;
+  const double kappa = r * (arc.end_radius - r) / (r * r + slope * slope);
+  return u + kappa / 2 * u * (1 - u);
 }
 
 void place(Check& check, const RowStream& stream, std::size_t local) {
@@ -139,8 +147,9 @@ double PathCheck::exact_distance(const AxisVector& point) {
   if (s <= 0 || s >= path_.length[segment]) return match.distance;  // to the node itself
   if (path_.kind[segment] == SegmentKind::arc && !rotary_) {
     const ArcCurve& arc = path_.arcs[path_.detail[segment]];
-    const double widening = arc.end_radius - arc.start_radius, part = s / path_.length[segment];
+    const double widening = arc.end_radius - arc.start_radius;
     if (std::abs(widening) <= kCircular * arc.start_radius) {
+      const double part = part_of_sweep(arc, s / path_.length[segment]);
       const Eigen::Vector3d from = point.head<3>() - arc.centre;
       const double height = from.dot(arc.normal);
       const double radius = (from - height * arc.normal).norm();

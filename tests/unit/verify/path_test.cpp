@@ -67,6 +67,25 @@ TEST(PathCheck, TellsAnArcFromTheLineThatItTurnsRoundInto) {
   }
 }
 
+// Radii that differ by rounding of the words to 1e-4 mm, as posts write them: angle and length are not proportional then,
+// which on a helix shows in its height.
+TEST(PathCheck, MeasuresFromHelicesWhoseRadiiDifferByRounding) {
+  const TemporaryDirectory dir;
+  Program program;
+  program.start(0.8002, -0.8078).arc(0.7862, -1.1026, -3.6356, -30.0);
+  Reading reading = *program.reading();
+  reading.moves.end.back().head<2>() << 0.6341, -1.3555;
+  auto job = std::make_shared<Job>();
+  job->program = std::make_shared<const Reading>(reading);
+  job->machine = axis_limited_setup().machine;
+  const auto outcome = run(job);
+  ASSERT_TRUE(outcome);
+  write_setpoints(*outcome, dir / "a.csv");
+  const VerifyReport report = verified(dir / "a.csv", job->machine, &reading.moves, 1e-6);
+  EXPECT_TRUE(report.passes()) << broken(report);
+  EXPECT_LT(check_of(report, CheckKind::deviation).value, 1e-7);
+}
+
 TEST(PathCheck, FindsARowOffTheArc) {
   const TemporaryDirectory dir;
   Program program;
