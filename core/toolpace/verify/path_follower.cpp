@@ -5,6 +5,12 @@
 #include <limits>
 
 namespace toolpace {
+namespace {
+
+/// The distance up to which another place is equally near, but for rounding [mm].
+double as_near(double distance) { return distance * (1 + 1e-9) + 1e-12; }
+
+}  // namespace
 
 PathFollower::PathFollower(PathVertices& vertices, double tolerance, bool rotary)
     : vertices_(vertices), tolerance_(tolerance), rotary_(rotary) {}
@@ -79,39 +85,55 @@ bool PathFollower::advance(const AxisVector& from, const AxisVector& to, double 
   return true;
 }
 
+/// The place nearest to the point on a stretch, by its chord.
+PathMatch PathFollower::nearest_on_chord(const Stretch& stretch, const AxisVector& point) {
+  PathMatch place;
+  place.cell = stretch.cell;
+  const AxisVector b = vertices_.at(stretch.cell + 1)->point, a = vertices_.at(stretch.cell)->point;
+  const AxisVector d = b - a, e = point - a;
+  const double square = dot(d, d);
+  place.t = square > 0 ? std::clamp(dot(d, e) / square, stretch.low, stretch.high) : stretch.low;
+  const AxisVector off = e - place.t * d;
+  place.distance = std::sqrt(dot(off, off));
+  return place;
+}
+
+/// Never back, not within a chord either: where a stroke turns round, the way there and the way back are equally near.
+/// Of places equally near the earliest is taken: the walk may still go on from there.
 void PathFollower::take_match(const AxisVector& point) {
-  PathMatch best;
+  places_.clear();
   double least = std::numeric_limits<double>::infinity();
-  for (const Stretch& stretch : reachable_) {
+  for (Stretch stretch : reachable_) {
     if (stretch.cell < match_.cell) continue;
-    // Nor back within a chord: where a stroke turns round, the way there and the way back are equally near.
-    const double low = stretch.cell == match_.cell ? std::max(stretch.low, match_.t) : stretch.low;
-    if (low > stretch.high) continue;
+    if (stretch.cell == match_.cell) stretch.low = std::max(stretch.low, match_.t);
+    if (stretch.low > stretch.high) continue;
     if (vertices_.at(stretch.cell + 1) == nullptr) break;
-    const AxisVector b = vertices_.at(stretch.cell + 1)->point, a = vertices_.at(stretch.cell)->point;
-    const AxisVector d = b - a, e = point - a;
-    const double square = dot(d, d);
-    const double t = square > 0 ? std::clamp(dot(d, e) / square, low, stretch.high) : low;
-    const AxisVector off = e - t * d;
-    const double distance = std::sqrt(dot(off, off));
-    // Of places equally near the earliest is taken: the walk may still go on from there. A curve is as near as its chord
-    // can be off it: where an arc turns round into a line, the line ahead is not nearer for being exact.
-    const double nearest = std::max(0.0, distance - vertices_.at(stretch.cell + 1)->sagitta);
-    if (nearest < least * (1 - 1e-9) - 1e-12) {
-      least = nearest;
-      best.cell = stretch.cell;
-      best.t = t;
-      best.distance = distance;
+    const double sagitta = vertices_.at(stretch.cell + 1)->sagitta;
+    const PathMatch place = nearest_on_chord(stretch, point);
+    if (place.distance - sagitta > as_near(least)) continue;
+    places_.push_back(place);
+    least = std::min(least, place.distance + sagitta);
+  }
+  const std::size_t first = reachable_.front().cell, last = reachable_.back().cell;
+  if (places_.empty()) {  // only places before the last match are left: stay there
+    match_.distance = tolerance_;
+  } else {
+    const auto too_far = [&](const PathMatch& p) {
+      return p.distance - vertices_.at(p.cell + 1)->sagitta > as_near(least);
+    };
+    places_.erase(std::remove_if(places_.begin(), places_.end(), too_far), places_.end());
+    const PathMatch* best = &places_.front();
+    if (places_.size() > 1) {
+      // A curve may be nearer than its chord says: where an arc turns round into a line, the line ahead would win.
+      for (PathMatch& place : places_) vertices_.measure(place.cell, place.t, place.distance, point);
+      for (const PathMatch& place : places_) {
+        if (as_near(place.distance) < best->distance) best = &place;
+      }
     }
+    match_ = *best;
   }
-  if (!std::isfinite(least)) {  // only places before the last match are left: stay there
-    best.cell = match_.cell;
-    best.t = match_.t;
-    best.distance = tolerance_;
-  }
-  best.first_cell = reachable_.front().cell;
-  best.last_cell = reachable_.back().cell;
-  match_ = best;
+  match_.first_cell = first;
+  match_.last_cell = last;
 }
 
 bool PathFollower::reaches_end() {

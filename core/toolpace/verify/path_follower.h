@@ -50,12 +50,14 @@ class PathFollower {
   };
   Interval inside(const AxisVector& centre, const AxisVector& a, const AxisVector& b, double radius) const;
   double dot(const AxisVector& a, const AxisVector& b) const;
+  PathMatch nearest_on_chord(const Stretch& stretch, const AxisVector& point);
   void take_match(const AxisVector& point);
 
   PathVertices& vertices_;
   double tolerance_;
   bool rotary_;
   std::vector<Stretch> reachable_, next_;
+  std::vector<PathMatch> places_;  ///< as near as chords can tell
   PathMatch match_;
 };
 

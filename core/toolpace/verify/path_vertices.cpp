@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace toolpace {
 namespace {
 
 constexpr double kMostChords = 1e6;  // of one segment: a circle of 300 km at a sagitta of 1e-6 mm
 constexpr double kCurvatureMargin =
-    1.5;  // pieces of splines change their curvature by at most a third of the larger value
+    1.5;                         // pieces of splines change their curvature by at most a third of the larger value
+constexpr int kNewtonSteps = 4;  // from a chord that is within 1e-5 mm of the curve
 constexpr std::size_t kForgetAtOnce = 4096;
 
 double curvature(const Path& path, std::size_t segment) {
@@ -62,6 +64,26 @@ const PathVertex* PathVertices::at(std::size_t index) {
     if (!make_next()) return nullptr;
   }
   return &vertices_[index - first_];
+}
+
+void PathVertices::measure(std::size_t cell, double& t, double& distance, const AxisVector& point) {
+  const PathVertex end = *at(cell + 1), begin = *at(cell);
+  const double first = begin.is_node ? 0.0 : begin.s;
+  if (end.sagitta == 0.0 || end.s <= first) return;
+  const double low = first + t * (end.s - first) - end.sagitta;  // Newton may step back by what the chord hides
+  double s = first + t * (end.s - first);
+  distance = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    const Frame frame = frame_at(path_, end.segment, s);
+    const AxisVector off = point - weighted(frame.point), along = weighted(frame.first);
+    if (off.norm() < distance) {
+      distance = off.norm();
+      t = (s - first) / (end.s - first);
+    }
+    const double slope = along.squaredNorm() - off.dot(weighted(frame.second));
+    if (slope <= 0) break;
+    s = std::clamp(s + off.dot(along) / slope, std::max(first, low), end.s);
+  }
 }
 
 void PathVertices::forget_before(std::size_t index) {

@@ -29,6 +29,9 @@ class PathVertices {
   /// The pointer holds until the next call.
   const PathVertex* at(std::size_t index);
   void forget_before(std::size_t index);
+  /// Replaces the place t on chord `cell` (from vertex cell to cell + 1) and its distance from the point by the nearest
+  /// place of the curve itself from there on.
+  void measure(std::size_t cell, double& t, double& distance, const AxisVector& point);
 
  private:
   bool make_next();
