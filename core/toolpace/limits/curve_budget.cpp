@@ -14,19 +14,23 @@ constexpr int kSplineSamples = 9;
 constexpr int kBlendSamples = 33;  // at sharp corners curvature changes fast, beside the middle
 constexpr double kSplineMargin = 1.02;
 
+/// The largest component along an axis of a vector that turns with the arc and keeps its part along the arc's normal.
+double turned(const ArcCurve& arc, const AxisVector& vector, int axis) {
+  const Eigen::Vector3d v = vector.head<3>();
+  return std::hypot(v.dot(arc.radial), v.dot(arc.lateral)) * std::hypot(arc.radial[axis], arc.lateral[axis]) +
+         std::abs(arc.normal[axis] * v.dot(arc.normal));
+}
+
 CurveBounds arc_bounds(const Path& path, std::size_t i) {
-  // At mid-arc the radius is the mean one; spirals are bounded at both ends.
+  // At mid-arc the radius is the mean one; spirals are bounded at both ends. On helical ones the slope changes, too.
   CurveBounds bounds{AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
   const ArcCurve& arc = path.arcs[path.detail[i]];
   for (const double s : {0.0, path.length[i]}) {
     const Frame f = frame_at(path, i, s);
-    const double across = std::hypot(f.first.head<3>().dot(arc.radial), f.first.head<3>().dot(arc.lateral));
     for (int axis = 0; axis < 3; ++axis) {
-      const double amplitude = std::hypot(arc.radial[axis], arc.lateral[axis]);
-      const double along = std::abs(arc.normal[axis] * f.first.head<3>().dot(arc.normal));
-      bounds.first[axis] = std::max(bounds.first[axis], across * amplitude + along);
-      bounds.second[axis] = std::max(bounds.second[axis], f.second.head<3>().norm() * amplitude);
-      bounds.third[axis] = std::max(bounds.third[axis], f.third.head<3>().norm() * amplitude);
+      bounds.first[axis] = std::max(bounds.first[axis], turned(arc, f.first, axis));
+      bounds.second[axis] = std::max(bounds.second[axis], turned(arc, f.second, axis));
+      bounds.third[axis] = std::max(bounds.third[axis], turned(arc, f.third, axis));
     }
     bounds.first.tail<3>() = bounds.first.tail<3>().cwiseMax(f.first.tail<3>().cwiseAbs());
     bounds.second.tail<3>() = bounds.second.tail<3>().cwiseMax(f.second.tail<3>().cwiseAbs());
