@@ -102,8 +102,9 @@ inline Outcome planned(const Program& program, const Setup& setup) {
   return std::move(*outcome);
 }
 
-inline void write_setpoints(const Outcome& outcome, const std::filesystem::path& file) {
-  auto writer = open_setpoint_writer(file);
+inline void write_setpoints(const Outcome& outcome, const std::filesystem::path& file,
+                            const SetpointFileOptions& options = {}) {
+  auto writer = open_setpoint_writer(file, options);
   ASSERT_TRUE(writer) << writer.error().message;
   Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
   for (Setpoints chunk; sampler.next(chunk);) ASSERT_TRUE((*writer)->write(chunk));

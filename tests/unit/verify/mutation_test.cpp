@@ -1,8 +1,8 @@
-/// One digit altered anywhere is caught, or is smaller than the bounds that the report of the unaltered file states.
+/// One digit (or byte) altered anywhere is caught, or is smaller than the bounds that the report of the unaltered file
+/// states.
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 
 #include "planned_program.h"
 
@@ -11,103 +11,156 @@ namespace {
 
 using namespace testing;
 
-struct Mutant {
-  std::string text;
-  std::size_t row = 0, column = 0;
-  double change = 0.0;
+/// All of a file, or nothing where it cannot be read.
+std::optional<SetpointRows> read_all(const std::filesystem::path& file) {
+  auto setpoints = open_setpoint_file(file);
+  if (!setpoints) return {};
+  SetpointRows rows;
+  for (std::size_t taken = 1; taken > 0;) {
+    const auto more = (*setpoints)->read(rows, 1 << 20);
+    if (!more) return {};
+    taken = *more;
+  }
+  return rows;
+}
+
+template <class T>
+double largest_change(const std::vector<T>& a, const std::vector<T>& b) {
+  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
+  return largest;
+}
+
+/// Whether every column of the altered file is within the bound that the report states for it.
+::testing::AssertionResult within_bounds(const SetpointRows& was, const SetpointRows& is, const VerifyReport& report) {
+  const auto judge = [](const char* column, double change, double bound) {
+    if (change <= bound) return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << column << " changed by " << change << ", bound " << bound;
+  };
+  if (!was.time.empty() || !is.time.empty()) {
+    const auto time =
+        judge("time", largest_change(was.time, is.time), check_of(report, CheckKind::time_step).bound + 1e-15);
+    if (!time) return time;
+  }
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto position =
+        judge("position", largest_change(was.position[axis], is.position[axis]), report.position_resolution);
+    if (!position) return position;
+  }
+  if (const auto line = judge("line", largest_change(was.line, is.line), 0.0); !line) return line;
+  if (was.speed.empty() && is.speed.empty()) return ::testing::AssertionSuccess();
+  const double acceleration = check_of(report, CheckKind::acceleration_column).bound;
+  const double speed = std::max(check_of(report, CheckKind::speed_column).bound, acceleration * report.period);
+  for (const auto& verdict :
+       {judge("speed", largest_change(was.speed, is.speed), 4 * speed),
+        judge("acceleration", largest_change(was.acceleration, is.acceleration), 4 * acceleration),
+        judge("jerk", largest_change(was.jerk, is.jerk), 4 * check_of(report, CheckKind::jerk_column).bound)}) {
+    if (!verdict) return verdict;
+  }
+  return ::testing::AssertionSuccess();
+}
+
+struct Format {
+  const char* ending;
+  bool is_text;
+  SetpointFileOptions options = {};
 };
 
-/// Replaces one random digit of one random number by another one.
-Mutant mutate(const std::vector<std::string>& lines, std::mt19937& random) {
-  Mutant m;
-  m.row = 1 + random() % (lines.size() - 1);
-  const std::string& line = lines[m.row];
-  std::vector<std::size_t> digits;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (std::isdigit(static_cast<unsigned char>(line[i]))) digits.push_back(i);
+/// Another digit in place of a random one behind the header, or another byte in place of any.
+std::string altered(std::string content, const Format& format, std::mt19937& random) {
+  if (!format.is_text) {
+    char& byte = content[random() % content.size()];
+    byte = static_cast<char>(byte ^ static_cast<char>(1 + random() % 255));
+    return content;
   }
-  const std::size_t at = digits[random() % digits.size()];
-  std::string changed = line;
-  changed[at] = static_cast<char>('0' + (line[at] - '0' + 1 + static_cast<int>(random() % 9)) % 10);
-  m.column = static_cast<std::size_t>(std::count(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(at), ','));
-  const auto number = [&](const std::string& text) {
-    std::istringstream in(text);
-    std::string field;
-    for (std::size_t c = 0; c <= m.column; ++c) std::getline(in, field, ',');
-    return std::strtod(field.c_str(), nullptr);
-  };
-  m.change = std::abs(number(changed) - number(line));
-  for (std::size_t k = 0; k < lines.size(); ++k) m.text += (k == m.row ? changed : lines[k]) + '\n';
-  return m;
+  const std::size_t header =
+      std::isdigit(static_cast<unsigned char>(content[0])) || content[0] == '-' ? 0 : content.find('\n') + 1;
+  std::size_t at = header + random() % (content.size() - header);
+  while (!std::isdigit(static_cast<unsigned char>(content[at]))) at = header + random() % (content.size() - header);
+  content[at] = static_cast<char>('0' + (content[at] - '0' + 1 + static_cast<int>(random() % 9)) % 10);
+  return content;
 }
 
-/// The bound on a change of this column, from the report of the file as it was.
-double stated_bound(const VerifyReport& report, std::size_t column) {
-  switch (column) {
-    case 0: return check_of(report, CheckKind::time_step).bound + 1e-15;
-    case 1:
-    case 2:
-    case 3: return report.position_resolution;
-    case 4:
-      return 4 * std::max(check_of(report, CheckKind::speed_column).bound,
-                          check_of(report, CheckKind::acceleration_column).bound * report.period);
-    case 5: return 4 * check_of(report, CheckKind::acceleration_column).bound;
-    case 6: return 4 * check_of(report, CheckKind::jerk_column).bound;
-    default: return 0.0;  // the line of any row
-  }
-}
-
-void expect_caught(const Program& program, const Setup& setup, int mutants, unsigned seed) {
+void expect_caught(const Program& program, const Setup& setup, const Format& format, unsigned seed, int mutants = 60) {
   const TemporaryDirectory dir;
-  write_setpoints(planned(program, setup), dir / "a.csv");
-  const VerifyReport report = verified(dir / "a.csv", setup.machine, &program.moves(), 1e-6);
+  const auto good = dir / (std::string("a") + format.ending), bad = dir / (std::string("b") + format.ending);
+  write_setpoints(planned(program, setup), good, format.options);
+  const VerifyReport report = verified(good, setup.machine, &program.moves(), 1e-6);
   ASSERT_TRUE(report.passes()) << broken(report);
-  std::vector<std::string> lines;
-  std::istringstream in(contents(dir / "a.csv"));
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  const auto was = read_all(good);
+  ASSERT_TRUE(was);
+  const std::string content = contents(good);
   std::mt19937 random(seed);
   int caught = 0;
   for (int i = 0; i < mutants; ++i) {
-    const Mutant m = mutate(lines, random);
-    std::ofstream(dir / "b.csv") << m.text;
-    auto file = open_setpoint_file(dir / "b.csv");
-    bool passes = false;
-    if (file) {
+    std::ofstream(bad, std::ios::binary) << altered(content, format, random);
+    const auto is = read_all(bad);
+    const bool passes = is && [&] {
+      auto file = open_setpoint_file(bad);
       const Path path = build_path(program.moves(), 0).value();
       const ProgrammedPath programmed{path, program.moves(), 1e-6};
       const auto result = verify(**file, setup.machine, &programmed);
-      passes = result && result->passes();
-    }
+      return result && result->passes();
+    }();
     caught += !passes;
     if (!passes) continue;
-    ASSERT_LE(m.change, stated_bound(report, m.column))
-        << "seed " << seed << " mutant " << i << " row " << m.row << ": " << lines[m.row] << " column " << m.column;
+    ASSERT_TRUE(within_bounds(*was, *is, report)) << format.ending << " seed " << seed << " mutant " << i;
   }
   EXPECT_GT(caught, mutants / 4);  // the rest are digits so far behind the point that no machine would see them
 }
 
-TEST(Mutation, OnLinesIsCaughtOrWithinTheStatedBound) {
+toolpace::Setup stopping_setup(LawKind law = LawKind::quintic) {
+  toolpace::Setup setup = axis_limited_setup();
+  setup.options.law = law;
+  setup.options.corner.rule = CornerRule::stop;
+  return setup;
+}
+
+Program lines() {
   Program program;
   program.line(20, 0).line(20, 15).line(3, 5, 2);
-  toolpace::Setup setup = axis_limited_setup();
-  setup.options.corner.rule = CornerRule::stop;
-  expect_caught(program, setup, 200, 1);
+  return program;
+}
+
+Program arcs() {
+  Program program;
+  program.start(10, 0).arc(0, 0, 5.0, 3.0).arc(0, 0, -2.0);
+  return program;
+}
+
+TEST(Mutation, OnLinesIsCaughtOrWithinTheStatedBound) {
+  expect_caught(lines(), stopping_setup(), {".csv", true}, 1, 150);
 }
 
 TEST(Mutation, OnArcsIsCaughtOrWithinTheStatedBound) {
-  Program program;
-  program.start(10, 0).arc(0, 0, 5.0, 3.0).arc(0, 0, -2.0);
-  toolpace::Setup setup = axis_limited_setup();
-  setup.options.law = LawKind::seven_phase;
-  setup.options.corner.rule = CornerRule::stop;
-  expect_caught(program, setup, 200, 2);
+  expect_caught(arcs(), stopping_setup(LawKind::seven_phase), {".csv", true}, 2, 150);
 }
 
 TEST(Mutation, AtCornersIsCaughtOrWithinTheStatedBound) {
   Program program;
   std::mt19937 random(7);
   for (int i = 0; i < 40; ++i) program.line(0.5 * i + 0.5, 0.3 * static_cast<double>(random() % 10) / 10);
-  expect_caught(program, axis_limited_setup(), 200, 3);
+  expect_caught(program, axis_limited_setup(), {".csv", true}, 3, 150);
+}
+
+TEST(Mutation, OfSemicolonsAndDecimalCommasIsCaughtOrWithinTheStatedBound) {
+  SetpointFileOptions commas;
+  commas.decimal_comma = true;
+  expect_caught(lines(), stopping_setup(), {".semicolon.csv", true, commas}, 4);
+  expect_caught(arcs(), stopping_setup(), {".semicolon.csv", true}, 5);
+}
+
+TEST(Mutation, OfHalstreamsIsCaughtOrWithinTheStatedBound) {
+  expect_caught(lines(), stopping_setup(), {".halstream", true}, 6);
+  expect_caught(arcs(), stopping_setup(), {".halstream", true}, 7);
+}
+
+TEST(Mutation, OfAnyByteOfNumpyFilesIsCaughtOrWithinTheStatedBound) {
+  expect_caught(lines(), stopping_setup(), {".npy", false}, 8);
+  expect_caught(arcs(), stopping_setup(), {".npy", false}, 9);
+  expect_caught(lines(), stopping_setup(), {".npz", false}, 10);
 }
 
 }  // namespace
