@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/path/curve_sampler.h"
+
 namespace toolpace {
 namespace {
 
@@ -42,8 +44,9 @@ CurveBounds arc_bounds(const Path& path, std::size_t i) {
 CurveBounds sampled_bounds(const Path& path, std::size_t i) {
   CurveBounds bounds{AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
   const int samples = path.kind[i] == SegmentKind::blend ? kBlendSamples : kSplineSamples;
+  const CurveSampler curve(path, i);
   for (int k = 0; k < samples; ++k) {
-    const ParameterDerivatives f = derivatives_at_share(path, i, static_cast<double>(k) / (samples - 1));
+    const ParameterDerivatives f = curve.at_share(static_cast<double>(k) / (samples - 1));
     bounds.first = bounds.first.cwiseMax(f.first.cwiseAbs());
     bounds.second = bounds.second.cwiseMax(f.second.cwiseAbs());
     bounds.third = bounds.third.cwiseMax(f.third.cwiseAbs());

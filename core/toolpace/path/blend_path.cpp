@@ -17,6 +17,7 @@ constexpr double kSameDirection = 1e-9;  // of unit vectors
 constexpr double kSameCurvature = 1e-6;  // |Δκ| times the shorter segment
 constexpr double kRest = 1e-9;           // a trimmed segment shorter than this share has vanished
 constexpr int kChainRounds = 12;
+constexpr double kShorter = 0.95;
 constexpr double kChainShare =
     0.98;                 // of the tolerance at the nodes of a chain: between them it may be passed by a little
 constexpr int kTold = 4;  // parts of a chain's piece in which moves are told by length
@@ -235,18 +236,19 @@ class Blender {
 
   /// Shortens the trims of a chain until its spline passes every node within the tolerance.
   void fit_chain(std::size_t first, std::size_t last) {
-    for (int k = 0; k < kChainRounds; ++k) {
+    for (int round = 0; round < kChainRounds; ++round) {
       const CornerChain chain(path_, first, last, trim_);
       bool good = true;
       for (std::size_t i = first; i <= last; ++i) {
-        const double tol = std::min(tolerance_at(i - 1), tolerance_at(i)) * kChainShare, off = chain.deviation(i);
+        const double tol = kChainShare * node_tolerance(i), off = chain.deviation(i);
         if (off <= tol) continue;
         good = false;
-        trim_[i] *= std::min(0.95, tol / off);
+        trim_[i] *= std::min(kShorter, tol / off);
       }
       if (good) return;
     }
   }
+  double node_tolerance(std::size_t i) const { return std::min(tolerance_at(i - 1), tolerance_at(i)); }
 
   /// Nodes first … last as one cubic spline between the trimmed lines before and after them.
   void add_chain(std::size_t first, std::size_t last) {
@@ -259,10 +261,8 @@ class Blender {
     const auto& pieces = chain.pieces();
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       p.spline_pieces.push_back({index, pieces[k].begin, pieces[k].end});
-      const AxisVector end =
-          k + 1 < pieces.size() ? spline_point(chain.curve(), pieces[k].end) : point_at(path_, last, trim_[last]);
-      push(SegmentKind::spline, path_.move[pieces[k].segment],
-           piece_length(chain.curve(), pieces[k].begin, pieces[k].end),
+      const AxisVector end = k + 1 < pieces.size() ? chain.point(pieces[k].end) : point_at(path_, last, trim_[last]);
+      push(SegmentKind::spline, path_.move[pieces[k].segment], pieces[k].length,
            static_cast<std::uint32_t>(p.spline_pieces.size() - 1), end);
     }
     tell_chain(first, last, chain);
@@ -281,7 +281,7 @@ class Blender {
         const CornerChain::Piece& piece = pieces[k];
         double next = std::min(to, piece.end);
         if (parts > 1) next = std::min(next, from + (piece.end - piece.begin) / parts);
-        const AxisVector point = spline_point(chain.curve(), next);
+        const AxisVector point = chain.point(next);
         const double reached = next < to ? std::clamp(along(segment, point), told, top) : top;
         const double at = next < piece.end ? length_to(before + k, point) : out_.path.length[before + k];
         teller_.tell({segment, told, reached}, {before + k, told_at, at});

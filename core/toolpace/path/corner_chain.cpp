@@ -6,9 +6,9 @@
 namespace toolpace {
 namespace {
 
-constexpr double kGentleTurn = 0.6;  // 2·sin(α/2) up to which one quadrature a span will do
-constexpr int kSharpPieces = 4;
-constexpr double kNearEnough = 0.8;  // of a line: a trim longer than this needs no control point of its own
+constexpr double kLengthAccuracy = 1e-10;
+constexpr double kShortestPiece = 1.0 / 64;  // of a span
+constexpr double kNearEnough = 0.8;          // of a line: a trim longer than this needs no control point of its own
 
 Eigen::Vector4d homogeneous(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z(), 1.0}; }
 
@@ -19,7 +19,7 @@ Eigen::Vector3d direction(const Path& path, std::size_t segment) {
 }  // namespace
 
 CornerChain::CornerChain(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& trim)
-    : first_(first), curve_{3, {}, {}, path.node[first], path.node[first]} {
+    : first_(first), curve_{3, {}, {}, path.node[first], path.node[first], true} {
   const Eigen::Vector3d begin = path.node[first].head<3>(), end = path.node[last].head<3>();
   const Eigen::Vector3d before = trim[first] * direction(path, first - 1), after = trim[last] * direction(path, last);
   curve_.points = {homogeneous(begin - before), homogeneous(begin - before * (2.0 / 3))};
@@ -36,7 +36,7 @@ CornerChain::CornerChain(const Path& path, std::size_t first, std::size_t last, 
   curve_.knots.assign(4, 0.0);
   curve_.knots.insert(curve_.knots.end(), stations_.begin(), stations_.end());
   curve_.knots.insert(curve_.knots.end(), 4, top);
-  cut(path, last);
+  cut(last);
 }
 
 /// Equal knot intervals: a node is then missed by a third of its height over its neighbours, whatever their distances.
@@ -61,47 +61,70 @@ void CornerChain::add_inner(const Path& path, std::size_t segment, const std::ve
   if (from_right) add(length - right);
 }
 
-void CornerChain::cut(const Path& path, std::size_t last) {
-  double from = 0;
-  for (std::size_t k = 0; k <= stations_.size(); ++k) {
-    const double to = k < stations_.size() ? stations_[k] : curve_.knots.back();
-    const std::size_t segment = k < stations_.size() ? segment_of_[k] : last;
-    // The nodes at either end of the segment decide how finely.
-    double turn = 0;
-    for (const std::size_t i : {segment, segment + 1}) {
-      if (i >= first_ && i <= last) turn = std::max(turn, (direction(path, i) - direction(path, i - 1)).norm());
-    }
-    const int parts = turn <= kGentleTurn ? 1 : kSharpPieces;
-    for (int q = 0; q < parts; ++q) {
-      pieces_.push_back(
-          {q == 0 ? from : pieces_.back().end, q + 1 == parts ? to : from + (to - from) * (q + 1) / parts, segment});
-    }
-    from = to;
+double CornerChain::Span::length(double from, double to) const {
+  return integrate([&](double x) { return slope(x).norm(); }, from, to);
+}
+
+/// Away from the ends all knots around are evenly spaced.
+CornerChain::Span CornerChain::span(std::size_t k) const {
+  if (k >= 2 && k + 2 <= stations_.size()) {
+    const auto c = [&](std::size_t i) { return curve_.points[k + i].head<3>(); };
+    return {(c(0) + 4 * c(1) + c(2)) / 6, (c(2) - c(0)) / 2, c(0) - 2 * c(1) + c(2), c(3) - c(0) + 3 * (c(1) - c(2))};
   }
+  const auto at = static_cast<double>(k);
+  const ParameterDerivatives d = spline_derivatives(curve_, at);
+  return {spline_point(curve_, at).head<3>(), d.first.head<3>(), d.second.head<3>(), d.third.head<3>()};
+}
+
+AxisVector CornerChain::point(double parameter) const {
+  const std::size_t k = std::min(static_cast<std::size_t>(std::max(parameter, 0.0)), spans() - 1);
+  AxisVector point = curve_.rotary_begin;  // the same all along
+  point.head<3>() = span(k).point(parameter - static_cast<double>(k));
+  return point;
+}
+
+void CornerChain::cut(std::size_t last) {
+  for (std::size_t k = 0; k < spans(); ++k) {
+    const auto begin = static_cast<double>(k);
+    cut_span(span(k), {begin, begin + 1, 0, k < stations_.size() ? segment_of_[k] : last});
+  }
+}
+
+/// In halves, until one quadrature will do for each.
+void CornerChain::cut_span(const Span& span, const Piece& piece) {
+  const double offset = std::floor(piece.begin), from = piece.begin - offset, to = piece.end - offset;
+  const double middle = (from + to) / 2, whole = span.length(from, to);
+  const double halves = span.length(from, middle) + span.length(middle, to);
+  if (std::abs(whole - halves) <= kLengthAccuracy * halves || to - from <= kShortestPiece) {
+    pieces_.push_back({piece.begin, piece.end, whole, piece.segment});
+    return;
+  }
+  cut_span(span, {piece.begin, offset + middle, 0, piece.segment});
+  cut_span(span, {offset + middle, piece.end, 0, piece.segment});
 }
 
 double CornerChain::passing(std::size_t node) const {
   const std::size_t at = node_at_[node - first_];
   const Eigen::Vector3d& p = node_[node - first_];
-  const double low = at > 0 ? stations_[at - 1] : 0,
-               high = at + 1 < stations_.size() ? stations_[at + 1] : curve_.knots.back();
-  double t = stations_[at], best = t, least = 1e300;
+  const Span before = span(at), after = span(at + 1);
+  double x = 0, best = 0, least = 1e300;  // from the node's station
   for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d e = spline_point(curve_, t).head<3>() - p;
+    const Span& s = x < 0 ? before : after;
+    const double y = x < 0 ? x + 1 : x;
+    const Eigen::Vector3d e = s.point(y) - p, slope = s.slope(y);
     if (e.norm() < least) {
       least = e.norm();
-      best = t;
+      best = x;
     }
-    const ParameterDerivatives d = spline_derivatives(curve_, t);
-    const double slope = d.first.head<3>().squaredNorm() + std::max(0.0, e.dot(d.second.head<3>()));
-    if (!(slope > 0)) break;
-    t = std::clamp(t - e.dot(d.first.head<3>()) / slope, low, high);
+    const double change = slope.squaredNorm() + std::max(0.0, e.dot(s.bend(y)));
+    if (!(change > 0)) break;
+    x = std::clamp(x - e.dot(slope) / change, -1.0, 1.0);
   }
-  return best;
+  return stations_[at] + best;
 }
 
 double CornerChain::deviation(std::size_t node) const {
-  return (spline_point(curve_, passing(node)).head<3>() - node_[node - first_]).norm();
+  return (point(passing(node)).head<3>() - node_[node - first_]).norm();
 }
 
 }  // namespace toolpace

@@ -14,6 +14,7 @@ class CornerChain {
  public:
   struct Piece {
     double begin, end;    ///< parameters
+    double length;        ///< [mm], relative accuracy 1e-10
     std::size_t segment;  ///< of the path, that it replaces
   };
 
@@ -23,19 +24,34 @@ class CornerChain {
   const SplineCurve& curve() const { return curve_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
 
+  AxisVector point(double parameter) const;
+
   /// Parameter at which a node is passed: where the curve is nearest to it.
   double passing(std::size_t node) const;
   /// Distance of a node to the curve there [mm].
   double deviation(std::size_t node) const;
 
  private:
+  /// The polynomial between two stations.
+  struct Span {
+    Eigen::Vector3d start, first, second, third;
+
+    Eigen::Vector3d point(double x) const { return start + x * (first + x * (second / 2 + x / 6 * third)); }
+    Eigen::Vector3d slope(double x) const { return first + x * (second + x / 2 * third); }
+    Eigen::Vector3d bend(double x) const { return second + x * third; }
+    double length(double from, double to) const;
+  };
+
+  Span span(std::size_t k) const;
+  std::size_t spans() const { return stations_.size() + 1; }
+  void cut_span(const Span& span, const Piece& piece);
   void add_control(const Eigen::Vector3d& point, std::size_t segment_before);
   void add_inner(const Path& path, std::size_t segment, const std::vector<double>& trim);
-  void cut(const Path& path, std::size_t last);
+  void cut(std::size_t last);
 
   std::size_t first_;
   SplineCurve curve_;
-  std::vector<double> stations_;         // parameter of each inner control point
+  std::vector<double> stations_;         // parameter of each inner control point: 1, 2, …
   std::vector<std::size_t> segment_of_;  // segment that ends at each of them
   std::vector<std::size_t> node_at_;     // index into stations_ of each node
   std::vector<Eigen::Vector3d> node_;

@@ -91,7 +91,7 @@ bool is_fine(const SplineCurve& c, double a, double b) {
 }  // namespace
 
 SplineCurve make_spline(const AxisVector& begin, const AxisVector& end, const SplineDetail& detail) {
-  SplineCurve curve{detail.degree, {}, detail.knots, begin, end};
+  SplineCurve curve{detail.degree, {}, detail.knots, begin, end, detail.weights.empty()};
   curve.points.reserve(detail.points.size());
   for (std::size_t i = 0; i < detail.points.size(); ++i) {
     const double w = detail.weights.empty() ? 1.0 : detail.weights[i];

@@ -15,6 +15,7 @@ struct SplineCurve {
   std::vector<Eigen::Vector4d> points;  ///< (w·x, w·y, w·z, w)
   std::vector<double> knots;
   AxisVector rotary_begin, rotary_end;  ///< entries A, B, C: linear in the parameter
+  bool is_polynomial = false;           ///< all weights are 1
 };
 
 /// Stretch [begin, end] of a spline's parameter.

@@ -32,7 +32,7 @@ ParameterDerivatives PathSampler::derivatives() const {
       const Frame f = frame_at(path_, segment_, at_);
       return {f.first, f.second, f.third};
     }
-    default: return derivatives_at_share(path_, segment_, share());
+    default: return curve_->at_share(share());
   }
 }
 
@@ -41,6 +41,7 @@ void PathSampler::enter() {
     const Frame f = frame_at(path_, segment_, 0.0);
     line_ = {f.first, f.second, f.third};
   } else if (path_.kind[segment_] >= SegmentKind::spline) {
+    curve_.emplace(path_, segment_);
     tabulate(path_.kind[segment_] == SegmentKind::spline ? kSplineKnots : kBlendKnots);
   }
 }
@@ -50,14 +51,13 @@ void PathSampler::tabulate(std::size_t knots) {
   knots_ = knots;
   const double h = 1.0 / static_cast<double>(knots - 1);
   length_[0] = 0;
-  speed_[0] = parameter_speed(path_, segment_, 0.0);
+  speed_[0] = curve_->speed(0.0);
   for (std::size_t k = 1; k < knots; ++k) {
     const double share = static_cast<double>(k) * h;
-    speed_[k] = parameter_speed(path_, segment_, share);
+    speed_[k] = curve_->speed(share);
     length_[k] = length_[k - 1];
-    length_[k] += knots == 2
-                      ? path_.length[segment_]
-                      : h / 6 * (speed_[k - 1] + 4 * parameter_speed(path_, segment_, share - h / 2) + speed_[k]);
+    length_[k] +=
+        knots == 2 ? path_.length[segment_] : h / 6 * (speed_[k - 1] + 4 * curve_->speed(share - h / 2) + speed_[k]);
   }
   const double scale = path_.length[segment_] / length_[knots - 1];
   for (std::size_t k = 0; k < knots; ++k) length_[k] *= scale;

@@ -2,8 +2,9 @@
 /// Derivatives along a path for planning: where on a curve a path length lies is good to about a hundredth of the piece.
 
 #include <array>
+#include <optional>
 
-#include "toolpace/path/path.h"
+#include "toolpace/path/curve_sampler.h"
 
 namespace toolpace::detail::retime {
 
@@ -32,6 +33,7 @@ class PathSampler {
   std::array<double, 9> length_;  // up to even shares of a curve's own parameter
   std::array<double, 9> speed_;   // length by share there
   ParameterDerivatives line_;
+  std::optional<CurveSampler> curve_;
 };
 
 }  // namespace toolpace::detail::retime
