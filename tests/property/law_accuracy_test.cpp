@@ -9,6 +9,7 @@
 #include <random>
 
 #include "case_count.h"
+#include "every_law.h"
 #include "toolpace/law/single_move.h"
 
 namespace toolpace {
@@ -128,16 +129,7 @@ TEST_P(Accuracy, PeakIsExactToTwelveDigits) {
   EXPECT_GT(below_feed, static_cast<int>(count / 20)) << "the draw is to try peaks below the feed";
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, Accuracy, ::testing::ValuesIn([] {
-                           std::vector<LawKind> kinds;
-                           for (const LawRow& row : law_table()) kinds.push_back(row.kind);
-                           return kinds;
-                         }()),
-                         [](const auto& row) {
-                           std::string name(law_row(row.param).id);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Laws, Accuracy, ::testing::ValuesIn(test::every_law()), test::law_name);
 
 }  // namespace
 }  // namespace toolpace

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "case_count.h"
+#include "every_law.h"
 #include "toolpace/law/single_move.h"
 
 namespace toolpace {
@@ -229,16 +230,7 @@ TEST_P(MoveProperties, ReachInvertsTheLengthOfARamp) {
   EXPECT_TRUE(held);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, MoveProperties, ::testing::ValuesIn([] {
-                           std::vector<LawKind> kinds;
-                           for (const LawRow& row : law_table()) kinds.push_back(row.kind);
-                           return kinds;
-                         }()),
-                         [](const auto& row) {
-                           std::string name(law_row(row.param).id);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Laws, MoveProperties, ::testing::ValuesIn(test::every_law()), test::law_name);
 
 }  // namespace
 }  // namespace toolpace

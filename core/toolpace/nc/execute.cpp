@@ -12,8 +12,6 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kHighestFeed = 1e9;  // [units/min]
-
 constexpr bool is_cycle(Code code) { return (code >= 730 && code <= 760) || (code >= 810 && code <= 890); }
 
 // Codes outside the motion group that take the block's axis words for themselves.
@@ -156,47 +154,6 @@ bool Interpreter::execute(const Block& block) {
   return run_macro_code(block) && run_stop(block);
 }
 
-bool Interpreter::set_feed_mode(const Block& block) {
-  Modal& modal = state_.modal;
-  const Code code = block.code(GGroup::feed_mode);
-  if (modal.feed_mode != code) modal.feed = modal.feed_linear = 0.0;  // F has another meaning now
-  modal.feed_mode = code;
-  return true;
-}
-
-bool Interpreter::set_feed(const Block& block) {
-  Modal& modal = state_.modal;
-  const double feed = block.of('f');
-  if (feed > kHighestFeed) {
-    return faults_.fail("feed-too-large", fmt::format("F{:g}", feed), "check the feedrate", block.column_of('f'));
-  }
-  if (!(feed >= 0.0))
-    return faults_.fail("feed-negative", fmt::format("F{:g}", feed), "a feedrate is not below 0", block.column_of('f'));
-  if (modal.feed_mode == 930) return true;  // belongs to its block alone
-  modal.feed = feed;
-  modal.feed_linear = feed * modal.unit();
-  return true;
-}
-
-bool Interpreter::set_speed(const Block& block) {
-  const double speed = block.of('s');
-  if (!(speed >= 0.0))
-    return faults_.fail("speed-negative", fmt::format("S{:g}", speed), "a spindle speed is not below 0",
-                        block.column_of('s'));
-  state_.modal.spindle_speed = speed;
-  return true;
-}
-
-bool Interpreter::set_spindle_mode(const Block& block) {
-  const Code code = block.code(GGroup::spindle_mode);
-  if (code == 960 && !block.has('s') && dialect_ == Dialect::linuxcnc) {
-    return faults_.fail("g96-without-s", "G96 without S", "give the cutting speed with S",
-                        block.column_of(GGroup::spindle_mode));
-  }
-  state_.modal.spindle_mode = code;
-  return true;
-}
-
 bool Interpreter::run_machine_codes(const Block& block) {
   if (block.has(MGroup::tool) && !change_tool(context_, block)) return false;
   if (block.has(MGroup::spindle)) {
@@ -260,54 +217,6 @@ bool Interpreter::run_dwell(const Block& block) {
     return faults_.fail("dwell-negative", fmt::format("a dwell of {:g} s", seconds), "give a time from 0", column);
   out_.set_mode(state_.modal);
   out_.dwell(seconds);
-  return true;
-}
-
-bool Interpreter::run_settings(const Block& block) {
-  Modal& modal = state_.modal;
-  if (block.has(GGroup::plane) && !set_plane(block)) return false;
-  if (block.has(GGroup::units) && !set_units(block)) return false;
-  if (block.has(GGroup::lathe_diameter)) modal.lathe_diameter = block.code(GGroup::lathe_diameter);
-  if (block.has(GGroup::compensation) && !set_compensation(context_, block)) return false;
-  if (block.has(GGroup::tool_length) && !set_tool_length(context_, block)) return false;
-  if (block.has(GGroup::system) && !set_system(context_, block)) return false;
-  if (block.has(GGroup::turn_plane) && !set_turned_plane(context_, block)) return false;
-  if (block.has(GGroup::path_control) && !set_path_control(block)) return false;
-  if (block.has(GGroup::distance)) modal.distance = block.code(GGroup::distance);
-  if (block.has(GGroup::arc_distance)) modal.arc_distance = block.code(GGroup::arc_distance);
-  if (block.has(GGroup::retract)) modal.retract = block.code(GGroup::retract);
-  return true;
-}
-
-bool Interpreter::set_plane(const Block& block) {
-  const Code code = block.code(GGroup::plane);
-  if (state_.modal.compensation != 400 && code != state_.modal.plane) {
-    return faults_.fail("plane-with-compensation", "a change of plane while cutter radius compensation is on",
-                        "end it with G40 first", block.column_of(GGroup::plane));
-  }
-  state_.modal.plane = code;
-  return true;
-}
-
-bool Interpreter::set_units(const Block& block) {
-  state_.modal.units = block.code(GGroup::units);
-  return true;
-}
-
-bool Interpreter::set_path_control(const Block& block) {
-  Modal& modal = state_.modal;
-  modal.path_control = block.code(GGroup::path_control);
-  if (modal.path_control != 640) return true;
-  const bool has_p = block.has('p');
-  modal.tolerance_given = has_p;
-  modal.path_tolerance = has_p ? length_of(state_, block, 'p') : 0.0;
-  modal.naive_tolerance = block.has('q') ? length_of(state_, block, 'q') : modal.path_tolerance;
-  if (modal.path_tolerance < 0.0 || modal.naive_tolerance < 0.0) {
-    faults_.warn("tolerance-negative", "a tolerance below 0 counts as none", "P and Q of G64 are not below 0",
-                 block.column_of(GGroup::path_control));
-    modal.tolerance_given = false;
-    modal.path_tolerance = modal.naive_tolerance = 0.0;
-  }
   return true;
 }
 

@@ -32,6 +32,7 @@ inline constexpr int kRotationWithinSystem = 9;
 /// A vacant variable (Fanuc #0) is a NaN that no calculation makes.
 double vacant();
 inline bool is_vacant(double value) { return value != value; }
+inline double number_or_zero(double value) { return is_vacant(value) ? 0.0 : value; }
 
 class Parameters {
  public:

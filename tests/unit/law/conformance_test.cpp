@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "every_law.h"
 #include "law_cases.h"
 #include "toolpace/law/law_table.h"
 
@@ -188,16 +189,7 @@ TEST_P(LawConformance, RampsAppendWhereTheLastPhaseEnds) {
   EXPECT_EQ(phases[1].distance, 23.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LawConformance, ::testing::ValuesIn([] {
-                           std::vector<LawKind> kinds;
-                           for (const LawRow& row : law_table()) kinds.push_back(row.kind);
-                           return kinds;
-                         }()),
-                         [](const auto& row) {
-                           std::string name(law_row(row.param).id);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, LawConformance, ::testing::ValuesIn(test::every_law()), test::law_name);
 
 }  // namespace
 }  // namespace toolpace

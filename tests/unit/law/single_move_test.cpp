@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "every_law.h"
+
 namespace toolpace {
 namespace {
 
@@ -295,16 +297,7 @@ TEST_P(EveryLaw, UnboundedLimitsOnEitherSideWork) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Moves, EveryLaw, ::testing::ValuesIn([] {
-                           std::vector<LawKind> kinds;
-                           for (const LawRow& row : law_table()) kinds.push_back(row.kind);
-                           return kinds;
-                         }()),
-                         [](const auto& row) {
-                           std::string name(law_row(row.param).id);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Moves, EveryLaw, ::testing::ValuesIn(test::every_law()), test::law_name);
 
 }  // namespace
 }  // namespace toolpace
