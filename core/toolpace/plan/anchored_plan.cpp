@@ -19,6 +19,8 @@ constexpr double kTouch = 1e-12;
 constexpr double kRounding = 1e-9;
 /// Sweeps of removing anchors, each followed by a scan that lets the others rise.
 constexpr int kSweeps = 8;
+/// Share of the time that a sweep must save for the next one to be made.
+constexpr double kWorthwhile = 1e-6;
 /// Repairs after a scan: caps that the risen ramps pass become anchors again.
 constexpr int kRepairs = 12;
 /// Removed anchors under one span, at most; each one costs a look at every other.
@@ -108,11 +110,19 @@ Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap, 
   return a;
 }
 
+/// What a trial to remove an anchor depends on.
+struct Trial {
+  double entry = -1.0, exit = -1.0, before = 0.0, after = 0.0;  ///< speeds beside it, lengths on either side
+  bool operator==(const Trial&) const = default;
+};
+
 /// Which places are anchors, and how fast they are crossed.
 struct Layout {
   std::vector<std::size_t> place;  ///< ascending
   std::vector<double> speed;       ///< [mm/s]
   std::vector<Span> span;          ///< from anchor i to i + 1
+  std::vector<double> span_time;   ///< [s]
+  std::vector<Trial> trial;        ///< of each anchor, the last one to remove it in vain
   double time = 0.0;               ///< [s]
 };
 
@@ -125,6 +135,7 @@ class AnchorPlanner {
   Layout run_once() {
     Layout all;
     for (std::size_t i = 0; i < anchors_.position.size(); ++i) all.place.push_back(i);
+    all.trial.resize(all.place.size());
     settle(all);
     return all;
   }
@@ -142,7 +153,9 @@ class AnchorPlanner {
         best = std::move(next);
         break;
       }
+      const bool is_worthwhile = next.time < best.time * (1 - kWorthwhile);
       best = std::move(next);
+      if (!is_worthwhile) break;
     }
     return best;
   }
@@ -154,8 +167,10 @@ class AnchorPlanner {
 
   void sum_up(Layout& l) const {
     l.time = 0;
+    l.span_time.resize(l.span.size());
     for (std::size_t i = 0; i < l.span.size(); ++i) {
-      l.time += stretch_time(stretch(0, l.span[i], l.speed[i], l.speed[i + 1]), l.span[i].terms);
+      l.span_time[i] = stretch_time(stretch(0, l.span[i], l.speed[i], l.speed[i + 1]), l.span[i].terms);
+      l.time += l.span_time[i];
     }
   }
 
@@ -215,39 +230,57 @@ class AnchorPlanner {
     Layout r;
     r.place.push_back(l.place[0]);
     r.speed.push_back(l.speed[0]);
+    r.trial.push_back(l.trial[0]);
     for (std::size_t i = 0; i < l.span.size(); ++i) {
-      Span last = l.span[i];
+      Piece last{l.span[i], l.span_time[i], l.place[i + 1], l.speed[i + 1]};
       // Takes the anchor before this span away as long as that is no loss.
-      while (r.place.size() > 1 && can_merge(r, last, l.place[i + 1], l.speed[i + 1])) {
-        Span merged = r.span.back();
-        merged.include(last);
-        merged.prepare<Law>();
-        last = merged;
+      while (r.place.size() > 1 && merge(r, last)) {
         r.place.pop_back();
         r.speed.pop_back();
+        r.trial.pop_back();
         r.span.pop_back();
+        r.span_time.pop_back();
       }
-      r.span.push_back(last);
-      r.place.push_back(l.place[i + 1]);
-      r.speed.push_back(l.speed[i + 1]);
+      r.span.push_back(last.span);
+      r.span_time.push_back(last.time);
+      r.place.push_back(last.to);
+      r.speed.push_back(last.exit);
+      r.trial.push_back(l.trial[i + 1]);
     }
     return r;
   }
 
-  bool can_merge(const Layout& r, const Span& last, std::size_t to, double exit) {
-    const std::size_t n = r.place.size();
-    const std::size_t from = r.place[n - 2];
-    if (to - from > kMostUnderSpan || anchors_.cap[r.place[n - 1]] == 0) return false;
-    const double entry = r.speed[n - 2], middle = r.speed[n - 1];
+  /// A span, and the anchor at its end.
+  struct Piece {
+    Span span;
+    double time;  ///< [s]
+    std::size_t to;
+    double exit;  ///< [mm/s]
+  };
+
+  /// Joins the piece with the last span, if that saves time and breaks nothing.
+  bool merge(Layout& r, Piece& last) {
+    const std::size_t n = r.place.size(), from = r.place[n - 2];
+    if (last.to - from > kMostUnderSpan || anchors_.cap[r.place[n - 1]] == 0) return false;
+    const double entry = r.speed[n - 2], before = r.span_time.back() + last.time;
+    const Trial trial{entry, last.exit, r.span.back().length, last.span.length};
+    if (r.trial.back() == trial) return false;
     Span merged = r.span.back();
-    const double before = stretch_time(stretch(0, merged, entry, middle), merged.terms) +
-                          stretch_time(stretch(0, last, middle, exit), last.terms);
-    merged.include(last);
-    merged.prepare<Law>();
-    if (merged.cap() < std::max(entry, exit) || !fits(entry, exit, merged.length, merged.terms)) return false;
-    const Stretch s = stretch(anchors_.position[from], merged, entry, exit);
-    if (!(stretch_time(s, merged.terms) <= before * (1 + kTouch))) return false;
-    return first_broken(s, merged.drive(), from, to) == to;
+    merged.include(last.span);
+    const bool may_fit =
+        merged.cap() >= std::max(entry, last.exit) && merged.length <= before * merged.cap() * (1 + kTouch);
+    if (may_fit) merged.prepare<Law>();
+    if (may_fit && fits(entry, last.exit, merged.length, merged.terms)) {
+      const Stretch s = stretch(anchors_.position[from], merged, entry, last.exit);
+      const double time = stretch_time(s, merged.terms);
+      if (time <= before * (1 + kTouch) && first_broken(s, merged.drive(), from, last.to) == last.to) {
+        last.span = merged;
+        last.time = time;
+        return true;
+      }
+    }
+    r.trial.back() = trial;
+    return false;
   }
 
   /// Scans, and brings anchors back whose caps are passed then; false where that has no end.
@@ -255,15 +288,21 @@ class AnchorPlanner {
     for (int round = 0; round < kRepairs; ++round) {
       settle(l);
       std::vector<std::size_t> place;
+      std::vector<Trial> trial;
       for (std::size_t i = 0; i < l.span.size(); ++i) {
         place.push_back(l.place[i]);
+        trial.push_back(l.trial[i]);
         const Stretch s = stretch(anchors_.position[l.place[i]], l.span[i], l.speed[i], l.speed[i + 1]);
         const std::size_t broken = first_broken(s, l.span[i].drive(), l.place[i], l.place[i + 1]);
-        if (broken < l.place[i + 1]) place.push_back(broken);
+        if (broken == l.place[i + 1]) continue;
+        place.push_back(broken);
+        trial.emplace_back();
       }
       place.push_back(l.place.back());
+      trial.push_back(l.trial.back());
       if (place.size() == l.place.size()) return true;
       l.place = std::move(place);
+      l.trial = std::move(trial);
     }
     return false;
   }
