@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "toolpace/law/law_table.h"
+#include "toolpace/plan/anchor_sites.h"
 #include "toolpace/plan/block_profile.h"
 #include "toolpace/plan/increasing_root.h"
 #include "toolpace/plan/node_speeds.h"
 #include "toolpace/plan/plan.h"
-#include "toolpace/plan/span_filter.h"
 
 namespace toolpace::detail {
 namespace {
@@ -25,90 +24,6 @@ constexpr double kWorthwhile = 1e-6;
 constexpr int kRepairs = 12;
 /// Removed anchors under one span, at most; each one costs a look at every other.
 constexpr std::size_t kMostUnderSpan = 512;
-
-/// A stretch that is planned as one block.
-struct Span {
-  double length = 0.0;
-  double touched_feed = std::numeric_limits<double>::infinity();  ///< lowest feed that the optimum touches [mm/s]
-  double highest_feed = 0.0;                                      ///< [mm/s]
-  Dynamics dynamics;
-  MoveTerms terms;
-
-  double cap() const { return std::isfinite(touched_feed) ? touched_feed : highest_feed; }
-
-  void include(const Span& o) {
-    length += o.length;
-    touched_feed = std::min(touched_feed, o.touched_feed);
-    highest_feed = std::max(highest_feed, o.highest_feed);
-    include(dynamics.up, o.dynamics.up);
-    include(dynamics.down, o.dynamics.down);
-  }
-
-  template <class Law>
-  void prepare() {
-    terms = move_terms<Law>(dynamics);
-  }
-
-  Drive drive() const { return {dynamics, terms}; }
-
- private:
-  static void include(RampLimits& a, const RampLimits& b) {
-    a.acceleration = std::min(a.acceleration, b.acceleration);
-    a.jerk = std::min(a.jerk, b.jerk);
-    a.time = std::max(a.time, b.time);
-  }
-};
-
-/// Every place that may be an anchor, and the spans between neighbours.
-struct Anchors {
-  std::vector<double> position, cap;  ///< one a place
-  std::vector<std::size_t> node;      ///< one a place
-  std::vector<Span> span;             ///< from place i to i + 1
-};
-
-Span span_of_block(const SpeedLimits& limits, std::size_t i, bool touched) {
-  Span s;
-  s.length = limits.length[i];
-  s.highest_feed = limits.block_cap[i];
-  if (touched) s.touched_feed = limits.block_cap[i];
-  s.dynamics = limits.dynamics_of(i);
-  return s;
-}
-
-bool is_seam(const SpeedLimits& limits, std::size_t node, double ratio) {
-  return limits.ramp[node] != limits.ramp[node - 1] &&
-         ratio_of(limits.dynamics_of(node - 1), limits.dynamics_of(node)) > ratio;
-}
-
-Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap, double seam_ratio) {
-  const std::vector<double> square = fastest_squares(limits, cap);
-  const std::vector<double> position = node_positions(limits);
-  Anchors a;
-  const auto add = [&](std::size_t node) {
-    a.position.push_back(position[node]);
-    a.cap.push_back(cap[node]);
-    a.node.push_back(node);
-  };
-  add(0);
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    const double c = cap[i], f = limits.block_cap[i];
-    const bool changes = i > 0 && (limits.block_cap[i - 1] != f || c < f);
-    const bool touched = changes && square[i] >= c * c * (1 - kTouch);
-    if (touched || (i > 0 && is_seam(limits, i, seam_ratio))) add(i);
-    const Dynamics& d = limits.dynamics_of(i);
-    const double up = d.up.acceleration, down = d.down.acceleration;
-    const double share = std::isinf(up) ? 1.0 : up / (up + down);
-    const double peak = square[i] + share * (square[i + 1] - square[i] + 2 * down * limits.length[i]);
-    const Span s = span_of_block(limits, i, !(peak < f * f * (1 - kTouch)));
-    if (a.span.size() < a.position.size()) {
-      a.span.push_back(s);
-    } else {
-      a.span.back().include(s);
-    }
-  }
-  add(limits.size());
-  return a;
-}
 
 /// What a trial to remove an anchor depends on.
 struct Trial {
@@ -325,17 +240,6 @@ MotionPlan write_plan(const Anchors& anchors, const Layout& l) {
 }
 
 }  // namespace
-
-double ratio_of(const Dynamics& a, const Dynamics& b) {
-  double most = 1.0;
-  for (RampLimits Dynamics::*side : {&Dynamics::up, &Dynamics::down}) {
-    for (double RampLimits::*value : {&RampLimits::acceleration, &RampLimits::jerk}) {
-      const double x = a.*side.*value, y = b.*side.*value;
-      if (x != y) most = std::max({most, x / y, y / x});
-    }
-  }
-  return most;
-}
 
 MotionPlan plan_anchored_ramps(const SpeedLimits& limits, const std::vector<double>& cap, const AnchoredLaw& anchored,
                                const Monitor& monitor) {

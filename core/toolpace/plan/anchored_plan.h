@@ -10,9 +10,6 @@
 
 namespace toolpace::detail {
 
-/// By how much ramp limits differ between two blocks: the largest ratio of two accelerations or jerks, ≥ 1.
-double ratio_of(const Dynamics& a, const Dynamics& b);
-
 struct AnchoredLaw {
   LawKind law;
   double seam_ratio = 1e300;  ///< nodes where ramp limits differ by more than this may be anchors, too

@@ -7,65 +7,19 @@
 #include <vector>
 
 #include "toolpace/law/law_table.h"
-#include "toolpace/plan/phase_writer.h"
+#include "toolpace/plan/brake.h"
 #include "toolpace/plan/plan.h"
 
 namespace toolpace {
 namespace {
 
-using detail::PhaseWriter;
+using detail::brake;
+using detail::Brakes;
 constexpr PhaseShape kJerk = PhaseShape::constant_jerk;
 /// Share of the path's length below which two places are the same.
 constexpr double kSamePlace = 1e-12;
 /// Share of a cap by which the stop may pass it: rounding.
 constexpr double kRounding = 1e-9;
-
-/// Smallest limits while braking.
-struct Brakes {
-  double deceleration, jerk;
-  double release;  ///< jerk that takes a positive acceleration away
-};
-
-/// Brakes from a state with `speed` and `acceleration` to rest: at most four phases, from distance 0 and time 0.
-///
-/// The acceleration falls to −peak, is held there, and rises to 0 as the speed does: v + a²/2J (what is left once the
-/// acceleration is 0) is shared out over two equal jerk phases and the hold between them.
-/// @return nothing where the present deceleration would stop the motion before the jerk can take it away
-std::optional<std::vector<Phase>> brake(double speed, double acceleration, const Brakes& brakes) {
-  std::vector<Phase> phases;
-  PhaseWriter out(phases);
-  double v = speed, a = acceleration, s = 0;
-  const auto push = [&](double duration, double jerk) {
-    const Phase p{0, duration, s, v, a, jerk, kJerk};
-    out.push(p);
-    if (!(duration > 0)) return;
-    const PhaseState end = evaluate(p, duration);
-    s = end.distance;
-    v = end.speed;
-    a = end.acceleration;
-  };
-  if (std::isinf(brakes.jerk)) {
-    a = -brakes.deceleration;
-    push(v / brakes.deceleration, 0);
-    return phases;
-  }
-  if (a > 0) {
-    push(a / brakes.release, -brakes.release);
-    a = 0;
-  }
-  const double top = std::max(brakes.deceleration, -a);
-  // From a on down to −peak and up to 0 the speed falls by (2·peak² − a²)/2J.
-  const double all = v + a * a / (2 * brakes.jerk);
-  const double square = brakes.jerk * all;
-  if (square < a * a * (1 - kRounding)) return std::nullopt;
-  const double peak = std::clamp(std::sqrt(square), -a, top);
-  push((peak + a) / brakes.jerk, -brakes.jerk);
-  a = -peak;
-  const double left = v - peak * peak / (2 * brakes.jerk);
-  if (left > 0) push(left / peak, 0);
-  push(peak / brakes.jerk, brakes.jerk);
-  return phases;
-}
 
 double end_of(const std::vector<Phase>& phases) {
   return phases.empty() ? 0.0 : evaluate(phases.back(), phases.back().duration).distance;

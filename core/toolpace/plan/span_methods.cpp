@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "toolpace/plan/anchor_sites.h"
 #include "toolpace/plan/anchored_plan.h"
 #include "toolpace/plan/block_plan.h"
 #include "toolpace/plan/span_plan.h"
