@@ -197,9 +197,6 @@ void MainWindow::showState() {
 
 void MainWindow::holdAt(std::optional<double> time) {
   if (!workspace_.timeline() || workspace_.tuning().value().options.hold_at == time) return;
-  if (time && workspace_.tuning().value().options.corner.rule == CornerRule::smooth) {
-    return transport_->setMessage(tr("no feed hold with smooth corners: the motion has left the path"));
-  }
   workspace_.tuning().edit(tr("Feed hold"), "hold", [time](ui::Tuning& t) { t.options.hold_at = time; });
 }
 
@@ -231,13 +228,14 @@ void MainWindow::showFailure(const Error& error, const QString& path) {
   Diagnostics problems = workspace_.problems();
   Diagnostic failure{Severity::error, error.code, error.message, error.remedy, error.where, {}};
   failure.where.line = 0;  // of another file than the one shown
-  failure.message = QFileInfo(path).fileName().toStdString() + ": " + error.message;
+  const std::string name = QFileInfo(path).fileName().toStdString();
+  if (error.message.find(name) == std::string::npos) failure.message = name + ": " + error.message;
   problems.insert(problems.begin(), failure);
   problems_->setProblems(problems);
   docks_["problemsDock"]->setWindowTitle(tr("Problems") + QString(" %1").arg(problems.size()));
   docks_["problemsDock"]->show();
   docks_["problemsDock"]->raise();
-  transport_->setMessage(QString::fromStdString(failure.message));
+  transport_->setMessage(ui::message_text(failure.code, failure.message));
   emit openedOrFailed();
 }
 

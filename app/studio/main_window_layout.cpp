@@ -24,9 +24,10 @@
 namespace toolpace::studio {
 namespace {
 
-constexpr int kProgramWidth = 240, kRightWidth = 360, kTuningHeight = 384;
-constexpr double kPlotShare = 0.52;  // of the height below the tool bar
-constexpr int kChrome = 80;          // tool bar and transport bar
+constexpr int kProgramWidth = 240, kWidestProgram = 380, kRightWidth = 360, kTuningHeight = 384;
+constexpr double kProgramShare = 0.16;  // of the width
+constexpr double kPlotShare = 0.52;     // of the height below the tool bar
+constexpr int kChrome = 80;             // tool bar and transport bar
 
 QToolButton* menu_button(const char* name, QMenu* menu, QToolBar* bar) {
   auto* button = new QToolButton(bar);
@@ -109,13 +110,14 @@ void MainWindow::arrange() {
   splitDockWidget(docks_["tuningDock"], docks_["resultsDock"], Qt::Vertical);
   for (const auto& tab : tabs) tabifyDockWidget(docks_["resultsDock"], docks_[tab]);
   docks_["resultsDock"]->raise();
-  resizeDocks({docks_["programDock"], docks_["tuningDock"]}, {kProgramWidth, kRightWidth}, Qt::Horizontal);
-  shareHeights();
+  shareRoom();
 }
 
 // Plots and preview share the height of the window, and the tuning gets what it needs; until somebody drags a border,
 // this holds at every size.
-void MainWindow::shareHeights() {
+void MainWindow::shareRoom() {
+  const int program = std::clamp(static_cast<int>(width() * kProgramShare), kProgramWidth, kWidestProgram);
+  resizeDocks({docks_["programDock"], docks_["tuningDock"]}, {program, kRightWidth}, Qt::Horizontal);
   const int whole = std::max(height() - kChrome, 1);
   const int plots = static_cast<int>(whole * kPlotShare);
   const int tuning = std::min(kTuningHeight, whole * 3 / 5);
@@ -127,7 +129,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   const int before = event->oldSize().height() - kChrome, after = event->size().height() - kChrome;
   if (event->oldSize().height() <= 0) {
-    if (preferences_.layout.isEmpty()) shareHeights();
+    if (preferences_.layout.isEmpty()) shareRoom();
   } else if (before > 0 && after > 0 && before != after && !docks_["plotsDock"]->isFloating()) {
     resizeDocks({docks_["plotsDock"]}, {docks_["plotsDock"]->height() * after / before}, Qt::Vertical);
   }

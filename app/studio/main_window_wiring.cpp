@@ -146,7 +146,10 @@ void MainWindow::connectActions() {
   on(a.inch, [this](bool inch) { setInch(inch); });
   on(a.english, [this] { setLanguage("en"); });
   on(a.chinese, [this] { setLanguage("zh_CN"); });
-  on(a.reset_layout, [this] { restoreState(first_layout_); });
+  on(a.reset_layout, [this] {
+    restoreState(first_layout_);
+    shareRoom();
+  });
   on(a.show_keys, [this] { showKeys(); });
   on(a.about, [this] { showAbout(); });
 }

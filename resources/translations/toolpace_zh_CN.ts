@@ -1437,10 +1437,6 @@
             <translation>当前显示拐角过渡的快速规划；按 F5 重新优化</translation>
         </message>
         <message>
-            <source>no feed hold with smooth corners: the motion has left the path</source>
-            <translation>平滑拐角下不能进给保持：运动已离开路径</translation>
-        </message>
-        <message>
             <source>Feed hold</source>
             <translation>进给保持</translation>
         </message>
@@ -2632,6 +2628,10 @@
         <message>
             <source>Toler.</source>
             <translation>公差</translation>
+        </message>
+        <message>
+            <source>Tuning</source>
+            <translation>调试</translation>
         </message>
     </context>
     <context>

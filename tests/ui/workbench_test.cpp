@@ -51,6 +51,21 @@ class WorkbenchTest : public QObject {
     for (const auto* rect : plot.axisRects()) QVERIFY(rect->height() >= 130);
   }
 
+  void a_spoilt_layout_is_put_right_again() {
+    Opened window({1600, 1000});
+    window.openButterfly();
+    const int plots = window.the<QDockWidget>("plotsDock").height();
+    QVERIFY(plots > 400);
+    window.the<QDockWidget>("tuningDock").hide();
+    window.the<QDockWidget>("programDock").setFloating(true);
+    window.resizeDocks({&window.the<QDockWidget>("plotsDock")}, {200}, Qt::Vertical);
+    window.actions().reset_layout->trigger();
+    QTest::qWait(50);
+    QVERIFY(window.the<QDockWidget>("tuningDock").isVisible());
+    QVERIFY(!window.the<QDockWidget>("programDock").isFloating());
+    QVERIFY(std::abs(window.the<QDockWidget>("plotsDock").height() - plots) <= 4);
+  }
+
   void modal_state_follows_the_cursor_line() {
     Opened window;
     window.open(

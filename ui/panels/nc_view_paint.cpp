@@ -78,7 +78,7 @@ void NcView::paintGutter(QPainter& painter, int line, const QRect& row, const Gu
 }
 
 void NcView::paintText(QPainter& painter, int line, const QRect& row, const Gutter& g) const {
-  const QString text = document_->line(line);
+  const QString text = document_->line(line).replace('\t', ' ');  // columns stay columns, and the words in sight
   painter.save();
   painter.setClipRect(QRect(g.text_begin, row.top(), row.width() - g.text_begin, row.height()));
   const int left = g.text_begin - horizontalScrollBar()->value();

@@ -28,6 +28,8 @@ ProblemsPanel::ProblemsPanel(QWidget* parent)
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kPlace, QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kMessage, QHeaderView::Stretch);
+  // Rows are as high as their text at the width that there is, also where that is known only once the tab is seen.
+  connect(table_->horizontalHeader(), &QHeaderView::sectionResized, table_, &QTableView::resizeRowsToContents);
   const auto go = [this](const QModelIndex& index) {
     const auto line = model_->at(index.row()).where.line;
     if (line > 0) emit lineRequested(static_cast<int>(line));

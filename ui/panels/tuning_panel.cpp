@@ -182,15 +182,13 @@ void TuningPanel::buildCorner() {
     const auto rule = static_cast<CornerRule>(corner_->itemData(index).toInt());
     model_.edit(tr("Corner rule"), "corner", [rule](Tuning& tuning) {
       tuning.options.corner.rule = rule;
-      if (rule == CornerRule::smooth) tuning.options.hold_at.reset();  // a hold needs the path that this rule leaves
       tuning.options.corner.step.reset();
     });
   });
 }
 
 void TuningPanel::buildJob() {
-  hold_ = addNumber("holdEdit", kToleranceRow, 0, Quantity::time, {0, kUnlimited, true});
-  hold_->setUnlimitedText("–");
+  addNumber("holdEdit", kToleranceRow, 0, Quantity::time, {0, kUnlimited, true})->setUnlimitedText("–");
   describe([](const Tuning& t) { return t.options.hold_at.value_or(kUnlimited); },
            [](Tuning& t, double v) { t.options.hold_at = v < kUnlimited ? std::optional(v) : std::nullopt; },
            [] { return tr("Feed hold at; empty = none"); }, [] { return tr("Hold"); });
@@ -240,7 +238,6 @@ void TuningPanel::showRelevant() {
   const auto rule = options.corner.rule;
   form_->setRowVisible(tolerance_, rule == CornerRule::blend || rule == CornerRule::smooth);
   form_->setRowVisible(deviation_, rule == CornerRule::junction);
-  hold_->setEnabled(rule != CornerRule::smooth);
 }
 
 void TuningPanel::resizeEvent(QResizeEvent* event) {
@@ -254,6 +251,7 @@ void TuningPanel::changeEvent(QEvent* event) {
 }
 
 void TuningPanel::retranslate() {
+  setAccessibleName(tr("Tuning"));
   law_label_->setText(tr("Law"));
   law_->setAccessibleName(tr("Velocity law"));
   for (const LawRow& row : law_table()) law_->setItemText(law_->findData(static_cast<int>(row.kind)), law_title(row));

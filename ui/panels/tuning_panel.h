@@ -60,7 +60,7 @@ class TuningPanel : public QScrollArea {
   QLabel *law_label_ = nullptr, *lookahead_label_ = nullptr, *ramps_label_ = nullptr, *corner_label_ = nullptr;
   LookaheadField* lookahead_;
   AxesGrid* axes_;
-  NumberField *t_acc_, *t_dec_, *jerk_, *jerk_deceleration_, *tolerance_, *deviation_, *hold_;
+  NumberField *t_acc_, *t_dec_, *jerk_, *jerk_deceleration_, *tolerance_, *deviation_;
 };
 
 }  // namespace toolpace::ui
