@@ -189,7 +189,8 @@ bool run_arc(Context& context, const Block& block, Code code) {
                                block.column_of(GGroup::motion));
   }
   Feedrate feed;
-  if (!find_feedrate(context, block, length_of_arc(arc, end[plane.normal] - from[plane.normal]), 0.0, feed))
+  if (!find_feedrate(context, block, {length_of_arc(arc, end[plane.normal] - from[plane.normal]), 0.0, from[0], end[0]},
+                     feed))
     return false;
   if (state.compensation.radius > 0.0) return compensate_arc(context, arc, end, feed);
   if (state.compensation.arc_forbidden) {

@@ -229,7 +229,9 @@ bool run_cycle(Context& context, const Block& block, Code code) {
   const PlaneAxes plane = plane_axes(state.modal.plane);
   int repeats = 1;
   Feedrate feed;
-  if (!find_repeats(context, block, repeats) || !find_feedrate(context, block, 0.0, 0.0, feed)) return false;
+  if (!find_repeats(context, block, repeats) ||
+      !find_feedrate(context, block, {0.0, 0.0, state.position[0], state.position[0]}, feed))
+    return false;
   Position target;
   if (!find_end(context, block, target)) return false;
 

@@ -185,6 +185,8 @@ std::optional<CodeUse<GGroup>> g_code_use(Code tenths, Dialect dialect) {
 }
 
 const char* unfollowed_code(Code tenths, Dialect dialect) {
+  if (dialect == Dialect::linuxcnc && is_one_of(tenths, {700, 710, 711, 712, 720, 721, 722}))
+    return "turns a profile that a sub-program describes";
   if (dialect != Dialect::fanuc) return nullptr;
   switch (tenths) {
     case 71: return "wraps the path around a cylinder";

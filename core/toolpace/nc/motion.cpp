@@ -8,6 +8,7 @@
 #include "toolpace/nc/arcs.h"
 #include "toolpace/nc/compensation.h"
 #include "toolpace/nc/cycles.h"
+#include "toolpace/nc/spindle.h"
 #include "toolpace/nc/splines.h"
 #include "toolpace/nc/threading.h"
 
@@ -150,7 +151,8 @@ bool find_end(Context& context, const Block& block, Position& end) {
   return !block.has_any(kPolarBits) || resolve_polar(context, block, from, end);
 }
 
-bool find_feedrate(Context& context, const Block& block, double linear_length, double angular_length, Feedrate& feed) {
+bool find_feedrate(Context& context, const Block& block, const Way& way, Feedrate& feed) {
+  const double linear_length = way.linear, angular_length = way.angular;
   const Modal& modal = context.state.modal;
   if (modal.feed_mode == 930) {
     if (!block.has('f')) {
@@ -168,9 +170,14 @@ bool find_feedrate(Context& context, const Block& block, double linear_length, d
     return context.faults.fail("no-feed", "a feed move without a feedrate", "give F before or in this block");
   double turns = 1.0;
   if (modal.feed_mode == 950) {
-    turns = std::fabs(modal.spindle_speed);
+    turns = spindle_turns(context.state, way.from, way.to);
     if (turns == 0.0) {
       return context.faults.fail("spindle-stopped", "feed per turn (G95) without a spindle speed", "give S before");
+    }
+    if (std::isinf(turns)) {
+      return context.faults.fail("spindle-unbounded",
+                                 "at X0 constant surface speed (G96) turns the spindle without bound",
+                                 "give the highest speed with D beside G96");
     }
   }
   feed.linear = modal.feed_linear * turns;
@@ -188,7 +195,7 @@ bool find_straight_feedrate(Context& context, const Block& block, const Position
     angular = std::sqrt(angular);
     if (linear < kNoLength) linear = 0.0;
   }
-  return find_feedrate(context, block, linear, angular, feed);
+  return find_feedrate(context, block, {linear, angular, from[0], to[0]}, feed);
 }
 
 bool run_motion(Context& context, const Block& block, Code code) {

@@ -17,9 +17,15 @@ const Position& programmed_position(const State& state);
 /// A length word in mm.
 double length_of(const State& state, const Block& block, char letter);
 
+/// What a feedrate may depend on.
+struct Way {
+  double linear = 0.0;          ///< [mm] length along X Y Z
+  double angular = 0.0;         ///< [deg], used where the former is 0
+  double from = 0.0, to = 0.0;  ///< X [mm]: the radius, where the work turns
+};
+
 /// The feedrate of a block in the active feed mode.
-/// @param linear_length   [mm] along X Y Z   @param angular_length  [deg], used where the former is 0
-bool find_feedrate(Context& context, const Block& block, double linear_length, double angular_length, Feedrate& feed);
+bool find_feedrate(Context& context, const Block& block, const Way& way, Feedrate& feed);
 
 /// The same for a straight move between two points.
 bool find_straight_feedrate(Context& context, const Block& block, const Position& from, const Position& to,

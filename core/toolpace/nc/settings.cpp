@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "toolpace/nc/compensation.h"
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/interpreter.h"
@@ -52,7 +54,13 @@ bool Interpreter::set_spindle_mode(const Block& block) {
     return faults_.fail("g96-without-s", "G96 without S", "give the cutting speed with S",
                         block.column_of(GGroup::spindle_mode));
   }
+  const double limit = block.of('d', std::numeric_limits<double>::infinity());
+  if (!(limit > 0.0)) {
+    return faults_.fail("g96-limit", fmt::format("D{:g} of G96", limit), "D is the highest speed of the spindle",
+                        block.column_of('d'));
+  }
   state_.modal.spindle_mode = code;
+  state_.modal.spindle_limit = limit;
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "toolpace/nc/motion.h"
+#include "toolpace/nc/spline_length.h"
 
 namespace toolpace::nc {
 namespace {
@@ -49,17 +50,15 @@ bool check_spline(Context& context, const Block& block) {
   return true;
 }
 
-// The feedrate of a curve. In inverse-time mode the length of the control polygon stands for that of the curve.
-bool spline_feedrate(Context& context, const Block& block, const std::vector<Eigen::Vector3d>& polygon,
-                     Feedrate& feed) {
-  double length = 0.0;
-  for (const auto& point : polygon) {
+bool spline_feedrate(Context& context, const Block& block, const SplineDetail& spline, Feedrate& feed) {
+  for (const auto& point : spline.points) {
     if (point.cwiseAbs().maxCoeff() <= kFarthest) continue;
     return context.faults.fail("coordinate-too-large", fmt::format("a control point more than {:g} mm away", kFarthest),
                                "check the numbers", block.column_of(GGroup::motion));
   }
-  for (std::size_t i = 1; i < polygon.size(); ++i) length += (polygon[i] - polygon[i - 1]).norm();
-  return find_feedrate(context, block, length, 0.0, feed);
+  const double length = context.state.modal.feed_mode == 930 ? length_of_spline(spline) : 0.0;
+  const double x = context.state.position[0];
+  return find_feedrate(context, block, {length, 0.0, x, x}, feed);
 }
 
 bool write_bezier(Context& context, const Block& block, const std::vector<std::array<double, 2>>& inner,
@@ -73,7 +72,7 @@ bool write_bezier(Context& context, const Block& block, const std::vector<std::a
   spline.weights.assign(spline.points.size(), 1.0);
   spline.knots = clamped_knots(spline.points.size(), spline.degree + 1);
   Feedrate feed;
-  if (!spline_feedrate(context, block, spline.points, feed)) return false;
+  if (!spline_feedrate(context, block, spline, feed)) return false;
   context.out.spline(state.offsets, end, std::move(spline), feed.linear);
   state.position = end;
   state.modal.motion = 800;  // each of these curves is named in its block
@@ -139,12 +138,17 @@ bool collect_nurbs(Context& context, const Block& block) {
                                  "orders go from 2 to 20", block.column_of('l'));
     }
     spline.collecting = true;
+    spline.inverse_feed.reset();
     spline.order = static_cast<int>(order);
     spline.points.clear();
     const bool has_point = block.has('x') || block.has('y');
     spline.points.push_back({state.position[0], state.position[1], has_point ? 1.0 : weight});
-    if (!has_point) return true;
+    if (!has_point) {
+      if (block.has('f')) spline.inverse_feed = block.of('f');
+      return true;
+    }
   }
+  if (block.has('f')) spline.inverse_feed = block.of('f');
   Position end;
   if (!find_end(context, block, end)) return false;
   if (spline.points.size() >= kMostControlPoints) {
@@ -181,7 +185,12 @@ bool finish_nurbs(Context& context, const Block& block) {
   end[0] = memory.points.back()[0];
   end[1] = memory.points.back()[1];
   Feedrate feed;
-  if (!spline_feedrate(context, block, spline.points, feed)) return false;
+  Block with_feed = block;
+  if (!block.has('f') && memory.inverse_feed) {
+    with_feed.words |= word_bit('f');
+    with_feed.value[word_index('f')] = *memory.inverse_feed;
+  }
+  if (!spline_feedrate(context, with_feed, spline, feed)) return false;
   context.out.spline(state.offsets, end, std::move(spline), feed.linear);
   state.position = end;
   return true;

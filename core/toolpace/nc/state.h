@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <vector>
@@ -48,8 +49,9 @@ struct Modal {
   bool tolerance_given = false;  ///< G64 came with P
   double feed = 0.0;             ///< as programmed: units a minute, a turn or 1/min; 0 = none
   double feed_linear = 0.0;      ///< the same with lengths in mm, fixed when F was read
-  double spindle_speed = 0.0;    ///< [rev/min]
-  int spindle_direction = 0;     ///< −1, 0, +1 (clockwise)
+  double spindle_speed = 0.0;    ///< [rev/min]; under G96 m/min, in inch programs ft/min
+  double spindle_limit = std::numeric_limits<double>::infinity();  ///< [rev/min] D of G96
+  int spindle_direction = 0;                                       ///< −1, 0, +1 (clockwise)
   bool mist = false, flood = false;
   bool operator==(const Modal&) const = default;
 
@@ -102,6 +104,7 @@ struct SplineMemory {
   // G5.2 … G5.3
   bool collecting = false;
   int order = 3;
+  std::optional<double> inverse_feed;         ///< [1/min] F of any of its blocks under G93
   std::vector<std::array<double, 3>> points;  ///< x, y, weight
 };
 

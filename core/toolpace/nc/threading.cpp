@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "toolpace/nc/motion.h"
+#include "toolpace/nc/spindle.h"
 #include "toolpace/nc/whole_number.h"
 
 namespace toolpace::nc {
@@ -24,8 +25,9 @@ bool find_pitch(Context& context, const Block& block, char letter, Feedrate& fee
     return fail(context, block, "pitch-missing",
                 fmt::format("a thread without a positive {}", static_cast<char>(letter - 32)), "give the pitch");
   }
-  const double speed = std::fabs(state.modal.spindle_speed);
-  if (speed == 0.0 || (state.modal.spindle_direction == 0 && context.dialect == Dialect::linuxcnc)) {
+  const double speed = spindle_turns(state, state.position[0], state.position[0]);
+  if (speed == 0.0 || std::isinf(speed) ||
+      (state.modal.spindle_direction == 0 && context.dialect == Dialect::linuxcnc)) {
     return fail(context, block, "spindle-stopped", "a thread while the spindle stands still",
                 "give S and M3 or M4 before");
   }

@@ -62,7 +62,9 @@ TEST(Fanuc, DwellsAreInMilliseconds) {
   EXPECT_EQ(reading.moves.dwells, (Values{0.5, 2.5}));
 }
 
-TEST(Fanuc, ADwellMovesNoAxis) { EXPECT_EQ(ends(read_as(Dialect::fanuc, "O1\nG21 G90 G0 X1\nG4 X2.5\nM30\n")), (Values{1})); }
+TEST(Fanuc, ADwellMovesNoAxis) {
+  EXPECT_EQ(ends(read_as(Dialect::fanuc, "O1\nG21 G90 G0 X1\nG4 X2.5\nM30\n")), (Values{1}));
+}
 
 TEST(Fanuc, TheMotionCodeBeforeACycleGoesOnAfterIt) {
   const auto reading = read_as(Dialect::fanuc, "O1\nG21 G90 G1 X1 F100\nG81 X2 Z-1 R1\nG80\nX3\nM30\n");
