@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "toolpace/plan/block_plan.h"
 #include "toolpace/plan/span_lookahead.h"
 #include "toolpace/plan/span_methods.h"
 
@@ -13,6 +14,8 @@ namespace {
 
 /// Depths whose plans' times differ by no more than this share have one plan, the shallower one's.
 constexpr double kSameTime = 1e-4;
+/// Blocks of a short chain, and how far the depths are apart that are planned for one: at first each, later by ratio.
+constexpr std::size_t kShortChain = 128, kDepthsApart = 8;
 /// Room for rounding where a plan is slowed down to another's time.
 constexpr double kRounding = 1e-14;
 
@@ -31,20 +34,21 @@ void stretch_time(double share, MotionPlan& plan) {
   }
 }
 
-/// Finds the plan of one depth between those of a shallower and of a deeper one, in a tree of depths that is the same
-/// whatever depth is looked for.
+/// Finds the plan of one depth.
 ///
-/// None of the methods is monotone in its caps, so that a deeper look-ahead may come out slower. Here each plan is made no
-/// faster than the one at the deep end of its bracket, and no slower than the one at the shallow end, which can stop inside
-/// the wider window, too. For any two depths the tree has a node that parts them; so of the two the deeper one's plan is
-/// never the slower one.
+/// None of the methods is monotone in its caps, so that a deeper look-ahead may come out slower. For short chains the fastest
+/// plan of all shallower depths is taken, which can stop inside the wider window, too. For others the plan lies between those
+/// of a shallower and of a deeper one, in a tree of depths that is the same whatever depth is looked for: it is made no
+/// faster than the one at the deep end of its bracket, and no slower than the one at the shallow end. For any two depths the
+/// tree has a node that parts them; so of the two the deeper one's plan is never the slower one.
 class DepthSearch {
  public:
   DepthSearch(const SpeedLimits& limits, LawKind law, const Monitor& monitor)
-      : limits_(limits), law_(law), planner_(limits, law, monitor) {}
+      : limits_(limits), law_(law), monitor_(monitor), planner_(limits, law, monitor) {}
 
   MotionPlan run(std::size_t blocks) {
     std::size_t deep = limits_.size(), shallow = 0;
+    if (deep <= kShortChain && law_ != LawKind::trapezoid) return run_through(blocks);
     SharedPlan fast = std::make_shared<MotionPlan>(planner_.plan_whole()), slow;
     if (blocks >= deep) return std::move(*fast);
     while (deep - shallow > 1 && !planner_.is_cancelled()) {
@@ -64,6 +68,24 @@ class DepthSearch {
     return std::clamp(static_cast<std::size_t>(mean), shallow + 1, deep - 1);
   }
 
+  /// The fastest of the plans for all of a list of depths that are not deeper. The whole chain's own plan is among them
+  /// from the first depth on whose windows it can stop in.
+  MotionPlan run_through(std::size_t blocks) {
+    const MotionPlan whole = planner_.plan_whole();
+    MotionPlan best;
+    if (blocks >= limits_.size()) best = whole;
+    const std::size_t deepest = std::min(blocks, limits_.size() - 1);
+    for (std::size_t depth = 1; depth <= deepest && !planner_.is_cancelled(); depth += 1 + depth / kDepthsApart) {
+      const StopWindow window(limits_, law_, depth);
+      const bool holds = window.holds(whole);
+      if (holds && is_faster(whole, best)) best = whole;
+      MotionPlan plan =
+          holds ? plan_block_ramps(limits_, law_, depth, monitor_) : planner_.plan_in_window(window, depth);
+      if (is_faster(plan, best)) best = std::move(plan);
+    }
+    return planner_.is_cancelled() ? MotionPlan{} : best;
+  }
+
   SharedPlan plan_between(const SharedPlan& slow, const SharedPlan& fast, std::size_t blocks) const {
     const StopWindow window(limits_, law_, blocks);
     if (window.holds(*fast)) return fast;
@@ -76,6 +98,7 @@ class DepthSearch {
 
   const SpeedLimits& limits_;
   LawKind law_;
+  const Monitor& monitor_;
   SpanPlanner planner_;
 };
 
