@@ -8,6 +8,7 @@
 #include "toolpace/pipeline/job.h"
 #include "toolpace/pipeline/many.h"
 #include "toolpace/pipeline/pauses.h"
+#include "toolpace/pipeline/prove.h"
 #include "toolpace/pipeline/setup.h"
 #include "toolpace/pipeline/travel.h"
 #include "toolpace/plan/bound.h"
@@ -168,9 +169,8 @@ Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& jo
   return result;
 }
 
-}  // namespace
-
-Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
+/// Plans by the job's own corner rule, whether another one would be faster or not.
+Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor) {
   const Moves& moves = job->program->moves;
   if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
 
@@ -210,6 +210,44 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   outcome.summary.tube_fallbacks = planned->fallbacks;
   monitor.report(1.0);
   return outcome;
+}
+
+/// The same job with corner curves, which keep the same tolerance and are planned at once.
+std::shared_ptr<const Job> with_blends(const Job& job) {
+  auto quick = std::make_shared<Job>(job);
+  quick->options.corner.rule = CornerRule::blend;
+  quick->options.ramps = Ramps::span;
+  quick->options.lookahead.reset();
+  return quick;
+}
+
+/// Whether one plan may stand for another: faster, and proven by its setpoints.
+bool is_better(const Outcome& one, const Outcome& other, const Monitor& monitor) {
+  if (!(one.summary.cycle_time < other.summary.cycle_time)) return false;
+  const auto report = prove(one, {monitor.stop, {}});
+  return report && report->passes();
+}
+
+Diagnostic not_smoothed(const Error& why) {
+  return {Severity::warning, "smooth-fell-back", why.message + ", so corners are blended", why.remedy, {}, {}};
+}
+
+}  // namespace
+
+Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
+  if (!is_through_tube(*job)) return plan_job(std::move(job), monitor);
+  // Where the feed and not the corners decide, curves that end on the exact path can be a little faster.
+  auto blended = plan_job(with_blends(*job), stage(monitor, 0.0, 0.1));
+  auto smooth = plan_job(job, stage(monitor, 0.1, 0.95));
+  const bool unbounded = !smooth && smooth.error().code == "tube-unbounded";
+  if (!blended || (!smooth && !unbounded)) return smooth;
+  blended->job = std::move(job);
+  if (unbounded) blended->warnings.push_back(not_smoothed(smooth.error()));
+  const bool takes_blended = unbounded || is_better(*blended, *smooth, monitor);
+  if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+  monitor.report(1.0);
+  if (takes_blended) return blended;
+  return smooth;
 }
 
 }  // namespace toolpace

@@ -1,0 +1,123 @@
+/// Jobs with --corner smooth as a whole: which plan they end with, how they stop, and that threads do not matter.
+
+#include <atomic>
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include "planned_program.h"
+#include "toolpace/limits/limit_speed.h"
+#include "toolpace/pipeline/many.h"
+#include "toolpace/pipeline/prove.h"
+#include "toolpace/plan/smooth/plan_smooth.h"
+
+namespace toolpace {
+namespace {
+
+using namespace testing;
+
+std::shared_ptr<Job> job_of(const Program& program) {
+  auto job = std::make_shared<Job>();
+  const Setup setup = axis_limited_setup();
+  job->program = program.reading();
+  job->machine = setup.machine;
+  job->options = setup.options;
+  job->options.law = LawKind::seven_phase;
+  job->options.ramps = Ramps::span;
+  job->options.corner.rule = CornerRule::smooth;
+  return job;
+}
+
+Program wander(int blocks) {
+  std::mt19937_64 engine(7);
+  const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  Program program;
+  double x = 0, y = 0;
+  for (int i = 0; i < blocks; ++i) program.line(x += 0.3 * uniform(), y += 0.2 * (uniform() - 0.5));
+  return program;
+}
+
+// At 2 mm/s nothing but the feed decides: curves that end exactly where they should are as fast as anything, 22 mm in 11 s.
+TEST(SmoothedRun, IsNeverSlowerThanProvenBlends) {
+  Program slow;
+  for (int i = 1; i <= 10; ++i) slow.line(2 * i, i % 2, 0, 2);
+  for (const Program& program : {slow, wander(300)}) {
+    const auto smooth = job_of(program), blend = std::make_shared<Job>(*smooth);
+    blend->options.corner.rule = CornerRule::blend;
+    const auto outcome = run(smooth);
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    EXPECT_LE(outcome->summary.cycle_time, run(blend)->summary.cycle_time);
+    EXPECT_EQ(outcome->job, smooth);
+    const auto report = prove(*outcome);
+    ASSERT_TRUE(report);
+    EXPECT_TRUE(report->passes()) << broken(*report);
+  }
+}
+
+TEST(SmoothedRun, BlendsWhereNothingBoundsAnAxisAndSaysSo) {
+  Program program;
+  program.line(10, 10).line(20, 5).line(30, 15);  // X bounds every block
+  const auto job = job_of(program);
+  job->machine.path.acceleration = job->machine.path.deceleration = kUnlimited;
+  job->machine.path.jerk = job->machine.path.jerk_deceleration = kUnlimited;
+  job->machine.axes[1].acceleration = job->machine.axes[1].jerk = kUnlimited;
+  const auto blend = std::make_shared<Job>(*job);
+  blend->options.corner.rule = CornerRule::blend;
+  const auto outcome = run(job), alone = run(blend);
+  ASSERT_TRUE(alone) << alone.error().message;
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_EQ(outcome->summary.cycle_time, alone->summary.cycle_time);
+  ASSERT_FALSE(outcome->warnings.empty());
+  EXPECT_EQ(outcome->warnings.back().code, "smooth-fell-back");
+}
+
+// The workbench wants 0.2 s; five times that leaves room for a busy machine.
+TEST(SmoothedRun, ReportsProgressAndStopsAtOnceWhenItIsCancelled) {
+  using Clock = std::chrono::steady_clock;
+  const auto job = job_of(wander(6000));
+  std::stop_source source;
+  std::atomic<double> last = 0;
+  Clock::time_point asked;
+  const Monitor monitor{source.get_token(), [&](double f) {
+                          EXPECT_GE(f, last.load());
+                          last = f;
+                          if (f < 0.3 || source.stop_requested()) return;
+                          asked = Clock::now();
+                          source.request_stop();
+                        }};
+  const auto outcome = run(job, monitor);
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().kind, ErrorKind::cancelled);
+  EXPECT_GE(last, 0.3);
+  EXPECT_LT(std::chrono::duration<double>(Clock::now() - asked).count(), 1.0);
+}
+
+TEST(SmoothedRun, PlansTheSameBytesOnOneThreadAndOnTwo) {
+  const auto job = job_of(wander(1200));
+  const Moves& moves = job->program->moves;
+  const Path path = build_path(moves, 0).value();
+  LimitOptions options;
+  options.corner = job->options.corner;
+  const SpeedLimits limits = limit_speed(path, moves, job->machine, options).value();
+  std::vector<SmoothPlan> plans;
+  for (const std::size_t threads : {1, 2, 2}) {
+    const ForEach for_each = [&](std::size_t count, const std::function<void(std::size_t)>& task) {
+      (void)for_many<char>(count, threads, {}, [&](std::size_t i, const Monitor&) -> Result<char> {
+        task(i);
+        return '\0';
+      });
+    };
+    plans.push_back(plan_smooth(path, moves, job->machine, limits, job->options, for_each).value());
+  }
+  EXPECT_GT(plans[0].windows, 2u);
+  for (const SmoothPlan& plan : plans) {
+    ASSERT_EQ(plan.plan.splines.size(), plans[0].plan.splines.size());
+    for (std::size_t i = 0; i < plan.plan.splines.size(); ++i) {
+      EXPECT_EQ(plan.plan.splines[i].control, plans[0].plan.splines[i].control);
+    }
+    EXPECT_EQ(plan.node_time, plans[0].node_time);
+  }
+}
+
+}  // namespace
+}  // namespace toolpace
