@@ -13,7 +13,10 @@ Flow::Flow(ProgramFiles& files, Parameters& parameters, FaultSink& faults, Block
 
 bool Flow::next_line(std::string_view& line) {
   const std::string_view text = files_.at(here_.file).text;
-  if (here_.offset >= text.size()) return false;
+  if (here_.offset >= text.size()) {
+    taken_ = here_;
+    return false;
+  }
   begin_ = here_.offset;
   const char* const start = text.data() + here_.offset;
   const std::size_t left = text.size() - here_.offset;

@@ -104,6 +104,11 @@ TEST(BadInput, NumbersThatCountAreWholeAndHeldByAnInteger) {
   EXPECT_EQ(code("G10 L1 P1 Q3000000000"), "tool-orientation@1:11");
 }
 
+TEST(BadInput, AMissingEndIsToldAtTheEnd) {
+  EXPECT_EQ(codes(read_program("o1 sub\nG0 X1\no1 endsub\n")), (Codes{"program-without-end@3:1"}));
+  EXPECT_EQ(codes(read_program("G21\nG0 X1\n")), (Codes{"program-without-end@2:1"}));
+}
+
 TEST(BadInput, TheExcerptOfAFaultInABranchIsTheBranch) {
   const auto reading = read_program("#1=0\no1 if [#1]\no1 elseif [1/#1]\no1 endif\nM2\n");
   EXPECT_EQ(codes(reading), (Codes{"division-by-zero@3:14"}));
