@@ -207,34 +207,15 @@ class SetupReader {
   std::optional<Error> error_;
 };
 
-/// Where a character that is not plain ASCII stands outside of comments and texts in quotes; npos if nowhere. TOML has
-/// no use for one there, and the parser is not safe against all of them.
-std::size_t find_odd_character(std::string_view text) {
-  std::string_view quote;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const std::string_view rest = text.substr(at);
-    if (!quote.empty()) {
-      if (quote.front() == '"' && rest.front() == '\\') {
-        ++at;
-      } else if (quote.size() == 1 && rest.front() == '\n') {
-        quote = {};
-      } else if (rest.rfind(quote, 0) == 0) {
-        // A text in triple quotes may end in one or two quotes of its own.
-        const std::size_t most = quote.size() == 3 ? 5 : 1;
-        at += std::min({rest.find_first_not_of(quote.front()), rest.size(), most}) - 1;
-        quote = {};
-      }
-      continue;
-    }
-    if (static_cast<unsigned char>(rest.front()) >= 0x80) return at;
-    if (rest.front() == '#') at = std::min(text.find('\n', at), text.size());
-    if (rest.front() == '"' || rest.front() == '\'') {
-      const bool triple = rest.size() > 2 && rest[1] == rest[0] && rest[2] == rest[0];
-      quote = rest.substr(0, triple ? 3 : 1);
-      at += quote.size() - 1;
-    }
+bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
+/// Whether a text in quotes goes on behind a backslash at the end of a line.
+bool continues_a_line(std::string_view text) {
+  for (std::size_t at = text.find('\\'); at != std::string_view::npos; at = text.find('\\', at + 1)) {
+    const std::size_t next = text.find_first_not_of(" \t\r", at + 1);
+    if (next != std::string_view::npos && text[next] == '\n') return true;
   }
-  return std::string_view::npos;
+  return false;
 }
 
 Error syntax_error(std::string what, std::string remedy, const Location& where) {
@@ -252,13 +233,19 @@ Setup default_setup() {
 Result<Setup> parse_setup(std::string_view text, const std::string& name) {
   constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
   if (text.rfind(kUtf8Mark, 0) == 0) text.remove_prefix(kUtf8Mark.size());
-  if (const std::size_t odd = find_odd_character(text); odd != std::string_view::npos) {
-    const auto line =
-        static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(odd), '\n'));
-    const std::size_t begin = text.rfind('\n', odd);
-    return tl::unexpected(syntax_error("a character that is not plain ASCII stands outside of a text",
-                                       "put texts into quotes",
-                                       {name, line + 1, odd - (begin == std::string_view::npos ? 0 : begin + 1) + 1}));
+  // The parser is not safe against every letter outside of ASCII where there should be none: the structure is read
+  // without them first.
+  std::string plain(text);
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return !is_ascii(c); }, '?');
+  if (plain != text) {
+    const toml::parse_result structure = toml::parse(plain, name);
+    if (!structure || continues_a_line(text)) {
+      const Location where = structure ? Location{name, 0, 0} : place(name, structure.error().source());
+      return tl::unexpected(syntax_error(
+          structure ? "a line that goes on behind a backslash" : std::string(structure.error().description()),
+          "letters outside of ASCII stand in comments and in texts of one line", where));
+    }
   }
   const toml::parse_result parsed = toml::parse(text, name);
   if (!parsed) {
