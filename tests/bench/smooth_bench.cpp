@@ -7,6 +7,7 @@
 #include "toolpace/path/blend_path.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/plan/plan.h"
+#include "toolpace/plan/retime/retime.h"
 #include "toolpace/plan/smooth/build_tube.h"
 #include "toolpace/plan/smooth/plan_tube.h"
 
@@ -51,7 +52,26 @@ void blend_and_plan_blocks(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
   state.SetLabel("blocks");
 }
-BENCHMARK(blend_and_plan_blocks)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(blend_and_plan_blocks)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+
+/// The same path, timed anew under the axes' limits.
+void retime_blocks(benchmark::State& state) {
+  const Moves moves = bench::smooth_moves(static_cast<std::size_t>(state.range(0)));
+  PlanOptions options;
+  options.law = LawKind::seven_phase;
+  options.ramps = Ramps::span;
+  LimitOptions limit_options;
+  limit_options.corner.rule = CornerRule::blend;
+  const Machine machine = test_machine();
+  const auto blended = blend_path(*build_path(moves, 0.0), moves, {});
+  const auto limits = limit_speed(blended->path, moves, machine, limit_options);
+  const auto plan = plan_motion(*limits, options);
+  const auto speed = commanded_speeds(blended->path, moves, machine, limit_options);
+  for (auto _ : state) benchmark::DoNotOptimize(retime(blended->path, machine, *limits, speed, *plan));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+  state.SetLabel("blocks");
+}
+BENCHMARK(retime_blocks)->Arg(5'000)->Unit(benchmark::kMillisecond);
 
 /// Items are milliseconds of motion: the budget is 50 µs for each, on one core.
 void smooth_milliseconds(benchmark::State& state) {

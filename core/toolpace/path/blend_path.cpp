@@ -18,6 +18,7 @@ constexpr double kSameCurvature = 1e-6;  // |Δκ| times the shorter segment
 constexpr double kRest = 1e-9;           // a trimmed segment shorter than this share has vanished
 constexpr int kChainRounds = 12;
 constexpr double kShorter = 0.95;
+constexpr std::size_t kChainPart = 256, kChainMargin = 4;  // nodes fitted at a time, and looked at beside them
 constexpr double kChainShare =
     0.98;                 // of the tolerance at the nodes of a chain: between them it may be passed by a little
 constexpr int kTold = 4;  // parts of a chain's piece in which moves are told by length
@@ -235,18 +236,31 @@ class Blender {
   }
 
   /// Shortens the trims of a chain until its spline passes every node within the tolerance.
+  /// A node's distance hangs on its neighbours alone: part by part, until no part changes.
   void fit_chain(std::size_t first, std::size_t last) {
+    bool good = false;
+    for (int round = 0; round < kChainRounds && !good; ++round) {
+      good = true;
+      for (std::size_t begin = first; begin <= last; begin += kChainPart) {
+        good &= fit_part(first, last, begin, std::min(begin + kChainPart - 1, last));
+      }
+    }
+  }
+  /// @return whether it was good at once
+  bool fit_part(std::size_t first, std::size_t last, std::size_t begin, std::size_t end) {
+    const std::size_t from = begin - std::min(begin - first, kChainMargin), to = std::min(last, end + kChainMargin);
     for (int round = 0; round < kChainRounds; ++round) {
-      const CornerChain chain(path_, first, last, trim_);
+      const CornerChain chain(path_, from, to, trim_);
       bool good = true;
-      for (std::size_t i = first; i <= last; ++i) {
+      for (std::size_t i = begin; i <= end; ++i) {
         const double tol = kChainShare * node_tolerance(i), off = chain.deviation(i);
         if (off <= tol) continue;
         good = false;
         trim_[i] *= std::min(kShorter, tol / off);
       }
-      if (good) return;
+      if (good) return round == 0;
     }
+    return false;
   }
   double node_tolerance(std::size_t i) const { return std::min(tolerance_at(i - 1), tolerance_at(i)); }
 
@@ -258,19 +272,19 @@ class Blender {
     Path& p = out_.path;
     const auto index = static_cast<std::uint32_t>(p.splines.size());
     p.splines.push_back(chain.curve());
-    const auto& pieces = chain.pieces();
+    const auto pieces = chain.cut();
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       p.spline_pieces.push_back({index, pieces[k].begin, pieces[k].end});
       const AxisVector end = k + 1 < pieces.size() ? chain.point(pieces[k].end) : point_at(path_, last, trim_[last]);
       push(SegmentKind::spline, path_.move[pieces[k].segment], pieces[k].length,
            static_cast<std::uint32_t>(p.spline_pieces.size() - 1), end);
     }
-    tell_chain(first, last, chain);
+    tell_chain(first, last, chain, pieces);
   }
 
   /// Tells which moves the pieces just added stand for. They end where the spline is simple, not where it passes the nodes.
-  void tell_chain(std::size_t first, std::size_t last, const CornerChain& chain) {
-    const auto& pieces = chain.pieces();
+  void tell_chain(std::size_t first, std::size_t last, const CornerChain& chain,
+                  const std::vector<CornerChain::Piece>& pieces) {
     const std::size_t before = out_.path.size() - pieces.size();
     double from = 0, told = path_.length[first - 1] - trim_[first], told_at = 0;
     std::size_t k = 0;

@@ -19,7 +19,7 @@ Eigen::Vector3d direction(const Path& path, std::size_t segment) {
 }  // namespace
 
 CornerChain::CornerChain(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& trim)
-    : first_(first), curve_{3, {}, {}, path.node[first], path.node[first], true} {
+    : first_(first), last_(last), curve_{3, {}, {}, path.node[first], path.node[first], true} {
   const Eigen::Vector3d begin = path.node[first].head<3>(), end = path.node[last].head<3>();
   const Eigen::Vector3d before = trim[first] * direction(path, first - 1), after = trim[last] * direction(path, last);
   curve_.points = {homogeneous(begin - before), homogeneous(begin - before * (2.0 / 3))};
@@ -36,7 +36,6 @@ CornerChain::CornerChain(const Path& path, std::size_t first, std::size_t last, 
   curve_.knots.assign(4, 0.0);
   curve_.knots.insert(curve_.knots.end(), stations_.begin(), stations_.end());
   curve_.knots.insert(curve_.knots.end(), 4, top);
-  cut(last);
 }
 
 /// Equal knot intervals: a node is then missed by a third of its height over its neighbours, whatever their distances.
@@ -83,24 +82,27 @@ AxisVector CornerChain::point(double parameter) const {
   return point;
 }
 
-void CornerChain::cut(std::size_t last) {
+std::vector<CornerChain::Piece> CornerChain::cut() const {
+  std::vector<Piece> pieces;
+  pieces.reserve(spans());
   for (std::size_t k = 0; k < spans(); ++k) {
     const auto begin = static_cast<double>(k);
-    cut_span(span(k), {begin, begin + 1, 0, k < stations_.size() ? segment_of_[k] : last});
+    cut_span(span(k), {begin, begin + 1, 0, k < stations_.size() ? segment_of_[k] : last_}, pieces);
   }
+  return pieces;
 }
 
 /// In halves, until one quadrature will do for each.
-void CornerChain::cut_span(const Span& span, const Piece& piece) {
+void CornerChain::cut_span(const Span& span, const Piece& piece, std::vector<Piece>& pieces) {
   const double offset = std::floor(piece.begin), from = piece.begin - offset, to = piece.end - offset;
   const double middle = (from + to) / 2, whole = span.length(from, to);
   const double halves = span.length(from, middle) + span.length(middle, to);
   if (std::abs(whole - halves) <= kLengthAccuracy * halves || to - from <= kShortestPiece) {
-    pieces_.push_back({piece.begin, piece.end, whole, piece.segment});
+    pieces.push_back({piece.begin, piece.end, whole, piece.segment});
     return;
   }
-  cut_span(span, {piece.begin, offset + middle, 0, piece.segment});
-  cut_span(span, {offset + middle, piece.end, 0, piece.segment});
+  cut_span(span, {piece.begin, offset + middle, 0, piece.segment}, pieces);
+  cut_span(span, {offset + middle, piece.end, 0, piece.segment}, pieces);
 }
 
 double CornerChain::passing(std::size_t node) const {

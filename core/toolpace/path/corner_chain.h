@@ -22,7 +22,8 @@ class CornerChain {
   CornerChain(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& trim);
 
   const SplineCurve& curve() const { return curve_; }
-  const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Short enough for quadrature, in order.
+  std::vector<Piece> cut() const;
 
   AxisVector point(double parameter) const;
 
@@ -44,18 +45,16 @@ class CornerChain {
 
   Span span(std::size_t k) const;
   std::size_t spans() const { return stations_.size() + 1; }
-  void cut_span(const Span& span, const Piece& piece);
+  static void cut_span(const Span& span, const Piece& piece, std::vector<Piece>& pieces);
   void add_control(const Eigen::Vector3d& point, std::size_t segment_before);
   void add_inner(const Path& path, std::size_t segment, const std::vector<double>& trim);
-  void cut(std::size_t last);
 
-  std::size_t first_;
+  std::size_t first_, last_;
   SplineCurve curve_;
   std::vector<double> stations_;         // parameter of each inner control point: 1, 2, …
   std::vector<std::size_t> segment_of_;  // segment that ends at each of them
   std::vector<std::size_t> node_at_;     // index into stations_ of each node
   std::vector<Eigen::Vector3d> node_;
-  std::vector<Piece> pieces_;
 };
 
 }  // namespace toolpace

@@ -8,6 +8,7 @@ namespace {
 
 /// A speed this close to a cap touches it.
 constexpr double kTouch = 1e-6;
+constexpr double kNearCap = 1e-3;
 
 /// Part of a phase in which the jerk keeps its sign.
 struct Piece {
@@ -79,7 +80,15 @@ class Explainer {
 
   void add(const Piece& piece) {
     advance(piece.phase.begin + piece.begin);
-    push(piece.phase.begin + piece.end, cause_of(piece));
+    push(piece.phase.begin + piece.end, runs_at_cap(piece) ? limits_.block_cause[block_] : cause_of(piece));
+  }
+
+  /// Plans that were timed anew come this close to the speed they are held to, and rarely cruise; through curves they are
+  /// faster than the block's cap, which has to leave room for changes of speed.
+  bool runs_at_cap(const Piece& piece) const {
+    const double low = limits_.block_cap[block_] * (1 - kNearCap);
+    return speed_at(piece, piece.phase.begin + piece.begin) >= low &&
+           speed_at(piece, piece.phase.begin + piece.end) >= low;
   }
 
   Cause cause_of(const Piece& piece) const {
