@@ -17,6 +17,7 @@
 #include "toolpace/plan/restraint.h"
 #include "toolpace/plan/retime/retime.h"
 #include "toolpace/plan/smooth/plan_smooth.h"
+#include "toolpace/plan/smooth/spline_restraint.h"
 
 namespace toolpace {
 namespace {
@@ -169,6 +170,23 @@ Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& jo
   return result;
 }
 
+/// Which limit binds when, along the path and through the tube.
+std::vector<Restraint> explain_all(const Outcome& o, const Moves& moves) {
+  const Job& job = *o.job;
+  const auto along = explain(o.limits, o.plan, o.node_time, job.options);
+  if (o.plan.splines.empty()) return along;
+  CommandedFeeds feeds;
+  for (std::size_t i = 0; i < o.path->size(); ++i) {
+    const std::uint32_t row = o.path->move[i];
+    const bool rapid = moves.kind[row] == MoveKind::rapid;
+    const double unit = is_rotary_only(*o.path, i) ? kRadiansPerDegree : 1.0;
+    feeds.speed.push_back(
+        std::min(job.machine.path.speed, rapid ? kUnlimited : moves.feed[row] / unit * job.options.feed_override));
+    feeds.cause.push_back(rapid ? Cause::rapid : Cause::feed);
+  }
+  return explain_splines(along, o.plan, job.machine, feeds, o.node_time);
+}
+
 /// Plans by the job's own corner rule, whether another one would be faster or not.
 Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor) {
   const Moves& moves = job->program->moves;
@@ -201,7 +219,7 @@ Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor)
     outcome.plan = std::move(*held);
     outcome.node_time = node_times(outcome.limits, outcome.plan);
   }
-  outcome.restraints = explain(outcome.limits, outcome.plan, outcome.node_time, outcome.job->options);
+  outcome.restraints = explain_all(outcome, moves);
   outcome.warnings = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.summary = summarise(outcome, moves);
   outcome.summary.blends = blends;

@@ -119,5 +119,33 @@ TEST(SmoothedRun, PlansTheSameBytesOnOneThreadAndOnTwo) {
   }
 }
 
+double time_under(const Outcome& outcome, Cause cause) {
+  return outcome.summary.time_by_cause[static_cast<std::size_t>(cause)];
+}
+
+// 40 mm at 20 mm/s take 2 s, and starting and stopping a tenth of one; corners of 0.3 mm sides leave jerk at its limit.
+TEST(SmoothedRun, SaysWhichLimitBindsAtEachMoment) {
+  Program program;
+  program.line(0, 40, 0, 20);
+  for (int i = 1; i <= 100; ++i) program.line(0.3 * ((i + 1) / 2), 40 + 0.3 * (i / 2));
+  const auto job = job_of(program);
+  job->options.hold_at = 1.0;
+  const auto outcome = run(job);
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  ASSERT_FALSE(outcome->plan.splines.empty());
+  double end = 0, sum = 0;
+  for (const Restraint& r : outcome->restraints) {
+    EXPECT_NEAR(r.begin, end, 1e-9);
+    EXPECT_GT(r.end, r.begin);
+    end = r.end;
+  }
+  EXPECT_NEAR(end, outcome->summary.cycle_time, 1e-9);
+  for (const double time : outcome->summary.time_by_cause) sum += time;
+  EXPECT_NEAR(sum, outcome->summary.cycle_time, 1e-9);
+  EXPECT_NEAR(time_under(*outcome, Cause::dwell), 1.0, 0.01);
+  EXPECT_NEAR(time_under(*outcome, Cause::feed), 1.9, 0.15);
+  EXPECT_GT(time_under(*outcome, Cause::jerk), 0.8 * (sum - 3.0));
+}
+
 }  // namespace
 }  // namespace toolpace
