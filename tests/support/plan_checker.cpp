@@ -97,12 +97,12 @@ class Measure {
     }
   }
 
-  /// What a rounding of the place is worth in speed², by the accelerations around the present node.
+  /// What a rounding of the place is worth in speed², by the accelerations around the present block.
   double place_slack(double share) const {
-    const auto& before = limits_.dynamics_of(block_ > 0 ? block_ - 1 : 0);
-    const auto& after = limits_.dynamics_of(block_);
-    double a =
-        std::max({before.up.acceleration, before.down.acceleration, after.up.acceleration, after.down.acceleration});
+    double a = 0;
+    for (std::size_t i = block_ > 0 ? block_ - 1 : 0; i <= std::min(block_ + 1, limits_.size() - 1); ++i) {
+      a = std::max({a, limits_.dynamics_of(i).up.acceleration, limits_.dynamics_of(i).down.acceleration});
+    }
     if (!std::isfinite(a)) a = 1e5;
     return 2 * a * (share * std::max(1.0, node_.back()));
   }

@@ -173,7 +173,7 @@ double lower_bound(const SpeedLimits& limits, LawKind law) {
     carry += (sum - next) + t;
     sum = next;
   }
-  return (sum + carry) * (1 - 1e-12);
+  return (sum + carry) * (1 - 1e-11);
 }
 
 }  // namespace toolpace

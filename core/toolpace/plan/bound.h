@@ -18,7 +18,7 @@ namespace toolpace {
 ///
 /// Holds for every look-ahead and both kinds of ramps. Dwells are not in it.
 /// @param law  trapezoids are not held to the jerk
-/// @return 0 for an empty chain. Accuracy 1e-12 relative, rounded towards shorter times
+/// @return 0 for an empty chain. Accuracy 1e-11 relative, rounded towards shorter times
 /// @source Bobrow et al. 1985 for the envelope; the bounds by jerk are derived above and in bound_valley.h
 double lower_bound(const SpeedLimits& limits, LawKind law);
 
