@@ -101,6 +101,38 @@ TEST(RoundedPlan, IsAboutAsFastAsTheServoRuleThatHoldsNoJerk) {
   }
 }
 
+TEST(RoundedPlan, KeepsTheLimitsOfAxesAndPathThroughArcs) {
+  for (unsigned seed = 31; seed <= 36; ++seed) {
+    std::mt19937 engine(seed);
+    const auto random = [&engine] { return static_cast<double>(engine()) / 4294967296.0; };
+    testing::Program program;
+    program.start(0, 0);
+    double x = 0, y = 0, heading = 0;
+    for (int i = 0; i < 40; ++i) {
+      heading += 2 * random() - 1;
+      const double length = 0.2 + 3 * random();
+      x += length * std::cos(heading);
+      y += length * std::sin(heading);
+      program.line(x, y, 0, 20 + 80 * random());
+      // About a centre beside the end of the line: tangential or nearly so.
+      const double radius = 0.3 + random(), sweep = 0.5 + random(), aside = heading + 0.1 * random();
+      const double cx = x - radius * std::sin(aside), cy = y + radius * std::cos(aside);
+      program.arc(cx, cy, sweep, 0.1 * random(), 60);
+      x = cx + radius * std::sin(aside + sweep);
+      y = cy - radius * std::cos(aside + sweep);
+      heading += sweep;
+    }
+    toolpace::Setup setup = rounding();
+    setup.machine.path = {90, 1500, 1200, 4e4, 3e4};
+    setup.machine.axes[1].acceleration = 800;
+    const Outcome outcome = testing::planned(program, setup);
+    SCOPED_TRACE(seed);
+    EXPECT_LE(use_of_limits(rows(outcome), setup.machine), 1.005);
+    EXPECT_LE(outcome.summary.max_acceleration, 1500 * 1.0001);
+    EXPECT_LE(outcome.summary.max_jerk, 4e4 * 1.0001);
+  }
+}
+
 TEST(RoundedPlan, IsNoFasterThanItsBound) {
   for (unsigned seed = 21; seed <= 24; ++seed) {
     auto job = std::make_shared<Job>();

@@ -13,6 +13,8 @@ using detail::retime::ArcMotion;
 
 /// Longer stretches stay as they are, so that memory is bounded [s].
 constexpr double kLongest = 1000;
+/// A stretch that takes no longer than this multiple of what its feed commands has nothing to gain.
+constexpr double kWorthwhile = 1.002;
 constexpr double kTimeRounding = 1e-9;  // [s]
 
 class PlanRetimer {
@@ -40,16 +42,20 @@ class PlanRetimer {
   }
 
  private:
-  /// Lines alone are run as fast as they can be; speed steps at corners are the corner rule's.
+  /// Lines alone are run as fast as they can be; speed steps at corners are the corner rule's. Every moving axis of X, Y, Z
+  /// has to be limited.
   bool may_gain(std::size_t begin, std::size_t end) const {
     bool is_curved = false;
+    double least = 0;
     for (std::size_t i = begin; i < end; ++i) {
       is_curved |= path_.kind[i] != SegmentKind::line;
+      least += path_.length[i] / speed_[i];
       if (is_rotary_only(path_, i)) return false;
       if (i > begin && limits_.node_cap[i] < std::min(limits_.block_cap[i - 1], limits_.block_cap[i])) return false;
     }
-    if (!is_curved || !(node_time_[end] - node_time_[begin] <= kLongest)) return false;
-    for (std::size_t a = 0; a < kAxisCount; ++a) {
+    const double duration = node_time_[end] - node_time_[begin];
+    if (!is_curved || duration <= kWorthwhile * least || !(duration <= kLongest)) return false;
+    for (std::size_t a = 0; a < 3; ++a) {
       const AxisLimits& axis = machine_.axes[a];
       if ((axis.acceleration < kUnlimited && axis.jerk < kUnlimited) || !moves(a, begin, end)) continue;
       return false;
@@ -60,7 +66,7 @@ class PlanRetimer {
   bool moves(std::size_t axis, std::size_t begin, std::size_t end) const {
     const auto a = static_cast<Eigen::Index>(axis);
     for (std::size_t i = begin; i < end; ++i) {
-      if (path_.node[i][a] != path_.node[i + 1][a] || (path_.kind[i] == SegmentKind::arc && axis < 3)) return true;
+      if (path_.node[i][a] != path_.node[i + 1][a] || (path_.kind[i] == SegmentKind::arc)) return true;
     }
     return false;
   }
