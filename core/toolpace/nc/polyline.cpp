@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "toolpace/nc/diagnostic_log.h"
+#include "toolpace/nc/move_writer.h"
 
 namespace toolpace::nc {
 namespace {
@@ -160,6 +161,10 @@ void PolylineReader::append(const Row& row, bool has_feed) {
   AxisVector point;
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     point[static_cast<Eigen::Index>(i)] = is_rotary(i) ? row[i] * kRadiansPerDegree : row[i];
+  }
+  if (!(point.cwiseAbs().maxCoeff() <= kFarthest)) {
+    fault(1, "coordinate-too-large", fmt::format("a point more than {:g} mm away", kFarthest), "check the numbers");
+    return;
   }
   if (!has_start_) {
     has_start_ = true;

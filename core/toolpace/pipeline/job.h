@@ -59,7 +59,7 @@ struct Outcome {
 /// Plans a job. Same job, same bytes, whatever the threads. With CornerRule::smooth the plan is the faster one of the motion
 /// through the tube and, where its setpoints prove it, of blended corners; an axis that nothing bounds leaves the latter, with
 /// the warning "smooth-fell-back". A quick plan to show first is the same job under CornerRule::blend. Errors: of check_setup, build_path, limit_speed,
-/// plan_motion.
+/// plan_motion; input (motion-too-long: more than 1e9 setpoints).
 Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor = {});
 
 }  // namespace toolpace

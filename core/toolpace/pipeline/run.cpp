@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <thread>
@@ -187,6 +189,20 @@ std::vector<Restraint> explain_all(const Outcome& o, const Moves& moves) {
   return explain_splines(along, o.plan, job.machine, feeds, o.node_time);
 }
 
+/// A feed or a dwell that nobody meant may last for years.
+Result<void> check_duration(double cycle_time, double period) {
+  constexpr double kMostSetpoints = 1e9;
+  const double setpoints = cycle_time / period;
+  if (setpoints <= kMostSetpoints) return {};
+  return tl::unexpected(
+      Error{ErrorKind::input,
+            "motion-too-long",
+            fmt::format("the program takes {:.0f} days, {:.3g} setpoints", cycle_time / 86400, setpoints),
+            "check feeds and dwells, or take a longer period",
+            {},
+            {}});
+}
+
 /// Plans by the job's own corner rule, whether another one would be faster or not.
 Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor) {
   const Moves& moves = job->program->moves;
@@ -219,6 +235,8 @@ Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor)
     outcome.plan = std::move(*held);
     outcome.node_time = node_times(outcome.limits, outcome.plan);
   }
+  if (auto fits = check_duration(outcome.plan.cycle_time(), outcome.job->machine.period); !fits)
+    return tl::unexpected(fits.error());
   outcome.restraints = explain_all(outcome, moves);
   outcome.warnings = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.summary = summarise(outcome, moves);

@@ -56,6 +56,13 @@ class BadInput(CommandLineTest):
     def test_a_feed_move_without_feed(self):
         self.refuse(self.file("nofeed.ngc", "G21 G90 G94\nG1 X10\nM2\n"), BAD_INPUT, "nofeed.ngc:2:")
 
+    def test_a_motion_that_would_take_years(self):
+        for name, text in (("dwell.ngc", "G4 P999999999\nM2\n"), ("slow.ngc", "G21 G90 F0.00001\nG1 X100\nM2\n")):
+            self.file("out.csv", "as it was\n")
+            run = self.run_toolpace("plan", self.file(name, text), "--setpoints", "out.csv")
+            self.expect_failure(run, BAD_INPUT, "motion-too-long", "days")
+            self.assertEqual((self.folder / "out.csv").read_text(), "as it was\n")
+
     def test_a_radius_that_is_too_small(self):
         self.refuse(self.file("radius.ngc", "G21 G90 G94 F600\nG0 X0 Y0\nG2 X20 Y0 R5\nM2\n"), BAD_INPUT, "radius.ngc:3:")
 

@@ -24,6 +24,11 @@ TEST(Polyline, ColumnsMayBeFewerAndInAnyOrder) {
   EXPECT_TRUE(std::isinf(reading.moves.feed[0])) << "no feed column: as fast as the machine allows";
 }
 
+TEST(Polyline, PlacesThatNoMachineReachesAreRefused) {
+  EXPECT_EQ(codes(read_rows("x_mm,y_mm\n0,0\n1e249,1\n-2e9,0\n1e9,0\n")),
+            (Codes{"coordinate-too-large@3:1", "coordinate-too-large@4:1"}));
+}
+
 TEST(Polyline, FaultsHaveLineAndColumn) {
   EXPECT_EQ(codes(read_rows("x_mm,y_mm\n0,0\n1,nan\n2,1e400\n3\n4,5,6\n7,x\n")),
             (Codes{"number-not-finite@3:3", "number-not-finite@4:3", "value-missing@5:2", "too-many-values@6:5",
