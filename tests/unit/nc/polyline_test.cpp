@@ -25,8 +25,9 @@ TEST(Polyline, ColumnsMayBeFewerAndInAnyOrder) {
 }
 
 TEST(Polyline, PlacesThatNoMachineReachesAreRefused) {
-  EXPECT_EQ(codes(read_rows("x_mm,y_mm\n0,0\n1e249,1\n-2e9,0\n1e9,0\n")),
-            (Codes{"coordinate-too-large@3:1", "coordinate-too-large@4:1"}));
+  EXPECT_EQ(codes(read_rows("x_mm,y_mm\n0,0\n1e249,1\n")), (Codes{"coordinate-too-large@3:1"}));
+  EXPECT_EQ(codes(read_rows("x_mm,y_mm\n0,-2e9\n1,1\n")), (Codes{"coordinate-too-large@2:1"}));
+  EXPECT_EQ(codes(read_rows("x_mm,y_mm\n0,0\n1e9,1\n")), Codes{});
 }
 
 TEST(Polyline, FaultsHaveLineAndColumn) {
