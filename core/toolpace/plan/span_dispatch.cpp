@@ -15,7 +15,7 @@ namespace {
 /// Depths whose plans' times differ by no more than this share have one plan, the shallower one's.
 constexpr double kSameTime = 1e-4;
 /// Blocks of a short chain, and how far the depths are apart that are planned for one: at first each, later by ratio.
-constexpr std::size_t kShortChain = 128, kDepthsApart = 8;
+constexpr std::size_t kShortChain = 64, kDepthsApart = 8;
 /// Room for rounding where a plan is slowed down to another's time.
 constexpr double kRounding = 1e-14;
 
@@ -36,11 +36,11 @@ void stretch_time(double share, MotionPlan& plan) {
 
 /// Finds the plan of one depth.
 ///
-/// None of the methods is monotone in its caps, so that a deeper look-ahead may come out slower. For short chains the fastest
-/// plan of all shallower depths is taken, which can stop inside the wider window, too. For others the plan lies between those
-/// of a shallower and of a deeper one, in a tree of depths that is the same whatever depth is looked for: it is made no
-/// faster than the one at the deep end of its bracket, and no slower than the one at the shallow end. For any two depths the
-/// tree has a node that parts them; so of the two the deeper one's plan is never the slower one.
+/// None of the methods is monotone in its caps, so that a deeper look-ahead may come out slower. In short chains for which
+/// there are rival methods the fastest plan of all shallower depths is taken: it can stop inside the wider window, too. In
+/// others the plan lies between those of a shallower and of a deeper one, in a tree of depths that is the same whatever depth
+/// is looked for: it is made no faster than the one at the deep end of its bracket, and no slower than the one at the shallow
+/// end. For any two depths the tree has a node that parts them; so of the two the deeper one's plan is never the slower one.
 class DepthSearch {
  public:
   DepthSearch(const SpeedLimits& limits, LawKind law, const Monitor& monitor)
@@ -48,7 +48,7 @@ class DepthSearch {
 
   MotionPlan run(std::size_t blocks) {
     std::size_t deep = limits_.size(), shallow = 0;
-    if (deep <= kShortChain && law_ != LawKind::trapezoid) return run_through(blocks);
+    if (deep <= kShortChain && planner_.has_rivals()) return run_through(blocks);
     SharedPlan fast = std::make_shared<MotionPlan>(planner_.plan_whole()), slow;
     if (blocks >= deep) return std::move(*fast);
     while (deep - shallow > 1 && !planner_.is_cancelled()) {

@@ -38,6 +38,9 @@ class SpanPlanner {
   /// without phases unless cancelled.
   MotionPlan plan_in_window(const StopWindow& window, std::size_t blocks) const;
 
+  /// Whether no one way is known to be the best. Under limits that are the same everywhere the hull is, and the trapezoid.
+  bool has_rivals() const;
+
   bool is_cancelled() const { return monitor_.is_cancelled(); }
 
  private:
@@ -45,7 +48,6 @@ class SpanPlanner {
   /// @param passes  0: nodes that limit the speed are crossed with zero acceleration
   MotionPlan plan_by(const SpanMethod& method, const std::vector<double>& cap, int passes) const;
   MotionPlan plan_within(const SpanMethod& method, const StopWindow& window) const;
-  bool has_rivals() const;
 
   const SpeedLimits& limits_;
   LawKind law_;
