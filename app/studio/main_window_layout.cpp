@@ -120,7 +120,7 @@ void MainWindow::shareRoom() {
   resizeDocks({docks_["programDock"], docks_["tuningDock"]}, {program, kRightWidth}, Qt::Horizontal);
   const int whole = std::max(height() - kChrome, 1);
   const int plots = static_cast<int>(whole * kPlotShare);
-  const int tuning = std::min(kTuningHeight, whole * 3 / 5);
+  const int tuning = std::min(kTuningHeight * (preferences_.touch ? 2 : 1), whole * 3 / 5);
   resizeDocks({docks_["tuningDock"], docks_["resultsDock"]}, {tuning, whole - tuning}, Qt::Vertical);
   resizeDocks({docks_["plotsDock"]}, {plots}, Qt::Vertical);
 }

@@ -18,6 +18,7 @@ ProblemsPanel::ProblemsPanel(QWidget* parent)
   column->setSpacing(0);
   empty_->setProperty("role", "secondary");
   empty_->setContentsMargins(8, 8, 8, 8);
+  empty_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   column->addWidget(empty_);
   column->addWidget(table_, 1);
   table_->setObjectName("problemTable");
