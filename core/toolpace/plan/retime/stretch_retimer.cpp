@@ -12,7 +12,7 @@ constexpr std::size_t kWindow = 256;                 // intervals
 constexpr double kHeadroom = 0.99;                   // of the limits, aimed at by the rounds
 constexpr double kSettled = 0.998;                   // of the limits, aimed at where they are broken
 constexpr std::array kWeights = {2e-3, 3e-4, 1e-4};  // of the barrier, a round each
-constexpr int kRoughSamples = 3, kFineSamples = 6;   // an interval
+constexpr int kRoughSamples = 3, kFineSamples = 12;  // an interval
 constexpr int kMostSlowDowns = 12;
 constexpr double kOpen = 1e6, kTouch = 1.0002;       // of b: no speed limit near; a little room where there is none
 constexpr double kStill = 1e-9;                      // [mm/s]
