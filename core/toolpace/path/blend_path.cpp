@@ -107,12 +107,11 @@ class Blender {
 
   /// Nodes first … last as one cubic spline between the trimmed lines before and after them.
   void add_chain(std::size_t first, std::size_t last) {
-    const CornerChain chain(path_, first, last, trims_.trims());
+    CornerChain chain(path_, first, last, trims_.trims());
     for (std::size_t i = first; i <= last; ++i) note(i, chain.deviation(i));
     out_.count.corners += last - first + 1;
     Path& p = out_.path;
     const auto index = static_cast<std::uint32_t>(p.splines.size());
-    p.splines.push_back(chain.curve());
     const auto pieces = chain.cut();
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       p.spline_pieces.push_back({index, pieces[k].begin, pieces[k].end});
@@ -122,6 +121,7 @@ class Blender {
            static_cast<std::uint32_t>(p.spline_pieces.size() - 1), end);
     }
     tell_chain(first, last, chain, pieces);
+    p.splines.push_back(chain.release());
   }
 
   /// Tells which moves the pieces just added stand for. They end where the spline is simple, not where it passes the nodes.

@@ -179,7 +179,9 @@ class BlendTrims {
       const CornerChain chain(path_, from, to, trim_);
       bool good = true;
       for (std::size_t i = begin; i <= end; ++i) {
-        const double tol = kChainShare * node_tolerance(i), off = chain.deviation(i);
+        const double tol = kChainShare * node_tolerance(i);
+        if (chain.offset(i) <= tol) continue;
+        const double off = chain.deviation(i);
         if (off <= tol) continue;
         good = false;
         trim_[i] *= std::min(kShorter, tol / off);

@@ -7,6 +7,7 @@ namespace toolpace {
 namespace {
 
 constexpr double kLengthAccuracy = 1e-10;
+constexpr double kNearestPlace = 1e-5;       // of a span: changes a distance by its square
 constexpr double kShortestPiece = 1.0 / 64;  // of a span
 constexpr double kNearEnough = 0.8;          // of a line: a trim longer than this needs no control point of its own
 
@@ -120,9 +121,15 @@ double CornerChain::passing(std::size_t node) const {
     }
     const double change = slope.squaredNorm() + std::max(0.0, e.dot(s.bend(y)));
     if (!(change > 0)) break;
-    x = std::clamp(x - e.dot(slope) / change, -1.0, 1.0);
+    const double next = std::clamp(x - e.dot(slope) / change, -1.0, 1.0);
+    if (std::abs(next - x) <= kNearestPlace) break;
+    x = next;
   }
   return stations_[at] + best;
+}
+
+double CornerChain::offset(std::size_t node) const {
+  return (span(node_at_[node - first_] + 1).start - node_[node - first_]).norm();
 }
 
 double CornerChain::deviation(std::size_t node) const {

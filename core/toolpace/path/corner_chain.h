@@ -1,6 +1,7 @@
 #pragma once
 /// Several corners too close for a blend each: one cubic B-spline whose control polygon is the path.
 
+#include <utility>
 #include <vector>
 
 #include "toolpace/path/path.h"
@@ -21,7 +22,8 @@ class CornerChain {
   /// @param trim  of each node of the path [mm] > 0 for first … last
   CornerChain(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& trim);
 
-  const SplineCurve& curve() const { return curve_; }
+  /// Hands the curve over; the chain is worth nothing after that.
+  SplineCurve release() { return std::move(curve_); }
   /// Short enough for quadrature, in order.
   std::vector<Piece> cut() const;
 
@@ -29,7 +31,9 @@ class CornerChain {
 
   /// Parameter at which a node is passed: where the curve is nearest to it.
   double passing(std::size_t node) const;
-  /// Distance of a node to the curve there [mm].
+  /// Distance of a node to its station on the curve [mm]: no less than deviation(), and quickly known.
+  double offset(std::size_t node) const;
+  /// Distance of a node to the curve where it is passed [mm].
   double deviation(std::size_t node) const;
 
  private:
