@@ -46,10 +46,11 @@ LossPanel::LossPanel(QWidget* parent)
 
 void LossPanel::setTimeline(std::shared_ptr<const Timeline> timeline) {
   timeline_ = std::move(timeline);
-  if (isVisible()) refresh();
+  update();
 }
 
-// Sorting the lines takes longer than all that a drag draws, so nothing is done for a panel that nobody sees.
+// Sorting the lines takes longer than all that a drag draws, so nothing is done before the panel is seen. Docks behind
+// other tabs count as visible, but they are not painted.
 void LossPanel::refresh() {
   if (shown_ == timeline_) return;
   shown_ = timeline_;
@@ -57,9 +58,9 @@ void LossPanel::refresh() {
   showTotal();
 }
 
-void LossPanel::showEvent(QShowEvent* event) {
-  refresh();
-  QWidget::showEvent(event);
+void LossPanel::paintEvent(QPaintEvent* event) {
+  if (shown_ != timeline_) QMetaObject::invokeMethod(this, &LossPanel::refresh, Qt::QueuedConnection);
+  QWidget::paintEvent(event);
 }
 
 void LossPanel::setLengthUnit(LengthUnit unit) { model_->setUnit(unit); }

@@ -101,12 +101,14 @@ void WhatIfPanel::setTimeline(std::shared_ptr<const Timeline> timeline) {
   levers_table_->setRowCount(0);
   levers_table_->hide();
   button_->setEnabled(timeline_ != nullptr);
-  if (isVisible()) showCauses();
+  stale_ = true;
+  update();
 }
 
-void WhatIfPanel::showEvent(QShowEvent* event) {
-  showCauses();
-  QWidget::showEvent(event);
+// Docks behind other tabs count as visible, but they are not painted.
+void WhatIfPanel::paintEvent(QPaintEvent* event) {
+  if (stale_) QMetaObject::invokeMethod(this, &WhatIfPanel::showCauses, Qt::QueuedConnection);
+  QWidget::paintEvent(event);
 }
 
 void WhatIfPanel::setTheme(const Theme& theme) {
@@ -115,6 +117,7 @@ void WhatIfPanel::setTheme(const Theme& theme) {
 }
 
 void WhatIfPanel::showCauses() {
+  stale_ = false;
   causes_->setRowCount(0);
   if (!timeline_) return;
   const auto& times = timeline_->outcome()->summary.time_by_cause;

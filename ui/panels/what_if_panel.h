@@ -30,7 +30,7 @@ class WhatIfPanel : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
-  void showEvent(QShowEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   void showCauses();
@@ -43,6 +43,7 @@ class WhatIfPanel : public QWidget {
   QPushButton* button_;
   std::shared_ptr<const Timeline> timeline_;
   Theme theme_ = light_theme();
+  bool stale_ = false;  // the causes are not yet those of the timeline
 };
 
 }  // namespace toolpace::ui
