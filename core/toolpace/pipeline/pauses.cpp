@@ -1,5 +1,7 @@
 #include "toolpace/pipeline/pauses.h"
 
+#include <algorithm>
+
 namespace toolpace {
 namespace {
 
@@ -9,8 +11,9 @@ constexpr double kPositionRounding = 1e-12;
 
 }  // namespace
 
-MotionPlan insert_pauses(const MotionPlan& plan, const std::vector<Path::Pause>& pauses,
+MotionPlan insert_pauses(MotionPlan plan, const std::vector<Path::Pause>& pauses,
                          const std::vector<double>& positions) {
+  if (std::none_of(pauses.begin(), pauses.end(), [](const Path::Pause& p) { return p.duration > 0; })) return plan;
   MotionPlan result;
   result.phases.reserve(plan.phases.size() + pauses.size());
   result.splines = plan.splines;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <tuple>
 
 #include "toolpace/law/law_table.h"
 #include "toolpace/limits/limit_speed.h"
@@ -11,6 +12,7 @@
 #include "toolpace/pipeline/many.h"
 #include "toolpace/pipeline/pauses.h"
 #include "toolpace/pipeline/prove.h"
+#include "toolpace/pipeline/replan.h"
 #include "toolpace/pipeline/setup.h"
 #include "toolpace/pipeline/travel.h"
 #include "toolpace/plan/bound.h"
@@ -203,32 +205,68 @@ Result<void> check_duration(double cycle_time, double period) {
             {}});
 }
 
-/// Plans by the job's own corner rule, whether another one would be faster or not.
-Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor) {
-  const Moves& moves = job->program->moves;
-  if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
+/// Where the machine goes, however fast.
+struct Route {
+  std::shared_ptr<const Path> path;
+  BlendCount blends;
+};
 
-  auto path = build_path(moves, job->machine.tool_change, stage(monitor, 0.0, 0.15));
+Result<Route> lay_out(const Job& job, const Monitor& monitor) {
+  const Moves& moves = job.program->moves;
+  auto path = build_path(moves, job.machine.tool_change, stage(monitor, 0.0, 0.15));
   if (!path) return tl::unexpected(path.error());
   BlendCount blends;
-  if (!is_through_tube(*job) && (blends_everywhere(*job) || asks_for_blends(moves))) {
-    const BlendOptions options{job->options.corner.tolerance, blends_everywhere(*job)};
+  if (!is_through_tube(job) && (blends_everywhere(job) || asks_for_blends(moves))) {
+    const BlendOptions options{job.options.corner.tolerance, blends_everywhere(job)};
     auto blended = blend_path(*path, moves, options, stage(monitor, 0.15, 0.2));
     if (!blended) return tl::unexpected(blended.error());
     path = std::move(blended->path);
     blends = blended->count;
   }
-  auto limits = limit_speed(*path, moves, job->machine, limit_options(job->options), stage(monitor, 0.2, 0.4));
+  return Route{std::make_shared<const Path>(std::move(*path)), blends};
+}
+
+/// Whether all that lay_out() looks at is the same.
+bool has_same_route(const Job& a, const Job& b) {
+  return a.program == b.program && a.machine.tool_change == b.machine.tool_change &&
+         blends_everywhere(a) == blends_everywhere(b) && a.options.corner.tolerance == b.options.corner.tolerance;
+}
+
+/// Whether all that limit_speed() looks at besides the path is the same.
+bool has_same_limits(const Job& a, const Job& b) {
+  const auto of_path = [](const PathLimits& p) {
+    return std::tie(p.speed, p.acceleration, p.deceleration, p.jerk, p.jerk_deceleration);
+  };
+  const auto of_axis = [](const AxisLimits& x) { return std::tie(x.speed, x.acceleration, x.jerk); };
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    if (of_axis(a.machine.axes[k]) != of_axis(b.machine.axes[k])) return false;
+  }
+  const LimitOptions of_a = limit_options(a.options), of_b = limit_options(b.options);
+  const auto of_options = [](const LimitOptions& o) {
+    return std::tie(o.corner.rule, o.corner.step, o.corner.tolerance, o.corner.junction_deviation, o.feed_override,
+                    o.rapid_override, o.t_acc, o.t_dec);
+  };
+  return a.machine.period == b.machine.period && of_path(a.machine.path) == of_path(b.machine.path) &&
+         of_options(of_a) == of_options(of_b);
+}
+
+Result<SpeedLimits> limits_of(const Job& job, const Path& path, const Monitor& monitor) {
+  return limit_speed(path, job.program->moves, job.machine, limit_options(job.options), stage(monitor, 0.2, 0.4));
+}
+
+Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<SpeedLimits> limits,
+                           const Monitor& monitor) {
   if (!limits) return tl::unexpected(limits.error());
-  auto planned = plan_rule(*path, moves, *job, *limits, stage(monitor, 0.4, 0.9));
+  const Moves& moves = job->program->moves;
+  auto planned = plan_rule(*route.path, moves, *job, *limits, stage(monitor, 0.4, 0.9));
   if (!planned) return tl::unexpected(planned.error());
 
   Outcome outcome;
   outcome.job = std::move(job);
-  outcome.path = std::make_shared<const Path>(std::move(*path));
+  outcome.path = std::move(route.path);
   outcome.limits = std::move(*limits);
   outcome.node_time = delayed_times(std::move(planned->node_time), outcome.path->pauses);
-  outcome.plan = insert_pauses(planned->plan, outcome.path->pauses, node_positions(outcome.limits));
+  outcome.plan = insert_pauses(std::move(planned->plan), outcome.path->pauses, node_positions(outcome.limits));
   if (const auto hold = outcome.job->options.hold_at; hold && !is_through_tube(*outcome.job)) {
     auto held = insert_hold(outcome.limits, outcome.plan, outcome.job->options, {*hold}, stage(monitor, 0.9, 0.95));
     if (!held) return tl::unexpected(held.error());
@@ -240,12 +278,21 @@ Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor)
   outcome.restraints = explain_all(outcome, moves);
   outcome.warnings = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.summary = summarise(outcome, moves);
-  outcome.summary.blends = blends;
+  outcome.summary.blends = route.blends;
   outcome.summary.tube_deviation = planned->deviation;
   outcome.summary.tube_windows = planned->windows;
   outcome.summary.tube_fallbacks = planned->fallbacks;
   monitor.report(1.0);
   return outcome;
+}
+
+/// Plans by the job's own corner rule, whether another one would be faster or not.
+Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor) {
+  if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
+  auto route = lay_out(*job, monitor);
+  if (!route) return tl::unexpected(route.error());
+  auto limits = limits_of(*job, *route->path, monitor);
+  return plan_along(std::move(job), std::move(*route), std::move(limits), monitor);
 }
 
 /// The same job with corner curves, which keep the same tolerance and are planned at once.
@@ -284,6 +331,16 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   monitor.report(1.0);
   if (takes_blended) return blended;
   return smooth;
+}
+
+Result<Outcome> replan(std::shared_ptr<const Job> job, const Outcome& before, const Monitor& monitor) {
+  // A job through the tube may have been given blends, so its path does not tell how it was made.
+  const bool reusable = before.job && before.path && !is_through_tube(*job) && !is_through_tube(*before.job);
+  if (!reusable || !has_same_route(*job, *before.job)) return run(std::move(job), monitor);
+  if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
+  auto limits =
+      has_same_limits(*job, *before.job) ? Result<SpeedLimits>(before.limits) : limits_of(*job, *before.path, monitor);
+  return plan_along(std::move(job), {before.path, before.summary.blends}, std::move(limits), monitor);
 }
 
 }  // namespace toolpace
