@@ -111,8 +111,7 @@ void MainWindow::showDocument() {
 void MainWindow::showPlan() {
   const ui::Planned& plan = workspace_.plan();
   nc_->view().setColourMap(contour_->colourMap());
-  const auto speed = static_cast<std::size_t>(ui::ColourBy::speed);
-  nc_->view().setTimeline(plan.timeline, plan ? plan.scene->range[speed].high : 0);
+  nc_->view().setTimeline(plan.timeline, plan ? plan.scene->range(ui::ColourBy::speed).high : 0);
   contour_->setScene(plan.proof ? plan.proof->scene : plan.scene);
   contour_->setTube(plan.proof ? plan.proof->tube : nullptr);
   profile_->setSeries(plan.series);

@@ -55,6 +55,7 @@ void MainWindow::connectPanels() {
   connect(problems_, &ui::ProblemsPanel::lineRequested, this, show_line);
   connect(loss_, &ui::LossPanel::lineRequested, this, show_line);
   connect(contour_, &ui::ContourView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
+  connect(contour_, &ui::ContourView::colourByChanged, &workspace_, &ui::Workspace::setShown);
   connect(contour_, &ui::ContourView::colourMapChanged, this, [this](ui::ColourMap map) {
     preferences_.colour_map = ui::colour_map_name(map);
     nc_->view().setColourMap(map);

@@ -7,6 +7,7 @@
 #include "preview/scene_draw.h"
 #include "support/planned.h"
 #include "toolpace/path/path.h"
+#include "toolpace/pipeline/replan.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -15,33 +16,85 @@ class ContourSceneTest : public QObject {
   Q_OBJECT
 
   static void check_sound(const ContourScene& scene) {
-    QCOMPARE(scene.time.size(), scene.line.vertex.size());
-    QCOMPARE(scene.block.size(), scene.line.pieces());
-    QCOMPARE(scene.line.vertex.size(), scene.line.pieces() + 1);
-    QVERIFY(std::is_sorted(scene.time.begin(), scene.time.end()));
-    QVERIFY(std::is_sorted(scene.block.begin(), scene.block.end()));
-    for (const auto& levels : scene.line.level) QVERIFY(levels.empty() || levels.size() == scene.line.pieces());
-    for (const auto& v : scene.line.vertex) QVERIFY(v.allFinite());
+    const SceneGeometry& g = *scene.geometry;
+    QCOMPARE(g.line.vertex.size(), g.line.pieces() + 1);
+    QVERIFY(g.block.empty() || g.block.size() == g.line.pieces());
+    QVERIFY(g.share.size() == g.block.size());
+    QVERIFY(std::is_sorted(g.block.begin(), g.block.end()));
+    for (const auto& v : g.line.vertex) QVERIFY(v.allFinite());
+    double before = 0;
+    for (std::size_t i = 0; i < g.line.pieces(); ++i) {
+      const Stretch s = scene.colours->stretch(i, 0, 1);
+      QVERIFY(s.begin <= s.end && s.begin >= before - 1e-9);
+      before = s.end;
+    }
+    for (const ColourBy by : {ColourBy::speed, ColourBy::acceleration, ColourBy::jerk, ColourBy::limit}) {
+      QVERIFY(scene.can_colour_by(by));
+      for (std::size_t k = 0; k < g.lod.levels.size(); ++k) {
+        const auto& level = g.lod.levels[k];
+        QCOMPARE(scene.colours->shades(by, k).size(), level.is_full() ? g.line.pieces() : level.vertex.size() - 1);
+      }
+    }
   }
 
  private slots:
-  void an_arc_is_round_and_a_long_line_changes_colour() {
+  void an_arc_is_round_at_any_enlargement() {
     Program program;
     program.feed(100, 0, 0, 80).arc(100, 0, 0, 100, 20, 2 * std::numbers::pi, 30);
-    const auto outcome = planned(program);
-    const auto scene = make_contour_scene(outcome);
+    const auto scene = make_contour_scene(planned(program));
     check_sound(*scene);
-    std::set<std::uint8_t> line_levels;
-    for (std::size_t i = 0; i < scene->line.pieces(); ++i) {
-      if (scene->block[i] == 0) line_levels.insert(scene->line.level[0][i]);
-      if (scene->block[i] != 0) {
-        const double radius = (scene->point(i + 1) - Eigen::Vector3d(100, 20, 0)).norm();
-        QVERIFY(std::abs(radius - 20) < 1e-4);
+    const SceneGeometry& g = *scene->geometry;
+    for (std::size_t i = 0; i < g.line.pieces(); ++i) {
+      if (g.block_of(i) == 0) continue;
+      QVERIFY(std::abs((g.point(i + 1) - Eigen::Vector3d(100, 20, 0)).norm() - 20) < 1e-4);
+    }
+    QVERIFY(std::abs(g.box.high.x() - 120) < 0.05);
+    QVERIFY(std::abs(g.box.high.y() - 40) < 0.05);
+    // Enlarged 400 times the chords of the scene would be 1 px off; what is drawn is not.
+    Projection view = fitted(named_view(View::xy), g.box, {400, 400}, 20);
+    view.zoom(400, view.map({100 + 20 * std::sin(0.3), 20 - 20 * std::cos(0.3), 0}), 1e-9, 1e9);
+    const QPointF centre = view.map({100, 20, 0});
+    QImage image(400, 400, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    SceneStyle style;
+    const ColourTable colours = colour_table(ColourMap::cividis, Ground::light);
+    style.colours = &colours;
+    style.smooth = false;
+    style.width = 1;
+    draw_scene(image, *scene, view, style);
+    int drawn = 0;
+    for (int y = 0; y < 400; ++y) {
+      for (int x = 0; x < 400; ++x) {
+        if (image.pixel(x, y) == qRgb(255, 255, 255)) continue;
+        ++drawn;
+        const double off = std::hypot(x + 0.5 - centre.x(), y + 0.5 - centre.y()) - 20 * view.scale;
+        QVERIFY2(std::abs(off) < 1.5, qPrintable(QString("%1, %2: %3 px off").arg(x).arg(y).arg(off)));
       }
     }
-    QVERIFY(line_levels.size() > 20);
-    QVERIFY(std::abs(scene->box.high.x() - 120) < 0.05);
-    QVERIFY(std::abs(scene->box.high.y() - 40) < 0.05);
+    QVERIFY(drawn > 300);
+  }
+
+  void a_long_line_changes_colour_along_it_and_more_so_enlarged() {
+    const auto scene = make_contour_scene(planned(Program().feed(100, 0, 0, 80)));
+    QCOMPARE(scene->geometry->line.pieces(), 1u);
+    const ColourTable colours = colour_table(ColourMap::cividis, Ground::light);
+    SceneStyle style;
+    style.colours = &colours;
+    style.smooth = false;
+    const auto drawn = [&](double enlargement) {
+      Projection view = fitted(named_view(View::xy), scene->geometry->box, {400, 100}, 20);
+      view.zoom(enlargement, view.map({0.3, 0, 0}), 1e-9, 1e9);
+      QImage image(400, 100, QImage::Format_RGB32);
+      image.fill(Qt::white);
+      draw_scene(image, *scene, view, style);
+      std::set<QRgb> seen;
+      for (int x = 0; x < 400; ++x) {
+        for (int y = 40; y < 60; ++y) seen.insert(image.pixel(x, y));
+      }
+      return seen.size();
+    };
+    QVERIFY(drawn(1) >= 3);
+    QVERIFY2(drawn(60) > 20, "the ramp at the start fills the picture");
   }
 
   void the_scale_belongs_to_the_feeds_and_rapids_are_marked() {
@@ -49,20 +102,55 @@ class ContourSceneTest : public QObject {
     program.rapid(100, 0).feed(100, 100, 0, 40).rapid(0, 0);
     const auto scene = make_contour_scene(planned(program));
     check_sound(*scene);
-    QVERIFY(std::abs(scene->range[0].high - 40) < 1e-6);
-    for (std::size_t i = 0; i < scene->line.pieces(); ++i) {
-      QCOMPARE(scene->line.style[i] == static_cast<std::uint8_t>(PieceStyle::rapid), scene->block[i] != 1);
+    QVERIFY(std::abs(scene->range(ColourBy::speed).high - 40) < 1e-6);
+    const SceneGeometry& g = *scene->geometry;
+    for (std::size_t i = 0; i < g.line.pieces(); ++i) {
+      QCOMPARE(g.line.style[i] == static_cast<std::uint8_t>(PieceStyle::rapid), g.block_of(i) != 1);
     }
   }
 
-  void pieces_carry_the_exact_time_of_their_ends() {
+  void parts_of_pieces_carry_their_exact_times() {
+    Program program;
+    program.feed(30, 0, 0, 80).dwell(0.7).arc(30, 0, 0, 30, 20, 2 * std::numbers::pi, 60).feed(0, 0, 5, 70);
+    const auto outcome = planned(program);
+    const auto scene = make_contour_scene(outcome);
+    check_sound(*scene);
+    const SceneGeometry& g = *scene->geometry;
+    for (std::size_t i = 0; i < g.line.pieces(); ++i) {
+      for (const double share : {0.0, 0.3, 0.9, 1.0}) {
+        const double time = scene->colours->stretch(i, 0, share).end;
+        const Eigen::Vector3d wanted = g.point(i) + share * (g.point(i + 1) - g.point(i));
+        const double off = (place_at(*outcome, time)->point - wanted).norm();
+        QVERIFY2(off < 0.01, qPrintable(QString("piece %1 at %2: %3 mm").arg(i).arg(share).arg(off)));
+      }
+    }
+  }
+
+  void plans_along_one_path_share_its_geometry() {
+    const auto outcome = planned_butterfly();
+    const auto first = make_contour_scene(outcome);
+    auto faster = std::make_shared<Job>(*outcome->job);
+    faster->machine.path.acceleration *= 2;
+    auto again = replan(faster, *outcome);
+    QVERIFY(again.has_value());
+    const auto second =
+        make_contour_scene(std::make_shared<const Outcome>(std::move(*again)), nullptr, first->geometry);
+    QCOMPARE(second->geometry, first->geometry);
+    QVERIFY(second->colours->shades(ColourBy::speed) != first->colours->shades(ColourBy::speed));
+    // Another path, another geometry.
+    QVERIFY(make_contour_scene(planned_butterfly(), nullptr, first->geometry)->geometry != first->geometry);
+  }
+
+  void mean_speeds_of_blocks_are_length_over_time() {
     const auto outcome = planned_butterfly();
     const auto scene = make_contour_scene(outcome);
     check_sound(*scene);
-    for (std::size_t i = 1; i < scene->line.vertex.size(); i += 7) {
-      const auto place = place_at(*outcome, scene->time[i]);
-      QVERIFY(place.has_value());
-      QVERIFY2((place->point - scene->point(i)).norm() < 1e-4, qPrintable(QString("vertex %1").arg(i)));
+    const auto& shades = scene->colours->shades(ColourBy::speed);
+    const double top = scene->range(ColourBy::speed).high;
+    for (std::size_t i = 0; i < shades.size(); ++i) {
+      const double mean = outcome->path->length[i] / (outcome->node_time[i + 1] - outcome->node_time[i]);
+      const bool close = std::abs(shades[i] - std::min(mean / top, 1.0) * 255) <= 0.51;
+      QVERIFY2(close, qPrintable(QString("block %1: %2 of %3").arg(i).arg(mean).arg(top)));
     }
   }
 
@@ -83,8 +171,9 @@ class ContourSceneTest : public QObject {
     check_sound(*scene);
     const double arrival = outcome->node_time[1];
     QVERIFY((place_at(*outcome, arrival + 1.0)->point - Eigen::Vector3d(10, 0, 0)).norm() < 1e-9);
-    // The first piece after the pause spans it, and the rest moves on.
-    QVERIFY(scene->time.back() >= arrival + 2.0);
+    // What follows begins after the pause and is no slower for it.
+    QVERIFY(scene->colours->stretch(1, 0.01, 1).begin >= arrival + 2.0);
+    QVERIFY(std::abs(scene->colours->shades(ColourBy::speed)[1] - scene->colours->shades(ColourBy::speed)[0]) <= 2);
   }
 
   void a_path_that_is_cut_short_at_corners_is_drawn_as_it_is_run() {
@@ -96,7 +185,7 @@ class ContourSceneTest : public QObject {
     const auto scene = make_contour_scene(outcome);
     check_sound(*scene);
     double nearest = 1e9;
-    for (std::size_t i = 0; i < scene->line.vertex.size(); ++i) {
+    for (std::size_t i = 0; i < scene->geometry->line.vertex.size(); ++i) {
       nearest = std::min(nearest, (scene->point(i) - Eigen::Vector3d(20, 0, 0)).norm());
     }
     QVERIFY2(nearest > 0.01 && nearest < 0.5, qPrintable(QString::number(nearest)));
@@ -119,7 +208,7 @@ class ContourSceneTest : public QObject {
     program.feed(100, 0, 0, 50).feed(100, 100, 0, 50);
     const auto outcome = planned(program);
     const auto scene = make_contour_scene(outcome);
-    const Projection view = fitted(named_view(View::xy), scene->box, {400, 400}, 20);
+    const Projection view = fitted(named_view(View::xy), scene->geometry->box, {400, 400}, 20);
     const QPointF at = view.map({100, 50, 0});
     const auto hit = pick(*scene, view, at + QPointF(3, 0), 8);
     QVERIFY(hit.has_value());
@@ -136,11 +225,11 @@ class ContourSceneTest : public QObject {
     path->node.push_back(AxisVector::Constant(3));
     bare->path = path;
     const auto dot = make_contour_scene(bare);
-    QCOMPARE(dot->line.vertex.size(), 1u);
+    QCOMPARE(dot->geometry->line.vertex.size(), 1u);
     QImage image(50, 50, QImage::Format_RGB32);
     image.fill(Qt::white);
     SceneStyle style;
-    const Projection view = fitted(named_view(View::iso), dot->box, {50, 50}, 5);
+    const Projection view = fitted(named_view(View::iso), dot->geometry->box, {50, 50}, 5);
     QCOMPARE(draw_scene(image, *dot, view, style), 1u);
     QVERIFY(image.pixel(25, 25) != qRgb(255, 255, 255));
   }

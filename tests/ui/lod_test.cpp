@@ -12,8 +12,8 @@ using namespace toolpace::ui;
 class LodTest : public QObject {
   Q_OBJECT
 
-  static ColouredLine wobbly(std::size_t count) {
-    ColouredLine line;
+  static SceneLine wobbly(std::size_t count) {
+    SceneLine line;
     std::mt19937 random(3);
     std::normal_distribution<float> step(0, 0.1f);
     Eigen::Vector3f at = Eigen::Vector3f::Zero();
@@ -22,11 +22,6 @@ class LodTest : public QObject {
       line.vertex.push_back(at);
     }
     line.style.assign(count - 1, 0);
-    line.level[0].resize(count - 1);
-    for (std::size_t i = 0; i + 1 < count; ++i) line.level[0][i] = static_cast<std::uint8_t>(i % 256);
-    line.level[3].resize(count - 1);
-    for (std::size_t i = 0; i + 1 < count; ++i) line.level[3][i] = i % 10 < 7 ? 2 : 5;
-    line.categorical = 3;
     return line;
   }
 
@@ -39,7 +34,7 @@ class LodTest : public QObject {
 
  private slots:
   void no_dropped_vertex_is_further_than_the_tolerance() {
-    const ColouredLine line = wobbly(20'000);
+    const SceneLine line = wobbly(20'000);
     const LodPyramid pyramid = build_lod(line, 0.05, 50);
     QVERIFY(pyramid.levels.size() >= 4);
     for (std::size_t k = 1; k < pyramid.levels.size(); ++k) {
@@ -57,27 +52,33 @@ class LodTest : public QObject {
   }
 
   void colours_of_merged_pieces_are_means_and_majorities() {
-    const ColouredLine line = wobbly(20'000);
+    const SceneLine line = wobbly(20'000);
+    std::vector<std::uint8_t> shade(line.pieces()), category(line.pieces());
+    for (std::size_t i = 0; i < line.pieces(); ++i) {
+      shade[i] = static_cast<std::uint8_t>(i % 256);
+      category[i] = i % 10 < 7 ? 2 : 5;
+    }
     const LodPyramid pyramid = build_lod(line, 0.5, 50);
     const auto& level = pyramid.levels.back();
+    const auto means = merged_means(line, level, shade), majorities = merged_majorities(line, level, category);
     double sum = 0, weight = 0;
     for (std::uint32_t i = level.vertex[0]; i < level.vertex[1]; ++i) {
       const double length = (line.vertex[i + 1] - line.vertex[i]).norm();
-      sum += length * line.level[0][i];
+      sum += length * shade[i];
       weight += length;
     }
-    QVERIFY(std::abs(level.level[0][0] - sum / weight) <= 0.51);
+    QVERIFY(std::abs(means[0] - sum / weight) <= 0.51);
     for (std::size_t j = 0; j + 1 < level.vertex.size(); ++j) {
       double twos = 0, fives = 0;
       for (std::uint32_t i = level.vertex[j]; i < level.vertex[j + 1]; ++i) {
-        (line.level[3][i] == 2 ? twos : fives) += (line.vertex[i + 1] - line.vertex[i]).norm();
+        (category[i] == 2 ? twos : fives) += (line.vertex[i + 1] - line.vertex[i]).norm();
       }
-      if (std::abs(twos - fives) > 1e-4) QCOMPARE(level.level[3][j], twos > fives ? std::uint8_t{2} : std::uint8_t{5});
+      if (std::abs(twos - fives) > 1e-4) QCOMPARE(majorities[j], twos > fives ? std::uint8_t{2} : std::uint8_t{5});
     }
   }
 
   void pieces_of_another_style_are_kept_apart() {
-    ColouredLine line = wobbly(5000);
+    SceneLine line = wobbly(5000);
     for (std::size_t i = 2000; i < 2003; ++i) line.style[i] = 1;
     const LodPyramid pyramid = build_lod(line, 1, 100);
     for (std::size_t k = 1; k < pyramid.levels.size(); ++k) {

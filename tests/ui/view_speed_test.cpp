@@ -50,7 +50,7 @@ class ViewSpeedTest : public QObject {
     std::shared_ptr<const ProfileSeries> series;
     report("make_contour_scene, 1e6 blocks", mean_ms(1, [&](int) { scene = make_contour_scene(outcome_); }), 1500);
     report("make_profile_series, 1e6 blocks", mean_ms(1, [&](int) { series = make_profile_series(outcome_); }), 1000);
-    QVERIFY(scene->line.pieces() >= 1'000'000);
+    QVERIFY(scene->geometry->line.pieces() >= 1'000'000);
   }
 
   void the_preview_pans_and_zooms_30_times_a_second() {

@@ -1,5 +1,7 @@
 #include "jobs/planner_service.h"
 
+#include "toolpace/pipeline/replan.h"
+
 namespace toolpace::ui {
 
 PlannerService::PlannerService(QObject* parent) : QObject(parent) {
@@ -27,15 +29,22 @@ void PlannerService::cancel() {
 }
 
 void PlannerService::start(std::shared_ptr<const Job> job, quint64 generation) {
-  worker_.start([this, job = std::move(job), generation](const Monitor& monitor) -> Background::Delivery {
-    auto outcome = run(job, monitor);
+  if (last_.outcome && last_.outcome->job->program != job->program) last_ = {};
+  worker_.start([this, job = std::move(job), generation, before = last_,
+                 by = shown_](const Monitor& monitor) -> Background::Delivery {
+    auto outcome = before.outcome ? replan(job, *before.outcome, monitor) : run(job, monitor);
     if (!outcome) {
       return [this, error = outcome.error(), generation] { emit failed(error, generation); };
     }
     const auto shared = std::make_shared<const Outcome>(std::move(*outcome));
-    Planned plan{std::make_shared<const Timeline>(shared), make_contour_scene(shared), make_profile_series(shared),
-                 nullptr};
-    return [this, plan = std::move(plan), generation] { emit planned(plan, generation); };
+    Planned plan{std::make_shared<const Timeline>(shared), make_contour_scene(shared, nullptr, before.geometry),
+                 make_profile_series(shared), nullptr};
+    // What will be drawn first is made here rather than when it is drawn.
+    if (plan.scene->can_colour_by(by)) (void)plan.scene->colours->shades(by);
+    return [this, plan = std::move(plan), generation] {
+      last_ = {plan.timeline->outcome(), plan.scene->geometry};
+      emit planned(plan, generation);
+    };
   });
 }
 

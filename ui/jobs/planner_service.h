@@ -24,6 +24,8 @@ class PlannerService : public QObject {
   void cancel();
   bool isBusy() const { return worker_.isBusy(); }
   bool isLatest(quint64 generation) const { return generation == latest_; }
+  /// What the preview shows, so that the worker makes its colours ready.
+  void setShown(ColourBy by) { shown_ = by; }
 
  signals:
   void planned(const toolpace::ui::Planned& plan, quint64 generation);
@@ -34,8 +36,16 @@ class PlannerService : public QObject {
  private:
   void start(std::shared_ptr<const Job> job, quint64 generation);
 
+  /// Of the last plan, for the next to take over what an edit leaves as it was.
+  struct Last {
+    std::shared_ptr<const Outcome> outcome;
+    std::shared_ptr<const SceneGeometry> geometry;
+  };
+
   Background worker_;
   std::shared_ptr<const Job> pending_;
+  Last last_;
+  ColourBy shown_ = ColourBy::speed;
   quint64 latest_ = 0;
 };
 

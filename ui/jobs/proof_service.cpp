@@ -52,7 +52,8 @@ Result<ServoSummary> simulated(const Outcome& outcome, ErrorTrace& errors, const
   return summary;
 }
 
-Result<std::shared_ptr<const Proof>> proof_of(std::shared_ptr<const Outcome> outcome, const Monitor& monitor) {
+Result<std::shared_ptr<const Proof>> proof_of(const ContourScene& scene, const Monitor& monitor) {
+  const auto& outcome = scene.outcome;
   auto report = verified(*outcome, monitor);
   if (!report) return tl::unexpected(report.error());
   auto errors = std::make_shared<ErrorTrace>();
@@ -67,7 +68,7 @@ Result<std::shared_ptr<const Proof>> proof_of(std::shared_ptr<const Outcome> out
     proof->bound = lower_bound(outcome->limits, outcome->job->options.law) + outcome->summary.dwell_time;
   }
   proof->tube = make_tube_trace(*outcome, monitor);
-  proof->scene = make_contour_scene(outcome, errors);
+  proof->scene = make_contour_scene(outcome, errors, scene.geometry);
   return proof;
 }
 
@@ -116,21 +117,21 @@ ProofService::ProofService(QObject* parent) : QObject(parent) {
   });
 }
 
-void ProofService::request(std::shared_ptr<const Outcome> outcome) {
-  wanted_ = std::move(outcome);
+void ProofService::request(std::shared_ptr<const ContourScene> scene) {
+  wanted_ = std::move(scene);
   worker_.cancel();
   wanted_ ? delay_.start() : delay_.stop();
 }
 
 void ProofService::start() {
   if (worker_.isBusy() || !wanted_) return;
-  const double rows = wanted_->plan.cycle_time() / wanted_->job->machine.period;
+  const double rows = wanted_->outcome->plan.cycle_time() / wanted_->outcome->job->machine.period;
   if (rows > static_cast<double>(kProvenUnasked)) {
     wanted_ = nullptr;
     return emit finished();
   }
-  worker_.start([this, outcome = std::exchange(wanted_, nullptr)](const Monitor& monitor) -> Background::Delivery {
-    auto proof = proof_of(outcome, monitor);
+  worker_.start([this, scene = std::exchange(wanted_, nullptr)](const Monitor& monitor) -> Background::Delivery {
+    auto proof = proof_of(*scene, monitor);
     return [this, proof = std::move(proof)] {
       if (proof) {
         emit proven(*proof);

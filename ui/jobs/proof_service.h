@@ -20,7 +20,7 @@ struct Proof {
   VerifyReport report;                        ///< of the setpoints, written to a file and read back
   ServoSummary servo;                         ///< of the machine's drives
   std::optional<double> bound;                ///< no plan on this path is faster [s]; none off the path
-  std::shared_ptr<const ContourScene> scene;  ///< the preview with the contour errors in it
+  std::shared_ptr<const ContourScene> scene;  ///< the preview with the contour errors in it, along the same geometry
   std::shared_ptr<const TubeTrace> tube;      ///< null for plans that stay on the programmed path
 };
 
@@ -34,7 +34,7 @@ class ProofService : public QObject {
   explicit ProofService(QObject* parent = nullptr);
 
   /// Starts a moment later, so that a drag is not slowed down; replaces what was asked before. Null = nothing.
-  void request(std::shared_ptr<const Outcome> outcome);
+  void request(std::shared_ptr<const ContourScene> scene);
   bool isRunning() const { return worker_.isBusy() || delay_.isActive(); }
 
  signals:
@@ -47,7 +47,7 @@ class ProofService : public QObject {
 
   Background worker_;
   QTimer delay_;
-  std::shared_ptr<const Outcome> wanted_;
+  std::shared_ptr<const ContourScene> wanted_;
 };
 
 /// Broken checks as problems, each with its line.

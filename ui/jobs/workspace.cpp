@@ -26,7 +26,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
   connect(&refiner_, &Refiner::stateChanged, this, [this](Refiner::State state) {
     emit refinementChanged(state);
     emit busyChanged(isBusy());
-    if (state == Refiner::State::given_up && plan_) proof_service_.request(plan_.timeline->outcome());
+    if (state == Refiner::State::given_up && plan_) proof_service_.request(plan_.scene);
   });
   connect(&watcher_, &FileWatcher::changed, this, &Workspace::reload);
   connect(&playback_, &Playback::advanced, this, &Workspace::setCursorTime);
@@ -114,13 +114,13 @@ void Workspace::takePlan(const Planned& plan, quint64 generation) {
   if (stale_) return;
   const auto asked = job();
   if (is_refined_later(*asked)) return refiner_.request(asked);
-  proof_service_.request(plan_.timeline->outcome());
+  proof_service_.request(plan_.scene);
 }
 
 void Workspace::takeRefined(const Planned& plan) {
   if (!document_ || plan.timeline->outcome()->job->program != document_->reading) return;
   show(plan);
-  proof_service_.request(plan_.timeline->outcome());
+  proof_service_.request(plan_.scene);
 }
 
 void Workspace::show(const Planned& plan) {

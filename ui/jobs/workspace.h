@@ -43,6 +43,7 @@ class Workspace : public QObject {
   void reload();
   void editLine(int line, const QString& text);
   void cancel();
+  void setShown(ColourBy by) { planner_.setShown(by); }  ///< what the preview is coloured by
 
   void pin();  ///< the present plan becomes B
   void unpin();

@@ -126,7 +126,7 @@ void ContourCanvas::setView(View view) {
 
 void ContourCanvas::fit() {
   follows_fit_ = true;
-  projection_ = fitted(projection_, scene_ ? scene_->box : Box{}, QSizeF(size()), kFitMargin);
+  projection_ = fitted(projection_, scene_ ? scene_->geometry->box : Box{}, QSizeF(size()), kFitMargin);
   redraw();
   emit viewChanged();
 }
@@ -140,7 +140,7 @@ void ContourCanvas::setProjection(const Projection& projection) {
 void ContourCanvas::zoomBy(double factor, const QPointF& fixed) {
   follows_fit_ = false;
   // Below this a float no longer tells neighbouring pixels apart.
-  const double size = scene_ ? scene_->box.diagonal() : 0.0;
+  const double size = scene_ ? scene_->geometry->box.diagonal() : 0.0;
   const double most = size > 0 ? std::min(kMostScale, 4e6 / size * 16) : kMostScale;
   projection_.zoom(factor, fixed, kLeastScale, std::max(most, projection_.scale));
   moved();
@@ -192,7 +192,9 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
   style.width = (smooth ? 1.8 : 1.0) * ratio;
   style.dash = 5 * ratio;
   style.smooth = smooth;
+  style.cut = 4 * ratio;
   if (!smooth) style.detail = 1.3;
+  if (!smooth) style.most_cuts /= 4;
   last_pieces_ = draw_scene(image, *scene_, projection, style);
   if (has_band) draw_inside_band(image, *tube_, projection, tube_style);
   if (scene_->trace && enlargement_ > 1.0 && !in_band) {

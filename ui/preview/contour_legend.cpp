@@ -126,7 +126,7 @@ void ContourLegend::drawEntries(QPainter& painter) const {
 void ContourLegend::drawScale(QPainter& painter) const {
   const Theme& theme = canvas_.theme();
   const ColourBy by = canvas_.colourBy();
-  const Interval range = canvas_.scene()->range[static_cast<std::size_t>(by)];
+  const Interval range = canvas_.scene()->range(by);
   DisplayUnit unit = display_unit(quantity_of(by), canvas_.unit());
   if (by == ColourBy::contour_error && canvas_.unit() == LengthUnit::mm && range.high < kSmallLength) {
     unit = {1000.0, QStringLiteral("µm")};

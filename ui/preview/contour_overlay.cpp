@@ -8,11 +8,12 @@
 
 #include "preview/cause_style.h"
 #include "preview/contour_canvas.h"
+#include "preview/motion_state.h"
 
 namespace toolpace::ui {
 namespace {
 
-constexpr std::size_t kMostBandPieces = 20'000, kMostVectors = 200'000;
+constexpr std::size_t kMostBandPieces = 20'000;
 
 QColor faded(const QColor& colour, double alpha) {
   QColor c = colour;
@@ -50,8 +51,8 @@ void ContourCanvas::drawTravel(QPainter& painter, const Projection& projection) 
     return projection.map({bits & 1 ? box.high.x() : box.low.x(), bits & 2 ? box.high.y() : box.low.y(),
                            bits & 4 ? box.high.z() : box.low.z()});
   };
-  const bool outside = (scene_->box.low.array() < box.low.array() - 1e-9).any() ||
-                       (scene_->box.high.array() > box.high.array() + 1e-9).any();
+  const bool outside = (scene_->geometry->box.low.array() < box.low.array() - 1e-9).any() ||
+                       (scene_->geometry->box.high.array() > box.high.array() + 1e-9).any();
   painter.setPen(QPen(outside ? theme_.error : theme_.line, 1.2));
   for (int from = 0; from < 8; ++from) {
     for (int bit = 1; bit < 8; bit *= 2) {
@@ -81,13 +82,19 @@ void ContourCanvas::drawBand(QPainter& painter, const Projection& projection) co
 }
 
 void ContourCanvas::drawHighlight(QPainter& painter) const {
-  if (!highlight_ || scene_->time.size() < 2) return;
-  const auto& time = scene_->time;
-  const auto first = std::upper_bound(time.begin(), time.end(), highlight_->first) - time.begin();
-  const auto last = std::lower_bound(time.begin(), time.end(), highlight_->second) - time.begin();
+  if (!highlight_ || !scene_->colours) return;
+  const auto& geometry = *scene_->geometry;
+  // Vertices of the blocks that the span covers.
+  const auto vertex_of = [&](std::size_t block) {
+    if (geometry.block.empty()) return block;
+    return static_cast<std::size_t>(std::lower_bound(geometry.block.begin(), geometry.block.end(), block) -
+                                    geometry.block.begin());
+  };
+  const double hair = 1e-9 * (1 + highlight_->second);
+  const std::size_t from = vertex_of(block_at(*scene_->outcome, highlight_->first + hair));
+  const std::size_t to = vertex_of(block_at(*scene_->outcome, highlight_->second - hair) + 1);
+  if (to <= from || to >= geometry.line.vertex.size()) return;
   QPainterPath path;
-  const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(first - 1, 0));
-  const auto to = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(last, 0)), time.size() - 1);
   const std::size_t stride = std::max<std::size_t>((to - from) / kMostBandPieces, 1);
   path.moveTo(projection_.map(scene_->point(from)));
   for (std::size_t i = from + 1; i < to; i += stride) path.lineTo(projection_.map(scene_->point(i)));
@@ -210,21 +217,14 @@ void ContourCanvas::paintVectors(QPainter& painter, const QSizeF& size) const {
   p.scale *= ratio;
   painter.setClipRect(QRectF({0, 0}, size));
   if (travel_visible_) drawTravel(painter, p);
-  const auto by = static_cast<std::size_t>(by_);
-  const bool coloured = scene_->can_colour_by(by_);
-  std::size_t level = scene_->lod.level_for(0.4 / p.scale);
-  while (level + 1 < scene_->lod.levels.size() && scene_->lod.levels[level].boxes.size() * kChunk > kMostVectors)
-    ++level;
-  const LodLevel& lod = scene_->lod.levels[level];
-  const std::size_t pieces = lod.is_full() ? scene_->line.pieces() : lod.vertex.size() - 1;
-  const auto vertex = [&](std::size_t j) { return lod.is_full() ? j : lod.vertex[j]; };
-  for (std::size_t j = 0; j < pieces; ++j) {
-    const bool rapid = scene_->line.style[vertex(j)] == static_cast<std::uint8_t>(PieceStyle::rapid);
-    const auto& levels = lod.is_full() ? scene_->line.level[by] : lod.level[by];
-    const QColor colour = rapid ? theme_.secondary : coloured ? QColor(colours_[levels[j]]) : theme_.accent;
-    painter.setPen(QPen(colour, rapid ? 0.6 : 1.2, rapid ? Qt::DashLine : Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(p.map(scene_->point(vertex(j))), p.map(scene_->point(vertex(j + 1))));
-  }
+  SceneStyle style;
+  style.by = by_;
+  style.colours = scene_->can_colour_by(by_) ? &colours_ : nullptr;
+  style.plain = theme_.accent.rgb();
+  style.rapid = theme_.secondary.rgb();
+  style.width = 1.2;
+  style.detail = 0.4;
+  paint_scene(painter, *scene_, p, size, style);
 }
 
 }  // namespace toolpace::ui

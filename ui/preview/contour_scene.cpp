@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "preview/motion_state.h"
-#include "preview/scene_builder.h"
 #include "toolpace/path/path.h"
 
 namespace toolpace::ui {
@@ -29,7 +28,8 @@ bool has_plan(const Outcome& outcome) {
 }  // namespace
 
 std::shared_ptr<const ContourScene> make_contour_scene(std::shared_ptr<const Outcome> outcome,
-                                                       std::shared_ptr<const ErrorTrace> trace) {
+                                                       std::shared_ptr<const ErrorTrace> trace,
+                                                       std::shared_ptr<const SceneGeometry> known) {
   auto scene = std::make_shared<ContourScene>();
   if (trace && trace->time.empty()) trace = nullptr;
   scene->outcome = outcome;
@@ -37,14 +37,10 @@ std::shared_ptr<const ContourScene> make_contour_scene(std::shared_ptr<const Out
   if (!outcome) return scene;
   if (outcome->job) scene->travel = travel_box(outcome->job->machine);
   if (!outcome->path || outcome->path->node.empty()) return scene;
-  SceneBuilder builder(*outcome, *scene);
-  has_plan(*outcome) ? builder.build_planned() : builder.build_bare();
-
-  const double size = scene->box.diagonal();
-  if (size > 0)
-    scene->lod = build_lod(scene->line, size / 32768, size / 256);
-  else
-    scene->lod = build_lod(scene->line, 1.0, 1.0);
+  scene->geometry = known && fits(*known, *outcome) ? std::move(known) : make_scene_geometry(*outcome);
+  if (has_plan(*outcome)) {
+    scene->colours = std::make_unique<const SceneColours>(*outcome, *scene->geometry, scene->trace.get());
+  }
   return scene;
 }
 

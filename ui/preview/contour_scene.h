@@ -1,54 +1,36 @@
 #pragma once
-/// What the contour preview draws: the path as a coloured polyline, ready made on the worker thread.
+/// What the contour preview draws: a path, where its lines run, and how they are coloured.
 
 #include <QString>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "preview/lod.h"
-#include "preview/phase_bounds.h"
-#include "preview/projection.h"
+#include "preview/scene_colours.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {
 
-enum class ColourBy : std::uint8_t { speed, acceleration, jerk, limit, contour_error };
-
-enum class PieceStyle : std::uint8_t { feed, rapid };
-
-/// Where the tool really went, as a drive simulation found it.
-struct ErrorTrace {
-  std::vector<double> time;                ///< [s], ascending
-  std::vector<float> error;                ///< contour error [mm], ≥ 0
-  std::vector<Eigen::Vector3f> commanded;  ///< where it was asked to be [mm]
-  std::vector<Eigen::Vector3f> offset;     ///< actual minus commanded position at that time [mm]
-};
-
+/// One plan along one geometry, coloured on demand. Immutable but for what it keeps once it is made.
 struct ContourScene {
   std::shared_ptr<const Outcome> outcome;
-  std::shared_ptr<const ErrorTrace> trace;           ///< null = not simulated
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [mm], vertices are relative to it
-  Box box;                                           ///< [mm], of all vertices
-  std::optional<Box> travel;                         ///< [mm], only where X, Y and Z are all bounded
+  std::shared_ptr<const ErrorTrace> trace;  ///< null = not simulated
+  std::optional<Box> travel;                ///< [mm], only where X, Y and Z are all bounded
+  std::shared_ptr<const SceneGeometry> geometry = std::make_shared<SceneGeometry>();
+  std::unique_ptr<const SceneColours> colours;  ///< null where there is no plan
 
-  ColouredLine line;
-  std::vector<double> time;                      ///< [s] one a vertex; rises
-  std::vector<std::uint32_t> block;              ///< segment of the path, one a piece
-  std::array<Interval, kColourings> range = {};  ///< value at level 0 and at level 255 [mm, s]
-  LodPyramid lod;
-
-  bool is_empty() const { return line.vertex.empty(); }
-  bool can_colour_by(ColourBy by) const { return !line.level[static_cast<std::size_t>(by)].empty(); }
-  /// [mm], of vertex i.
-  Eigen::Vector3d point(std::size_t i) const { return centre + line.vertex[i].cast<double>(); }
+  bool is_empty() const { return geometry->is_empty(); }
+  bool can_colour_by(ColourBy by) const { return colours && colours->has(by); }
+  Interval range(ColourBy by) const { return colours ? colours->range(by) : Interval{0, 0}; }
+  Eigen::Vector3d point(std::size_t i) const { return geometry->point(i); }
 };
 
-/// Pure and without a window: call it on the worker. Lines and curves are cut where the motion changes, so that colours
-/// follow the plan inside long blocks too; blocks much smaller than a pixel of the whole view keep their mean.
+/// Pure and without a window: call it on the worker.
+/// @param known  geometry made before; taken over where it fits the outcome's path
 /// An outcome without a plan (empty node_time) is drawn without colours.
 std::shared_ptr<const ContourScene> make_contour_scene(std::shared_ptr<const Outcome> outcome,
-                                                       std::shared_ptr<const ErrorTrace> trace = nullptr);
+                                                       std::shared_ptr<const ErrorTrace> trace = nullptr,
+                                                       std::shared_ptr<const SceneGeometry> known = nullptr);
 
 /// A place on the path.
 struct PathPlace {

@@ -1,6 +1,7 @@
 #include "preview/lod.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace toolpace::ui {
@@ -8,7 +9,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-std::vector<ChunkBox> chunk_boxes(const ColouredLine& line, const Indices& kept) {
+std::vector<ChunkBox> chunk_boxes(const SceneLine& line, const Indices& kept) {
   const std::size_t count = kept.empty() ? line.vertex.size() : kept.size();
   std::vector<ChunkBox> boxes;
   for (std::size_t first = 0; first + 1 < count; first += kChunk) {
@@ -27,7 +28,7 @@ std::vector<ChunkBox> chunk_boxes(const ColouredLine& line, const Indices& kept)
 
 /// Drops vertices within `radius` of the last kept one. A dropped vertex is that near to a kept one, and the piece that
 /// jumps over it strays no further, so the distance to the line it came from is at most `radius`.
-Indices thin_out(const ColouredLine& line, const Indices& from, float radius) {
+Indices thin_out(const SceneLine& line, const Indices& from, float radius) {
   const std::size_t count = from.empty() ? line.vertex.size() : from.size();
   const auto at = [&](std::size_t j) { return from.empty() ? static_cast<std::uint32_t>(j) : from[j]; };
   Indices kept = {at(0)};
@@ -41,34 +42,9 @@ Indices thin_out(const ColouredLine& line, const Indices& from, float radius) {
   return kept;
 }
 
-struct MergedLevels {
-  const ColouredLine& line;
-  const Indices& kept;
-  const std::vector<float>& length;  // of the full line's pieces
-
-  std::vector<std::uint8_t> means(const std::vector<std::uint8_t>& full) const {
-    std::vector<std::uint8_t> merged(kept.size() - 1);
-    for (std::size_t j = 0; j + 1 < kept.size(); ++j) {
-      float sum = 0, weight = 0;
-      for (std::uint32_t i = kept[j]; i < kept[j + 1]; ++i) {
-        sum += length[i] * static_cast<float>(full[i]);
-        weight += length[i];
-      }
-      merged[j] = weight > 0 ? static_cast<std::uint8_t>(std::lround(sum / weight)) : full[kept[j]];
-    }
-    return merged;
-  }
-
-  std::vector<std::uint8_t> majorities(const std::vector<std::uint8_t>& full) const {
-    std::vector<std::uint8_t> merged(kept.size() - 1);
-    for (std::size_t j = 0; j + 1 < kept.size(); ++j) {
-      std::array<float, 16> share = {};
-      for (std::uint32_t i = kept[j]; i < kept[j + 1]; ++i) share[full[i] & 15u] += length[i];
-      merged[j] = static_cast<std::uint8_t>(std::max_element(share.begin(), share.end()) - share.begin());
-    }
-    return merged;
-  }
-};
+float length_of(const SceneLine& line, std::size_t piece) {
+  return (line.vertex[piece + 1] - line.vertex[piece]).norm();
+}
 
 }  // namespace
 
@@ -80,32 +56,49 @@ std::size_t LodPyramid::level_for(double tolerance) const {
   return best;
 }
 
-LodPyramid build_lod(const ColouredLine& line, double finest, double coarsest) {
+LodPyramid build_lod(const SceneLine& line, double finest, double coarsest) {
   LodPyramid pyramid;
-  pyramid.levels.push_back({0.0f, {}, {}, chunk_boxes(line, {})});
+  pyramid.levels.push_back({0.0f, {}, chunk_boxes(line, {})});
   if (line.pieces() < 2 * kChunk) return pyramid;
-
-  std::vector<float> length(line.pieces());
-  for (std::size_t i = 0; i < length.size(); ++i) length[i] = (line.vertex[i + 1] - line.vertex[i]).norm();
-  Indices from;
   float error = 0;
   for (double radius = finest; radius <= coarsest * 1.0001; radius *= 2) {
+    const Indices& from = pyramid.levels.back().vertex;
     Indices kept = thin_out(line, from, static_cast<float>(radius));
     const std::size_t before = from.empty() ? line.vertex.size() : from.size();
     if (kept.size() * 3 > before * 2) continue;
     error += static_cast<float>(radius);
-    LodLevel level{error, std::move(kept), {}, {}};
-    const MergedLevels merge{line, level.vertex, length};
-    for (std::size_t c = 0; c < kColourings; ++c) {
-      if (line.level[c].empty()) continue;
-      level.level[c] = c == line.categorical ? merge.majorities(line.level[c]) : merge.means(line.level[c]);
-    }
-    level.boxes = chunk_boxes(line, level.vertex);
-    from = level.vertex;
-    pyramid.levels.push_back(std::move(level));
-    if (from.size() < 2 * kChunk) break;
+    kept.shrink_to_fit();
+    auto boxes = chunk_boxes(line, kept);
+    pyramid.levels.push_back({error, std::move(kept), std::move(boxes)});
+    if (pyramid.levels.back().vertex.size() < 2 * kChunk) break;
   }
   return pyramid;
+}
+
+std::vector<std::uint8_t> merged_means(const SceneLine& line, const LodLevel& level,
+                                       const std::vector<std::uint8_t>& full) {
+  std::vector<std::uint8_t> merged(level.vertex.size() - 1);
+  for (std::size_t j = 0; j < merged.size(); ++j) {
+    float sum = 0, weight = 0;
+    for (std::uint32_t i = level.vertex[j]; i < level.vertex[j + 1]; ++i) {
+      const float length = length_of(line, i);
+      sum += length * static_cast<float>(full[i]);
+      weight += length;
+    }
+    merged[j] = weight > 0 ? static_cast<std::uint8_t>(sum / weight + 0.5f) : full[level.vertex[j]];
+  }
+  return merged;
+}
+
+std::vector<std::uint8_t> merged_majorities(const SceneLine& line, const LodLevel& level,
+                                            const std::vector<std::uint8_t>& full) {
+  std::vector<std::uint8_t> merged(level.vertex.size() - 1);
+  for (std::size_t j = 0; j < merged.size(); ++j) {
+    std::array<float, 16> share = {};
+    for (std::uint32_t i = level.vertex[j]; i < level.vertex[j + 1]; ++i) share[full[i] & 15u] += length_of(line, i);
+    merged[j] = static_cast<std::uint8_t>(std::max_element(share.begin(), share.end()) - share.begin());
+  }
+  return merged;
 }
 
 }  // namespace toolpace::ui

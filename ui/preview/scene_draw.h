@@ -5,6 +5,8 @@
 #include <QRectF>
 #include <optional>
 
+class QPainter;
+
 #include "preview/colour_map.h"
 #include "preview/contour_scene.h"
 
@@ -19,11 +21,17 @@ struct SceneStyle {
   bool all_dashed = false;
   bool smooth = true;
   double detail = 0.75;  ///< largest distance between drawn and true line [px of the image]
+  double cut = 4;  ///< long pieces are cut this short, so that their colour can change along them [px of the image]
+  std::size_t most_cuts = 40'000;  ///< in one picture; more make longer ones. 0 = none
 };
 
 /// Draws what of the scene can be seen, at the level of detail that `projection` (in pixels of the image) asks for.
 /// @return number of pieces drawn
 std::size_t draw_scene(QImage& image, const ContourScene& scene, const Projection& projection, const SceneStyle& style);
+
+/// The same as vectors.
+void paint_scene(QPainter& painter, const ContourScene& scene, const Projection& projection, const QSizeF& size,
+                 const SceneStyle& style);
 
 /// Draws where the tool really went, its distance across the commanded path enlarged; being late along it is left out.
 /// @return number of pieces drawn
