@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "main_window.h"
+#include "memory_policy.h"
 #include "screenshot.h"
 
 namespace {
@@ -73,6 +74,7 @@ int run(QApplication& application, const Request& request) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  toolpace::studio::keep_memory_between_plans();
   QApplication application(argc, argv);
   QApplication::setApplicationName("toolpace-studio");
   QApplication::setApplicationDisplayName("Toolpace");

@@ -125,6 +125,29 @@ class ProfileCurvesTest : public QObject {
     QVERIFY(std::abs(*push - 80) < 0.01 && std::abs(*brake + 80) < 0.01);
   }
 
+  // 20 000 short blocks to a window of 40 pixels, one of them across the others: an axis moves in that one alone.
+  void no_peak_of_an_axis_is_lost_however_many_blocks_share_a_pixel() {
+    Program program;
+    for (int i = 0; i < 20'000; ++i) program.feed(0.05 * (i + 1), i < 12'345 ? 0 : 0.4, 0, 50);
+    const auto outcome = planned(program);
+    const auto series = make_profile_series(outcome);
+    const std::size_t across = 12'345;
+    float wanted = 0;
+    for (int k = 1; k < 200; ++k) {
+      const double time =
+          outcome->node_time[across] + (outcome->node_time[across + 1] - outcome->node_time[across]) * k / 200;
+      wanted = std::max(wanted, static_cast<float>(axis_state(*outcome, across, time, 1).acceleration));
+    }
+    QVERIFY(wanted > 100);
+    for (const int columns : {1, 7, 40, 1000}) {
+      const MotionCurves y = axis_curves(*series, {0, series->duration(), columns}, 1);
+      check_curve(y.acceleration);
+      const double peak = *std::max_element(y.acceleration.value.begin(), y.acceleration.value.end());
+      QVERIFY2(peak >= wanted * 0.999, qPrintable(QString("%1 columns: %2 of %3").arg(columns).arg(peak).arg(wanted)));
+      QVERIFY(peak <= axis_whole(*series, 1).acceleration.high * 1.0001);
+    }
+  }
+
   void a_plan_off_the_path_is_drawn_as_it_is_run() {
     PlanOptions options;
     options.corner.rule = CornerRule::smooth;

@@ -1,10 +1,8 @@
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
 
-#include <cmath>
 
 #include "main_window.h"
 #include "panels/number_field.h"
@@ -143,33 +141,6 @@ class TuningTest : public QObject {
     emit slider.sliderReleased();
     settle(*window_);
     QVERIFY2(shown >= 10, qPrintable(QString("%1 plans shown").arg(shown)));
-  }
-
-  void a_hundred_thousand_blocks_are_replanned_while_dragging() {
-    QByteArray text = "G21 G90 G94 F3000\n";
-    for (int i = 0; i < 100'000; ++i) {
-      const double angle = i * 0.05;
-      text += QByteArray("G1 X") + QByteArray::number(40 * std::cos(angle), 'f', 4) + " Y" +
-              QByteArray::number(40 * std::sin(angle * 1.013), 'f', 4) + "\n";
-    }
-    window_->workspace().openText(text + "M2\n", "long.ngc");
-    settle(*window_);
-    QVERIFY(window_->workspace().timeline()->outcome()->summary.blocks > 99'000);
-    int shown = 0;
-    connect(&window_->workspace(), &ui::Workspace::planChanged, this, [&shown] { ++shown; });
-    auto& slider = the<QSlider>("lookaheadSlider");
-    QElapsedTimer clock;
-    clock.start();
-    emit slider.sliderPressed();
-    for (int position = 900; clock.elapsed() < 3000; position -= 2) {
-      slider.setValue(std::max(position, 300));
-      QTest::qWait(10);
-    }
-    emit slider.sliderReleased();
-    const double rate = shown / (static_cast<double>(clock.elapsed()) / 1000);
-    qInfo("%.1f plans of 100 000 blocks shown a second", rate);
-    settle(*window_);
-    QVERIFY2(rate > 1, "a drag must show plans on its way, however busy the machine is");
   }
 
   void impossible_parameters_are_a_problem_in_the_list_not_a_dialog() {

@@ -191,27 +191,6 @@ CapCurves cap_curves(const ProfileSeries& series, const TimeWindow& whole) {
 
 namespace {
 
-struct AxisState {
-  double speed, acceleration, jerk;
-};
-
-/// By the chain rule from the motion along the path and the path's frame.
-AxisState axis_state(const Outcome& outcome, std::size_t block, double time, std::size_t axis) {
-  if (const TimeSpline* spline = spline_at(outcome.plan, time)) {
-    const AxisMotion motion = axis_motion(*spline, time, axis);
-    return {motion.speed, motion.acceleration, motion.jerk};
-  }
-  const Path& path = *outcome.path;
-  const PhaseState s = motion_at(outcome.plan, time);
-  const double start = motion_at(outcome.plan, outcome.node_time[block]).distance;
-  const double along = std::clamp(s.distance - start, 0.0, path.length[block]);
-  const Frame frame = frame_at(path, block, along);
-  const auto i = static_cast<Eigen::Index>(axis);
-  return {frame.first[i] * s.speed, frame.first[i] * s.acceleration + frame.second[i] * s.speed * s.speed,
-          frame.first[i] * s.jerk + 3 * frame.second[i] * s.speed * s.acceleration +
-              frame.third[i] * s.speed * s.speed * s.speed};
-}
-
 void add_axis_block(MotionCurves& curves, const Outcome& outcome, std::size_t block, const TimeWindow& part,
                     std::size_t axis) {
   const int parts = std::clamp(part.columns / 2, 2, 2000);
@@ -219,27 +198,27 @@ void add_axis_block(MotionCurves& curves, const Outcome& outcome, std::size_t bl
     // A hair inside the block, so that a corner is a step and not a slope.
     const double share = std::clamp(static_cast<double>(k) / parts, 1e-6, 1 - 1e-6);
     const double time = part.begin + (part.end - part.begin) * share;
-    const AxisState state = axis_state(outcome, block, time, axis);
+    const AxisMotion state = axis_state(outcome, block, time, axis);
     curves.speed.add(time, state.speed);
     curves.acceleration.add(time, state.acceleration);
     curves.jerk.add(time, state.jerk);
   }
 }
 
-MotionExtent axis_extent(const Outcome& outcome, double begin, double end, std::size_t axis) {
-  constexpr std::size_t kMostBlocks = 64;
+/// Exact: blocks that lie wholly between the times come from the pyramid, the two at the ends are cut.
+MotionExtent axis_extent_between(const ProfileSeries& series, double begin, double end, std::size_t axis) {
+  const Outcome& outcome = *series.outcome;
   const std::size_t first = block_at(outcome, begin), last = block_at(outcome, end);
-  const std::size_t stride = (last - first) / kMostBlocks + 1;
-  MotionExtent extent;
-  for (std::size_t i = first; i <= last; i += stride) {
-    const double from = std::max(begin, outcome.node_time[i]), to = std::min(end, outcome.node_time[i + 1]);
-    for (const double share : {0.01, 0.5, 0.99}) {
-      const AxisState state = axis_state(outcome, i, from + (to - from) * share, axis);
-      extent.speed.add(static_cast<float>(state.speed));
-      extent.acceleration.add(static_cast<float>(state.acceleration));
-      extent.jerk.add(static_cast<float>(state.jerk));
-    }
-  }
+  const auto part = [&](std::size_t i) {
+    return axis_extent(outcome, i, std::max(begin, outcome.node_time[i]), std::min(end, outcome.node_time[i + 1]),
+                       axis);
+  };
+  MotionExtent extent = part(first);
+  if (last == first) return extent;
+  extent.add(part(last));
+  extent.add(series.axis(axis).query(first + 1, last, [&](std::size_t from, std::size_t to) {
+    return axis_extent_of_blocks(outcome, from, to, axis);
+  }));
   return extent;
 }
 
@@ -263,7 +242,7 @@ MotionCurves axis_curves(const ProfileSeries& series, const TimeWindow& whole, s
   }
   for (int column = 0; column < window.columns; ++column) {
     const double begin = window.begin + column * pixel;
-    const MotionExtent extent = axis_extent(outcome, begin, begin + pixel, axis);
+    const MotionExtent extent = axis_extent_between(series, begin, begin + pixel, axis);
     add_stroke(curves.speed, begin + pixel / 2, extent.speed);
     add_stroke(curves.acceleration, begin + pixel / 2, extent.acceleration);
     add_stroke(curves.jerk, begin + pixel / 2, extent.jerk);

@@ -51,8 +51,8 @@ struct CapCurves {
 
 CapCurves cap_curves(const ProfileSeries& series, const TimeWindow& window);
 
-/// Speed, acceleration and jerk of one axis [mm, rad based]. Where more than 64 blocks share a pixel, 64 of them spread
-/// evenly over it stand for all.
+/// Speed, acceleration and jerk of one axis [mm, rad based]. Where blocks share pixels, the range of each pixel is
+/// stroked: no peak is lost, however many blocks there are.
 MotionCurves axis_curves(const ProfileSeries& series, const TimeWindow& window, std::size_t axis);
 
 }  // namespace toolpace::ui

@@ -108,13 +108,16 @@ void ProfilePlot::setAxisShown(std::size_t axis, bool shown) {
 
 // The whole plan decides, not the visible part: zooming in time leaves the heights alone, so they can be compared.
 void ProfilePlot::updateScales() {
-  // An axis may brake while the path speed is steady; its values never exceed the path's on lines, but turn round.
+  // An axis turns round, and on curves it may do more than the path does.
   const bool any_axis = shown_[0] || shown_[1] || shown_[2];
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Extent extent;
     extent.add(0.0f);
     for (const auto* s : {series_.get(), ghost_.get()}) {
       if (s && !s->is_empty()) extent.add(extent_of(s->whole, i));
+    }
+    for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
+      if (shown_[axis] && series_ && !series_->is_empty()) extent.add(extent_of(axis_whole(*series_, axis), i));
     }
     rows_[i].scale(extent, any_axis, unit_);
   }

@@ -2,7 +2,9 @@
 /// What the motion plots draw, ready made on the worker thread: summaries over the phases of a plan. The curves
 /// themselves are evaluated from the exact phases when they are drawn, for the visible time alone.
 
+#include <array>
 #include <memory>
+#include <mutex>
 
 #include "plots/cause_times.h"
 #include "plots/pyramid.h"
@@ -49,9 +51,31 @@ struct ProfileSeries {
   MotionExtent whole;
   CauseTimes causes;
 
+  static constexpr std::size_t kAxes = 3;
+  using AxisPyramid = Pyramid<MotionExtent, 8>;  // a block each
+  /// What an axis does in each block; made when it is first asked for, from any thread. Empty without node_time.
+  const AxisPyramid& axis(std::size_t axis) const;
+
   double duration() const { return outcome ? outcome->plan.cycle_time() : 0.0; }
   bool is_empty() const { return !outcome || outcome->plan.phases.empty() || duration() <= 0; }
+
+ private:
+  mutable std::array<std::once_flag, kAxes> axis_made_;
+  mutable std::array<AxisPyramid, kAxes> axes_;
 };
+
+/// Speed, acceleration and jerk of one axis [mm, rad based], by the chain rule from the motion along the path.
+AxisMotion axis_state(const Outcome& outcome, std::size_t block, double time, std::size_t axis);
+
+/// Least and greatest values of an axis inside a block, between two times of the plan. Exact on lines, where the axis has
+/// a fixed share of the path's motion; on curves and off the path of eight instants in each phase.
+MotionExtent axis_extent(const Outcome& outcome, std::size_t block, double begin, double end, std::size_t axis);
+
+/// Of the blocks [first, last).
+MotionExtent axis_extent_of_blocks(const Outcome& outcome, std::size_t first, std::size_t last, std::size_t axis);
+
+/// Of an axis over the whole plan.
+MotionExtent axis_whole(const ProfileSeries& series, std::size_t axis);
 
 /// Pure and without a window: call it on the worker. Linear in phases and blocks.
 std::shared_ptr<const ProfileSeries> make_profile_series(std::shared_ptr<const Outcome> outcome);

@@ -1,6 +1,5 @@
 #include "preview/contour_canvas.h"
 
-#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -15,6 +14,7 @@ namespace {
 constexpr int kSettleMs = 140;
 constexpr std::size_t kSmoothWhileMoving = 40'000, kSmoothAtRest = 600'000;  // pieces
 constexpr double kFitMargin = 28, kPickRadius = 8;                           // px
+constexpr int kFootHeight = 24;                                              // px
 constexpr double kLeastScale = 1e-7, kMostScale = 1e9;                       // px/mm
 
 }  // namespace
@@ -37,6 +37,12 @@ ContourCanvas::ContourCanvas(QWidget* parent) : QWidget(parent) {
 
 void ContourCanvas::setScene(std::shared_ptr<const ContourScene> scene) {
   const bool was_empty = !scene_ || scene_->is_empty();
+  // Plans that follow each other quickly are a drag: it is drawn quickly, too, and smoothly when it rests.
+  if (since_scene_.isValid() && since_scene_.elapsed() < kSettleMs) {
+    moving_ = true;
+    settle_.start();
+  }
+  since_scene_.start();
   scene_ = std::move(scene);
   hovered_.reset();
   setCursorTime(cursor_time_);
@@ -126,7 +132,9 @@ void ContourCanvas::setView(View view) {
 
 void ContourCanvas::fit() {
   follows_fit_ = true;
-  projection_ = fitted(projection_, scene_ ? scene_->geometry->box : Box{}, QSizeF(size()), kFitMargin);
+  // The axes and the scale bar stand at the lower edge.
+  const QSizeF room(width(), std::max(height() - kFootHeight, height() / 2));
+  projection_ = fitted(projection_, scene_ ? scene_->geometry->box : Box{}, room, kFitMargin);
   redraw();
   emit viewChanged();
 }
@@ -199,6 +207,11 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
   if (has_band) draw_inside_band(image, *tube_, projection, tube_style);
   if (scene_->trace && enlargement_ > 1.0 && !in_band) {
     draw_trace(image, *scene_->trace, projection, enlargement_, theme_.error.rgb(), 1.2 * ratio);
+  }
+  if (!moving_) {
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawDirection(painter, projection, QSizeF(image.size()), ratio);
   }
   last_draw_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
 }

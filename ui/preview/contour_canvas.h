@@ -1,6 +1,7 @@
 #pragma once
 /// The drawing area of the contour preview: camera, picture, what lies over it, mouse and keys.
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
@@ -84,6 +85,7 @@ class ContourCanvas : public QWidget {
   void drawPicture(QImage& image, const Projection& projection, double ratio, bool smooth) const;
   void drawTravel(QPainter& painter, const Projection& projection) const;
   void drawBand(QPainter& painter, const Projection& projection) const;
+  void drawDirection(QPainter& painter, const Projection& projection, const QSizeF& size, double ratio) const;
   void drawHighlight(QPainter& painter) const;
   void drawCursor(QPainter& painter) const;
   void drawAxes(QPainter& painter) const;
@@ -113,6 +115,7 @@ class ContourCanvas : public QWidget {
   mutable double last_draw_ms_ = 0;
   mutable std::size_t last_pieces_ = 0;
   QTimer settle_;
+  QElapsedTimer since_scene_;
 
   std::optional<double> cursor_time_;
   std::optional<PathPlace> cursor_, hovered_;

@@ -92,6 +92,34 @@ std::vector<ContourLegend::Entry> ContourLegend::entries(double width) const {
   return list;
 }
 
+/// The ends of the scale, and round numbers between them as far as there is room.
+void ContourLegend::drawTicks(QPainter& painter, const QRectF& bar, const Interval& shown) const {
+  const QFontMetricsF metrics(font());
+  const auto text_of = [](double value) { return short_number(value); };
+  const double width = shown.high - shown.low;
+  const QString first = text_of(shown.low), last = text_of(shown.high);
+  painter.drawText(QRectF(bar.left(), 20, bar.width(), 18), Qt::AlignLeft | Qt::AlignVCenter, first);
+  if (!(width > 0) || !std::isfinite(width)) return;
+  painter.drawText(QRectF(bar.left(), 20, bar.width(), 18), Qt::AlignRight | Qt::AlignVCenter, last);
+  constexpr int kMostSteps = 6;
+  const double power = std::pow(10.0, std::floor(std::log10(width / kMostSteps)));
+  const double share = width / kMostSteps / power, step = power * (share <= 1   ? 1
+                                                                   : share <= 2 ? 2
+                                                                   : share <= 5 ? 5
+                                                                                : 10);
+  double free = bar.left() + metrics.horizontalAdvance(first) + 8;
+  const double end = bar.right() - metrics.horizontalAdvance(last) - 8;
+  for (double k = std::ceil(shown.low / step); k * step < shown.high; ++k) {
+    const QString text = text_of(k * step);
+    const double at = bar.left() + bar.width() * (k * step - shown.low) / width;
+    const double half = metrics.horizontalAdvance(text) / 2;
+    if (at - half < free || at + half > end) continue;
+    painter.drawLine(QPointF(at, bar.bottom()), QPointF(at, bar.bottom() + 3));
+    painter.drawText(QRectF(at - half - 1, 20, 2 * half + 2, 18), Qt::AlignCenter, text);
+    free = at + half + 8;
+  }
+}
+
 std::optional<double> ContourLegend::hoveredValue() const {
   const auto& place = canvas_.hovered();
   if (!place) return std::nullopt;
@@ -147,13 +175,7 @@ void ContourLegend::drawScale(QPainter& painter) const {
                      QColor(canvas_.colours()[std::min<std::size_t>(level, 255)]));
   }
   painter.setPen(theme.secondary);
-  for (int k = 0; k <= 4; ++k) {
-    const double at = bar.left() + bar.width() * k / 4, value = range.low + (range.high - range.low) * k / 4;
-    const Qt::Alignment side = k == 0 ? Qt::AlignLeft : k == 4 ? Qt::AlignRight : Qt::AlignHCenter;
-    const double x = k == 0 ? at : k == 4 ? at - 90 : at - 45;
-    painter.drawText(QRectF(x, 20, 90, 18), static_cast<int>(side) | Qt::AlignVCenter,
-                     short_number(value * unit.factor));
-  }
+  drawTicks(painter, bar, {range.low * unit.factor, range.high * unit.factor});
   const auto value = hoveredValue();
   if (!value || !(range.high > range.low)) return;
   const double at = bar.left() + bar.width() * std::clamp((*value - range.low) / (range.high - range.low), 0.0, 1.0);

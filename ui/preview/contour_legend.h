@@ -33,6 +33,7 @@ class ContourLegend : public QWidget {
   int heightFor(int width) const;
   std::vector<Entry> entries(double width) const;
   void drawScale(QPainter& painter) const;
+  void drawTicks(QPainter& painter, const QRectF& bar, const Interval& shown) const;
   void drawEntries(QPainter& painter) const;
   std::optional<double> hoveredValue() const;
 

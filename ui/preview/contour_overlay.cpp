@@ -81,6 +81,36 @@ void ContourCanvas::drawBand(QPainter& painter, const Projection& projection) co
   painter.strokePath(path, pen);
 }
 
+/// Where the path begins (ring) and ends (square), and the way along it.
+void ContourCanvas::drawDirection(QPainter& painter, const Projection& projection, const QSizeF& size,
+                                  double ratio) const {
+  if (scene_->is_empty() || scene_->geometry->line.pieces() == 0) return;
+  constexpr double kApart = 150, kArm = 4.5;
+  constexpr std::size_t kMost = 40;
+  QPainterPath chevrons;
+  for (const auto& mark : direction_marks(*scene_, projection, size, kApart * ratio, kMost)) {
+    const QPointF back = -kArm * ratio * mark.way, side(back.y(), -back.x());
+    chevrons.moveTo(mark.at + back + side);
+    chevrons.lineTo(mark.at - 0.2 * back);
+    chevrons.lineTo(mark.at + back - side);
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.strokePath(chevrons, QPen(theme_.surface, 4 * ratio, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.strokePath(chevrons, QPen(theme_.text, 1.4 * ratio, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const QPointF begin = projection.map(scene_->point(0));
+  const QPointF end = projection.map(scene_->point(scene_->geometry->line.vertex.size() - 1));
+  const double r = 3.5 * ratio;
+  painter.setPen(QPen(theme_.surface, 1 * ratio));
+  painter.setBrush(theme_.text);
+  painter.drawRect(QRectF(end - QPointF(r, r), QSizeF(2 * r, 2 * r)));
+  painter.setPen(QPen(theme_.text, 1.6 * ratio));
+  painter.setBrush(theme_.surface);
+  // On a closed path the ring stands around the square.
+  const bool closed = QLineF(begin, end).length() < 2 * r;
+  if (closed) painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(begin, closed ? 1.8 * r : 1.2 * r, closed ? 1.8 * r : 1.2 * r);
+}
+
 void ContourCanvas::drawHighlight(QPainter& painter) const {
   if (!highlight_ || !scene_->colours) return;
   const auto& geometry = *scene_->geometry;
@@ -225,6 +255,7 @@ void ContourCanvas::paintVectors(QPainter& painter, const QSizeF& size) const {
   style.width = 1.2;
   style.detail = 0.4;
   paint_scene(painter, *scene_, p, size, style);
+  drawDirection(painter, p, size, 1.0);
 }
 
 }  // namespace toolpace::ui

@@ -20,6 +20,14 @@ struct PhaseBounds {
   Interval speed;         ///< [mm/s]
   Interval acceleration;  ///< [mm/s²]
   Interval jerk;          ///< [mm/s³]
+
+  /// Of what is in proportion to it.
+  PhaseBounds scaled(double factor) const {
+    const auto of = [factor](const Interval& i) {
+      return Interval{std::min(factor * i.low, factor * i.high), std::max(factor * i.low, factor * i.high)};
+    };
+    return {of(speed), of(acceleration), of(jerk)};
+  }
 };
 
 /// Bounds over the stretch from `from` to `to` seconds after the phase's start, 0 ≤ from ≤ to ≤ duration.

@@ -9,16 +9,24 @@
 namespace toolpace::ui {
 namespace {
 
+constexpr double kShadeAccuracy = 2e-3;  // half a shade
+
 constexpr auto index(ColourBy by) { return static_cast<std::size_t>(by); }
 
 /// Time within a phase at which it has come to `distance`: Newton's steps, kept inside a bracket.
-double time_within(const Phase& p, double distance) {
-  double low = 0, high = p.duration, time = p.duration / 2;
-  for (int i = 0; i < 60 && high - low > 1e-12 * p.duration; ++i) {
+/// @param accuracy  of the phase's duration
+double time_within(const Phase& p, double distance, double accuracy) {
+  const double length = evaluate(p, p.duration).distance - p.distance;
+  if (distance <= p.distance || !(length > 0)) return 0;
+  double low = 0, high = p.duration, time = p.duration * std::min((distance - p.distance) / length, 1.0);
+  for (int i = 0; i < 60 && high - low > accuracy * p.duration; ++i) {
     const PhaseState s = evaluate(p, time);
     (s.distance < distance ? low : high) = time;
     const double step = s.speed > 0 ? time + (distance - s.distance) / s.speed : low;
-    time = step > low && step < high ? step : (low + high) / 2;
+    const double next = step > low && step < high ? step : (low + high) / 2;
+    const bool settled = std::abs(next - time) < accuracy * p.duration;
+    time = next;
+    if (settled) break;
   }
   return time;
 }
@@ -29,7 +37,7 @@ double time_at_distance(const MotionPlan& plan, double distance) {
   const auto after =
       std::upper_bound(phases.begin(), phases.end(), distance, [](double d, const Phase& p) { return d < p.distance; });
   const Phase& phase = after == phases.begin() ? phases.front() : *std::prev(after);
-  return phase.begin + time_within(phase, distance);
+  return phase.begin + time_within(phase, distance, 1e-9);
 }
 
 /// States at times, and times at distances, that only grow: without a search for each.
@@ -40,7 +48,7 @@ class MotionWalk {
   double time_at(double distance) {
     const auto& phases = plan_.phases;
     while (reached_ + 1 < phases.size() && phases[reached_ + 1].distance <= distance) ++reached_;
-    return phases[reached_].begin + time_within(phases[reached_], distance);
+    return phases[reached_].begin + time_within(phases[reached_], distance, kShadeAccuracy);
   }
 
   PhaseState at(double time) {

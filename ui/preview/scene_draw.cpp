@@ -228,6 +228,33 @@ void paint_scene(QPainter& painter, const ContourScene& scene, const Projection&
   });
 }
 
+std::vector<DirectionMark> direction_marks(const ContourScene& scene, const Projection& projection, const QSizeF& size,
+                                           double apart, std::size_t most) {
+  constexpr std::size_t kMostPieces = 20'000;
+  std::vector<DirectionMark> marks;
+  if (scene.is_empty() || most == 0) return marks;
+  const QRectF window({0, 0}, size);
+  const StrokeMaker maker(scene, projection, window, {});
+  if (maker.visible() > kMostPieces) return marks;
+  const auto visit = [&](const auto& take) {
+    maker.make([&](const Stroke& s) {
+      const auto [begin, end] = inside(s.from, s.to, window);
+      const QPointF way = s.to - s.from;
+      const double length = std::hypot(way.x(), way.y());
+      if (!s.rapid && end > begin && length > 0) take(s.from, way / length, begin * length, end * length);
+    });
+  };
+  double sum = 0;
+  visit([&](const QPointF&, const QPointF&, double begin, double end) { sum += end - begin; });
+  const double step = std::max(apart, sum / static_cast<double>(most));
+  double left = step / 2;
+  visit([&](const QPointF& from, const QPointF& way, double begin, double end) {
+    for (begin += left; begin < end; begin += step) marks.push_back({from + begin * way, way});
+    left = begin - end;
+  });
+  return marks;
+}
+
 std::size_t draw_trace(QImage& image, const ErrorTrace& trace, const Projection& projection, double enlargement,
                        QRgb colour, double width) {
   const std::size_t count = std::min(trace.commanded.size(), trace.offset.size());

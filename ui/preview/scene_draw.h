@@ -38,6 +38,17 @@ void paint_scene(QPainter& painter, const ContourScene& scene, const Projection&
 std::size_t draw_trace(QImage& image, const ErrorTrace& trace, const Projection& projection, double enlargement,
                        QRgb colour, double width);
 
+/// A place on the screen and the way the tool goes there.
+struct DirectionMark {
+  QPointF at;
+  QPointF way;  ///< unit
+};
+
+/// Places along the feeds in sight, at least `apart` px from each other along the path and at most `most`; none where
+/// the path is too dense for them to say anything.
+std::vector<DirectionMark> direction_marks(const ContourScene& scene, const Projection& projection, const QSizeF& size,
+                                           double apart, std::size_t most);
+
 /// How many pieces a picture of the scene takes.
 std::size_t visible_pieces(const ContourScene& scene, const Projection& projection, const QSizeF& size);
 
