@@ -5,10 +5,12 @@
 
 #include <QApplication>
 #include <QTimer>
+#include <map>
 #include <memory>
 
 #include "jobs/planned.h"
 #include "main_window.h"
+#include "memory_policy.h"
 #include "plots/profile_plot.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
@@ -23,10 +25,11 @@ using namespace toolpace::ui;
 
 /// Lives as long as the program: widgets need it.
 QApplication& application() {
-  static int count = 1;
+  studio::keep_memory_between_plans();
+  static int argument_count = 1;
   static char name[] = "ui_bench";
   static char* arguments[] = {name, nullptr};
-  static auto* app = new QApplication(count, arguments);
+  static auto* app = new QApplication(argument_count, arguments);
   return *app;
 }
 
@@ -138,6 +141,89 @@ void drag(benchmark::State& state) {
   studio::settle(opened.window());
   count(state, "pictures");
 }
+
+void shades(benchmark::State& state) {
+  made(state, [](const auto& o) {
+    static std::shared_ptr<const SceneGeometry> geometry;
+    const auto scene = make_contour_scene(o, nullptr, geometry);
+    geometry = scene->geometry;
+    return scene->colours->shades(ColourBy::speed).size();
+  });
+}
+BENCHMARK(shades)->Name("worker_colours")->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+
+/// A frame of a widget after each turn of the wheel.
+template <class View, class Turn>
+void frames(benchmark::State& state, View& view, const Turn& turn) {
+  view.resize(900, 640);
+  view.show();
+  QApplication::processEvents();
+  int i = 0;
+  for (auto _ : state) {
+    turn(i++);
+    view.repaint();
+  }
+  count(state, "frames");
+}
+
+void preview_zoom(benchmark::State& state) {
+  application();
+  ContourView view;
+  view.setScene(make_contour_scene(outcome_of(1'000'000)));
+  frames(state, view, [&](int i) { view.canvas().zoomBy(i % 30 < 15 ? 1.25 : 0.8, {450, 300}); });
+}
+void preview_pan(benchmark::State& state) {
+  application();
+  ContourView view;
+  view.setScene(make_contour_scene(outcome_of(1'000'000)));
+  frames(state, view, [&](int i) {
+    Projection p = view.canvas().projection();
+    p.pan({i % 2 ? 7.0 : -7.0, 3.0 - 6.0 * (i % 2)});
+    view.canvas().setProjection(p);
+    view.canvas().zoomBy(1.0, {450, 300});
+  });
+}
+void plots_zoom(benchmark::State& state) {
+  application();
+  ProfileView view;
+  view.setSeries(make_profile_series(outcome_of(1'000'000)));
+  frames(state, view, [&](int i) {
+    view.plot().zoom(i % 40 < 20 ? 1.3 : 1 / 1.3, 100);
+    view.plot().replot();
+  });
+}
+void plots_with_axes(benchmark::State& state) {
+  application();
+  ProfileView view;
+  view.setSeries(make_profile_series(outcome_of(1'000'000)));
+  view.setAxisShown(0, true);
+  view.setAxisShown(1, true);
+  frames(state, view, [&](int i) {
+    view.setVisibleRange(0.1 * i, 1000 + 0.1 * i);
+    view.plot().replot();
+  });
+}
+void cursor_moves(benchmark::State& state) {
+  application();
+  ContourView contour;
+  ProfileView profile;
+  const auto outcome = outcome_of(1'000'000);
+  contour.setScene(make_contour_scene(outcome));
+  profile.setSeries(make_profile_series(outcome));
+  profile.show();
+  const double total = outcome->plan.cycle_time();
+  frames(state, contour, [&](int i) {
+    contour.setCursorTime(total * (i % 1000) / 1000);
+    profile.setCursorTime(total * (i % 1000) / 1000);
+    profile.repaint();
+  });
+}
+BENCHMARK(preview_zoom)->Unit(benchmark::kMillisecond);
+BENCHMARK(preview_pan)->Unit(benchmark::kMillisecond);
+BENCHMARK(plots_zoom)->Unit(benchmark::kMillisecond);
+BENCHMARK(plots_with_axes)->Unit(benchmark::kMillisecond);
+BENCHMARK(cursor_moves)->Unit(benchmark::kMillisecond);
+
 BENCHMARK(drag)->Arg(100'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(drag)->Name("drag_both_threads")->Arg(100'000)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(drag)->Name("drag_wall")->Arg(100'000)->UseRealTime()->Unit(benchmark::kMillisecond);
