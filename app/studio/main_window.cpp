@@ -185,11 +185,11 @@ void MainWindow::showState() {
     return title.setBadge(tr("stale"), tr("The plan shown is not yet the one of these parameters"));
   if (state == State::running) {
     return title.setBadge(tr("refining…"),
-                          tr("Shown is a quick plan with blended corners; the smooth one is computed"));
+                          tr("Shown is a quick plan; a faster motion inside the tolerance is computed"));
   }
   if (state == State::given_up) {
     return title.setBadge(tr("not refined"),
-                          tr("Shown is a quick plan with blended corners; reload (F5) to refine it"));
+                          tr("Shown is the quick plan; reload (F5) to refine it"));
   }
   title.setBadge({}, {});
 }

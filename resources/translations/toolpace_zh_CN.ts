@@ -1425,16 +1425,16 @@
             <translation>显示的规划尚未按这些参数更新</translation>
         </message>
         <message>
-            <source>Shown is a quick plan with blended corners; the smooth one is computed</source>
-            <translation>当前显示拐角过渡的快速规划；平滑规划正在计算</translation>
+            <source>Shown is a quick plan; a faster motion inside the tolerance is computed</source>
+            <translation>当前显示快速规划；正在容差内计算更快的运动</translation>
         </message>
         <message>
             <source>not refined</source>
             <translation>未优化</translation>
         </message>
         <message>
-            <source>Shown is a quick plan with blended corners; reload (F5) to refine it</source>
-            <translation>当前显示拐角过渡的快速规划；按 F5 重新优化</translation>
+            <source>Shown is the quick plan; reload (F5) to refine it</source>
+            <translation>当前显示快速规划；按 F5 重新优化</translation>
         </message>
         <message>
             <source>Feed hold</source>

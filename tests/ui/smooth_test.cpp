@@ -69,6 +69,28 @@ class SmoothTest : public QObject {
     QVERIFY(!window.the<QLabel>("tuningDockBadge").isVisible());
   }
 
+  void blended_corners_show_a_quick_plan_first_and_one_timed_anew_after_it() {
+    Opened window;
+    window.open(kZigzag);
+    limit_axes(window.workspace());
+    window.workspace().tuning().edit("law", "law", [](Tuning& t) {
+      t.options.law = LawKind::seven_phase;
+      t.options.ramps = Ramps::span;
+    });
+    studio::settle(window);
+    std::vector<bool> refined;
+    std::vector<double> times;
+    connect(&window.workspace(), &Workspace::planChanged, this, [&] {
+      refined.push_back(window.workspace().plan().timeline->outcome()->job->refined);
+      times.push_back(window.workspace().timeline()->duration());
+    });
+    choose_corner(window, CornerRule::blend);
+    QTRY_COMPARE(window.workspace().refinement(), Refiner::State::running);
+    studio::settle(window);
+    QCOMPARE(refined, (std::vector<bool>{false, true}));
+    QVERIFY2(times[1] < times[0], "what took longer to compute takes less time to run");
+  }
+
   void an_edit_while_refining_is_planned_at_once_and_the_old_refinement_never_arrives() {
     Opened window;
     QByteArray many = "G21 G90 G94 F6000\n";

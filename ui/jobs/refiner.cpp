@@ -7,17 +7,6 @@ constexpr int kDelayMs = 150;
 
 }  // namespace
 
-bool is_refined_later(const Job& job) {
-  return job.options.corner.rule == CornerRule::smooth && !job.options.corner.step;
-}
-
-std::shared_ptr<const Job> quick_version(const Job& job) {
-  auto quick = std::make_shared<Job>(job);
-  quick->options.corner.rule = CornerRule::blend;
-  quick->options.ramps = Ramps::span;
-  return quick;
-}
-
 Refiner::Refiner(QObject* parent) : QObject(parent) {
   delay_.setSingleShot(true);
   delay_.setInterval(kDelayMs);

@@ -1,5 +1,5 @@
 #pragma once
-/// Motion through the tolerance tube takes a while: a quick plan is shown first, the optimised one when it is there.
+/// Plans that take long (pipeline/job.h): a quick one is shown first, the optimised one when it is there.
 
 #include <QObject>
 #include <QTimer>
@@ -8,12 +8,6 @@
 #include "jobs/planner_service.h"
 
 namespace toolpace::ui {
-
-/// True for a job whose plan is worth showing a quicker one first (--corner smooth).
-bool is_refined_later(const Job& job);
-
-/// The same job with blended corners, which keep the same tolerance and are planned at once.
-std::shared_ptr<const Job> quick_version(const Job& job);
 
 /// Plans the latest job that it was given, in a worker of its own, beside everything else that goes on.
 class Refiner : public QObject {

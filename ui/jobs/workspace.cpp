@@ -104,7 +104,7 @@ void Workspace::replan() {
   setStale(true);
   refiner_.drop();
   proof_service_.request(nullptr);
-  planner_.submit(is_refined_later(*next) ? quick_version(*next) : next);
+  planner_.submit(takes_long(*next) ? quick_version(*next) : next);
 }
 
 void Workspace::takePlan(const Planned& plan, quint64 generation) {
@@ -113,7 +113,7 @@ void Workspace::takePlan(const Planned& plan, quint64 generation) {
   show(plan);
   if (stale_) return;
   const auto asked = job();
-  if (is_refined_later(*asked)) return refiner_.request(asked);
+  if (takes_long(*asked)) return refiner_.request(asked);
   proof_service_.request(plan_.scene);
 }
 

@@ -27,6 +27,8 @@ struct Job {
   Machine machine;
   PlanOptions options;
   bool bound = false;  ///< compute the lower bound of the cycle time too
+  bool refined =
+      true;  ///< time rounded corners anew under the axes' own limits, which takes longer than the plan itself
 };
 
 struct Summary {
@@ -58,8 +60,13 @@ struct Outcome {
 
 /// Plans a job. Same job, same bytes, whatever the threads. With CornerRule::smooth the plan is the faster one of the motion
 /// through the tube and, where its setpoints prove it, of blended corners; an axis that nothing bounds leaves the latter, with
-/// the warning "smooth-fell-back". A quick plan to show first is the same job under CornerRule::blend. Errors: of check_setup, build_path, limit_speed,
+/// the warning "smooth-fell-back". Errors: of check_setup, build_path, limit_speed,
 /// plan_motion; input (motion-too-long: more than 1e9 setpoints).
 Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor = {});
+
+/// Does the job look for a faster motion after it has a good one, through the tube or on its rounded path? Then a person who
+/// waits is better served with quick_version() first: corners blended inside the same tolerance, and not timed anew.
+bool takes_long(const Job& job);
+std::shared_ptr<const Job> quick_version(const Job& job);
 
 }  // namespace toolpace

@@ -14,6 +14,7 @@
 #include "toolpace/pipeline/prove.h"
 #include "toolpace/pipeline/replan.h"
 #include "toolpace/pipeline/setup.h"
+#include "toolpace/pipeline/summarise.h"
 #include "toolpace/pipeline/travel.h"
 #include "toolpace/plan/bound.h"
 #include "toolpace/plan/hold.h"
@@ -26,7 +27,7 @@
 namespace toolpace {
 namespace {
 
-/// Segments of a path whose plan is timed anew: it costs ten times the plan itself.
+/// Segments of a path whose plan is timed anew: it costs many times the plan itself.
 constexpr std::size_t kMostRetimed = 50000;
 
 /// A monitor that maps a stage's 0 … 1 onto its share of the whole.
@@ -49,46 +50,17 @@ LimitOptions limit_options(const PlanOptions& options) {
 
 /// Are a plan's curves timed anew, with jerk and acceleration shared as the motion needs it? Other laws have a shape to
 /// keep; a window, and a hold, want caps that can be braked from.
-bool is_retimed(const Job& job, const Path& path) {
+bool is_retimed(const Job& job, std::size_t segments) {
   const PlanOptions& o = job.options;
   const bool jerk_law = o.law == LawKind::seven_phase || o.law == LawKind::time_optimal;
-  return jerk_law && o.ramps == Ramps::span && o.corner.rule == CornerRule::blend && !o.corner.step && !o.lookahead &&
-         !o.hold_at && path.size() <= kMostRetimed;
-}
-
-bool stands_still(const Phase& phase) { return phase.speed == 0 && phase.acceleration == 0 && phase.rate == 0; }
-
-void measure_times(const Outcome& o, const Moves& moves, Summary& summary) {
-  const auto time_of = [&](std::size_t block) -> double& {
-    return moves.kind[o.path->move[block]] == MoveKind::rapid ? summary.rapid_time : summary.feed_time;
-  };
-  for (std::size_t i = 0; i < o.path->size(); ++i) time_of(i) += o.node_time[i + 1] - o.node_time[i];
-  // node_time is the arrival: a rest counts to the block that follows it, unless it stands at the very end.
-  for (const Phase& phase : o.plan.phases) {
-    if (!stands_still(phase)) continue;
-    summary.dwell_time += phase.duration;
-    const auto after = std::upper_bound(o.node_time.begin(), o.node_time.end(), phase.begin);
-    if (after != o.node_time.end() && after != o.node_time.begin()) {
-      time_of(static_cast<std::size_t>(after - o.node_time.begin()) - 1) -= phase.duration;
-    }
-  }
-}
-
-/// Speed and its changes at the knots and between them.
-void measure_spline(const TimeSpline& spline, Summary& summary) {
-  const std::size_t halves = 2 * (spline.points() - 3);
-  for (std::size_t i = 0; i <= halves; ++i) {
-    const SplineState state = evaluate(spline, static_cast<double>(i) * spline.step / 2);
-    summary.max_speed = std::max(summary.max_speed, state.speed);
-    summary.max_acceleration = std::max(summary.max_acceleration, std::abs(state.acceleration));
-    summary.max_jerk = std::max(summary.max_jerk, std::abs(state.jerk));
-  }
+  return job.refined && jerk_law && o.ramps == Ramps::span && o.corner.rule == CornerRule::blend && !o.corner.step &&
+         !o.lookahead && !o.hold_at && segments <= kMostRetimed;
 }
 
 /// Rounded paths are timed under the axes' limits themselves, and the caps of their curves are no bound. No motion gains
 /// speed with more than all axes' accelerations together.
 double bound_of(const Outcome& o, const Moves& moves) {
-  if (!is_retimed(*o.job, *o.path)) return lower_bound(o.limits, o.job->options.law);
+  if (!is_retimed(*o.job, o.path->size())) return lower_bound(o.limits, o.job->options.law);
   SpeedLimits open = o.limits;
   open.block_cap = commanded_speeds(*o.path, moves, o.job->machine, limit_options(o.job->options));
   for (std::size_t i = 1; i < open.size(); ++i) {
@@ -101,27 +73,6 @@ double bound_of(const Outcome& o, const Moves& moves) {
     d.down.acceleration = std::min(o.job->machine.path.deceleration, std::sqrt(square));
   }
   return lower_bound(open, LawKind::trapezoid);
-}
-
-Summary summarise(const Outcome& o, const Moves& moves) {
-  Summary s;
-  s.blocks = static_cast<std::size_t>(std::count_if(moves.kind.begin(), moves.kind.end(), is_motion));
-  for (std::size_t i = 0; i < o.path->size(); ++i) {
-    if (!is_rotary_only(*o.path, i)) s.path_length += o.path->length[i];
-  }
-  s.cycle_time = o.plan.cycle_time();
-  for (const Phase& phase : o.plan.phases) {
-    const PhaseExtrema e = extrema(phase);
-    s.max_speed = std::max(s.max_speed, e.max_speed);
-    s.max_acceleration = std::max({s.max_acceleration, e.max_acceleration, e.max_deceleration});
-    s.max_jerk = std::max(s.max_jerk, e.max_jerk);
-  }
-  for (const TimeSpline& spline : o.plan.splines) measure_spline(spline, s);
-  if (!law_row(o.job->options.law).bounds_jerk) s.max_jerk = kUnlimited;
-  measure_times(o, moves, s);
-  s.time_by_cause = time_by_cause(o.restraints);
-  if (o.job->bound) s.bound = bound_of(o, moves) + s.dwell_time;
-  return s;
 }
 
 /// Arrival at each node in a plan with pauses: the planner's times, later by the pauses before the node.
@@ -163,7 +114,7 @@ Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& jo
   }
   auto plan = plan_motion(limits, job.options, stage(monitor, 0.0, 0.5));
   if (!plan) return tl::unexpected(plan.error());
-  if (is_retimed(job, path)) {
+  if (is_retimed(job, path.size())) {
     const auto speed = commanded_speeds(path, moves, job.machine, limit_options(job.options));
     *plan = retime(path, job.machine, limits, speed, *plan, stage(monitor, 0.5, 1.0));
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
@@ -278,6 +229,7 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<S
   outcome.restraints = explain_all(outcome, moves);
   outcome.warnings = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.summary = summarise(outcome, moves);
+  if (outcome.job->bound) outcome.summary.bound = bound_of(outcome, moves) + outcome.summary.dwell_time;
   outcome.summary.blends = route.blends;
   outcome.summary.tube_deviation = planned->deviation;
   outcome.summary.tube_windows = planned->windows;
@@ -295,13 +247,13 @@ Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor)
   return plan_along(std::move(job), std::move(*route), std::move(limits), monitor);
 }
 
-/// The same job with corner curves, which keep the same tolerance and are planned at once.
-std::shared_ptr<const Job> with_blends(const Job& job) {
-  auto quick = std::make_shared<Job>(job);
-  quick->options.corner.rule = CornerRule::blend;
-  quick->options.ramps = Ramps::span;
-  quick->options.lookahead.reset();
-  return quick;
+/// The same job with corner curves, which keep the same tolerance.
+std::shared_ptr<Job> with_blends(const Job& job) {
+  auto blended = std::make_shared<Job>(job);
+  blended->options.corner.rule = CornerRule::blend;
+  blended->options.ramps = Ramps::span;
+  blended->options.lookahead.reset();
+  return blended;
 }
 
 /// Whether one plan may stand for another: faster, and proven by its setpoints.
@@ -341,6 +293,16 @@ Result<Outcome> replan(std::shared_ptr<const Job> job, const Outcome& before, co
   auto limits =
       has_same_limits(*job, *before.job) ? Result<SpeedLimits>(before.limits) : limits_of(*job, *before.path, monitor);
   return plan_along(std::move(job), {before.path, before.summary.blends}, std::move(limits), monitor);
+}
+
+bool takes_long(const Job& job) {
+  return is_through_tube(job) || is_retimed(job, job.program ? job.program->moves.size() : 0);
+}
+
+std::shared_ptr<const Job> quick_version(const Job& job) {
+  auto quick = is_through_tube(job) ? with_blends(job) : std::make_shared<Job>(job);
+  quick->refined = false;
+  return quick;
 }
 
 }  // namespace toolpace
