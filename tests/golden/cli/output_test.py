@@ -120,8 +120,8 @@ class Interrupt(CommandLineTest):
         self.assertEqual(self.interrupt("plan", "-", after=0.5, stdin=subprocess.PIPE), INTERRUPTED)
 
     def test_writing_setpoints_can_be_interrupted_and_leaves_nothing(self):
-        # 1e7 mm at 1 mm/s: 1e10 setpoints, which no machine writes before it is asked to stop.
-        program = self.file("long.ngc", "G21 G90 G94\nG1 X10000000 F60\nM2\n")
+        # 9e5 mm at 1 mm/s: 9e8 setpoints, which no machine writes before it is asked to stop.
+        program = self.file("long.ngc", "G21 G90 G94\nG1 X900000 F60\nM2\n")
         self.assertEqual(self.interrupt("plan", program, "--setpoints", "out.csv", after=1.0), INTERRUPTED)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["long.ngc"])
 
