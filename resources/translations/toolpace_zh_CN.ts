@@ -147,6 +147,42 @@
     <context>
         <name>codes</name>
         <message>
+            <source>travel</source>
+            <translation>超出行程</translation>
+        </message>
+        <message>
+            <source>extruder-ignored</source>
+            <translation>忽略挤出轴 E</translation>
+        </message>
+        <message>
+            <source>g-code-unfollowed</source>
+            <translation>此 G 代码未被执行</translation>
+        </message>
+        <message>
+            <source>g96-limit</source>
+            <translation>G96 的最高转速 D 无效</translation>
+        </message>
+        <message>
+            <source>motion-too-long</source>
+            <translation>运动时间过长</translation>
+        </message>
+        <message>
+            <source>sender-command</source>
+            <translation>发送器命令不属于程序路径</translation>
+        </message>
+        <message>
+            <source>smooth-fell-back</source>
+            <translation>无法平滑，改用拐角过渡</translation>
+        </message>
+        <message>
+            <source>spindle-unbounded</source>
+            <translation>恒线速时主轴转速没有上限</translation>
+        </message>
+        <message>
+            <source>text-utf-16</source>
+            <translation>文本为 UTF-16 编码，请存为 UTF-8</translation>
+        </message>
+        <message>
             <source>no-feed</source>
             <translation>没有进给速度 F</translation>
         </message>

@@ -49,7 +49,7 @@ Result<void> check_setup(const Machine& machine, const PlanOptions& options) {
     return tl::unexpected(bad_limit("the corner's speed step is not above 0", "give a speed in mm/s"));
   }
   if (options.hold_at && !(*options.hold_at >= 0)) {
-    return tl::unexpected(bad_limit("the time of the feed hold is negative", "give 0 s or later"));
+    return tl::unexpected(bad_limit("the time of the feed hold is no number of 0 s or more", "give 0 s or later"));
   }
   return {};
 }
