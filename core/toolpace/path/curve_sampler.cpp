@@ -14,7 +14,7 @@ CurveSampler::CurveSampler(const Path& path, std::size_t segment) : path_(&path)
     const SplineCurve& curve = path.splines[piece.spline];
     if (curve.degree > 3 || !curve.is_polynomial) return;
     const double width = piece.end - piece.begin;
-    begin_ = spline_derivatives(curve, piece.begin);  // of the span that begins there: pieces end at knots
+    begin_ = spline_derivatives(curve, piece, piece.begin);
     begin_.first *= width;
     begin_.second *= width * width;
     begin_.third *= width * width * width;

@@ -28,7 +28,7 @@ Frame spline_frame(const Path& path, std::size_t i, double s) {
   const SplinePiece& piece = path.spline_pieces[path.detail[i]];
   const SplineCurve& curve = path.splines[piece.spline];
   const double u = parameter_at(curve, piece, path.length[i], s);
-  const ParameterDerivatives d = by_arc_length(spline_derivatives(curve, u));
+  const ParameterDerivatives d = by_arc_length(spline_derivatives(curve, piece, u));
   return {spline_point(curve, u), d.first, d.second, d.third};
 }
 
@@ -78,7 +78,7 @@ ParameterDerivatives derivatives_at_share(const Path& path, std::size_t i, doubl
   if (path.kind[i] == SegmentKind::spline) {
     const SplinePiece& piece = path.spline_pieces[detail];
     const auto at = [&](double u) {
-      return spline_derivatives(path.splines[piece.spline], piece.begin + u * (piece.end - piece.begin));
+      return spline_derivatives(path.splines[piece.spline], piece, piece.begin + u * (piece.end - piece.begin));
     };
     ParameterDerivatives d = at(share);
     // Coincident control points: the curve starts (or ends, or turns) without speed in its parameter. Look beside it.
@@ -95,7 +95,8 @@ double parameter_speed(const Path& path, std::size_t i, double share) {
   if (path.kind[i] == SegmentKind::spline) {
     const SplinePiece& piece = path.spline_pieces[detail];
     const double width = piece.end - piece.begin;
-    return width * spline_derivatives(path.splines[piece.spline], piece.begin + share * width).first.head<3>().norm();
+    const double u = piece.begin + share * width;
+    return width * spline_derivatives(path.splines[piece.spline], piece, u).first.head<3>().norm();
   }
   if (detail < Path::kCurveBlend) {
     return blend_derivatives(path.corner_blends[detail], share).first.head<3>().norm();

@@ -25,9 +25,8 @@ std::size_t find_span(const SplineCurve& c, double u) {
 }
 
 /// De Boor's algorithm on the span's control points; derivative k uses the k-th differences of the control points.
-Homogeneous evaluate_homogeneous(const SplineCurve& c, double u) {
+Homogeneous evaluate_homogeneous(const SplineCurve& c, double u, std::size_t span) {
   const auto p = static_cast<std::size_t>(c.degree);
-  const std::size_t span = find_span(c, u);
   std::array<Eigen::Vector4d, kMaxDegree + 1> control;
   for (std::size_t i = 0; i <= p; ++i) control[i] = c.points[span - p + i];
   Homogeneous result;
@@ -60,8 +59,8 @@ struct Cartesian {
 };
 
 /// Quotient rule: C = A/w, C' = (A' − w'C)/w, …
-Cartesian evaluate(const SplineCurve& c, double u) {
-  const Homogeneous h = evaluate_homogeneous(c, u);
+Cartesian evaluate(const SplineCurve& c, double u, std::size_t span) {
+  const Homogeneous h = evaluate_homogeneous(c, u, span);
   const double w = h.d[0][3], w1 = h.d[1][3], w2 = h.d[2][3], w3 = h.d[3][3];
   Cartesian r;
   r.d[0] = h.d[0].head<3>() / w;
@@ -69,6 +68,18 @@ Cartesian evaluate(const SplineCurve& c, double u) {
   r.d[2] = (h.d[2].head<3>() - 2 * w1 * r.d[1] - w2 * r.d[0]) / w;
   r.d[3] = (h.d[3].head<3>() - 3 * w1 * r.d[2] - 3 * w2 * r.d[1] - w3 * r.d[0]) / w;
   return r;
+}
+
+Cartesian evaluate(const SplineCurve& c, double u) { return evaluate(c, u, find_span(c, u)); }
+
+ParameterDerivatives derivatives(const SplineCurve& c, double u, std::size_t span) {
+  const double whole = c.knots[c.points.size()] - c.knots[static_cast<std::size_t>(c.degree)];
+  const Cartesian r = evaluate(c, u, span);
+  ParameterDerivatives d{(c.rotary_end - c.rotary_begin) / whole, AxisVector::Zero(), AxisVector::Zero()};
+  d.first.head<3>() = r.d[1];
+  d.second.head<3>() = r.d[2];
+  d.third.head<3>() = r.d[3];
+  return d;
 }
 
 double curvature(const SplineCurve& c, double u) {
@@ -153,14 +164,10 @@ AxisVector spline_point(const SplineCurve& c, double u) {
   return point;
 }
 
-ParameterDerivatives spline_derivatives(const SplineCurve& c, double u) {
-  const double whole = c.knots[c.points.size()] - c.knots[static_cast<std::size_t>(c.degree)];
-  const Cartesian r = evaluate(c, u);
-  ParameterDerivatives d{(c.rotary_end - c.rotary_begin) / whole, AxisVector::Zero(), AxisVector::Zero()};
-  d.first.head<3>() = r.d[1];
-  d.second.head<3>() = r.d[2];
-  d.third.head<3>() = r.d[3];
-  return d;
+ParameterDerivatives spline_derivatives(const SplineCurve& c, double u) { return derivatives(c, u, find_span(c, u)); }
+
+ParameterDerivatives spline_derivatives(const SplineCurve& c, const SplinePiece& piece, double u) {
+  return derivatives(c, u, find_span(c, (piece.begin + piece.end) / 2));
 }
 
 }  // namespace toolpace

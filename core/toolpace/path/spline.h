@@ -38,5 +38,7 @@ double parameter_at(const SplineCurve& curve, const SplinePiece& piece, double l
 
 AxisVector spline_point(const SplineCurve& curve, double parameter);
 ParameterDerivatives spline_derivatives(const SplineCurve& curve, double parameter);
+/// Inside a piece or at its ends; at a knot those of the piece's side, where the other side's may be others.
+ParameterDerivatives spline_derivatives(const SplineCurve& curve, const SplinePiece& piece, double parameter);
 
 }  // namespace toolpace
