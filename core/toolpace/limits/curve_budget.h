@@ -12,8 +12,9 @@ struct CurveBounds {
 };
 
 /// Bounds over a whole segment. Exact for lines; for arcs the amplitude of each component (attained on any sweep of
-/// half a turn or more, an over-estimate on shorter ones); for splines and blends sampled on pieces that are short by
-/// construction, with 2 % added.
+/// half a turn or more, an over-estimate on shorter ones); for splines and blends samples, denser where a derivative may
+/// rise between them, with what it may rise added: 6 % more than the largest at most. Where the parameter's speed vanishes
+/// (cusps) the true bound is infinite; there the samples next to it count.
 CurveBounds curve_bounds(const Path& path, std::size_t segment);
 
 /// Constant path limits that keep every axis inside its own, anywhere on the segment:
