@@ -80,6 +80,19 @@ TEST(Spline, DerivativesOfAQuinticAgreeWithDifferences) {
   }
 }
 
+TEST(Spline, APieceEndsWithTheCurvatureOfItsOwnSideOfTheKnot) {
+  // A curve of degree 2 from knot to knot: its second derivative jumps there.
+  const SplineCurve curve = make_spline(
+      at(0, 0), at(20, 0), {2, {{0, 0, 0}, {5, 9, 0}, {12, -4, 0}, {20, 0, 0}}, {1, 2, 1, 1}, {0, 0, 0, 1, 2, 2, 2}});
+  const SplinePiece left{0, 0.5, 1.0}, right{0, 1.0, 1.5};
+  const ParameterDerivatives before = spline_derivatives(curve, left, 1.0);
+  const ParameterDerivatives after = spline_derivatives(curve, right, 1.0);
+  EXPECT_LT((spline_derivatives(curve, 1.0 - 1e-9).second - before.second).norm(), 1e-5);
+  EXPECT_LT((spline_derivatives(curve, 1.0 + 1e-9).second - after.second).norm(), 1e-5);
+  EXPECT_LT((after.first - before.first).norm(), 1e-12);
+  EXPECT_GT((after.second - before.second).norm(), 1.0);
+}
+
 TEST(Spline, ParameterInvertsLength) {
   const SplineCurve curve = make_spline(at(10, 0), at(0, 10), quarter_circle());
   const SplinePiece piece = cut_spline(curve, 0).front();
