@@ -96,6 +96,7 @@ void MainWindow::showDocument() {
   nc_->view().setDocument(document);
   nc_->setHintVisible(document->path.isEmpty());
   tuning_->setRotaryAxes(turned_axes(document->reading->moves));
+  showWholeTuning();
   if (!document->path.isEmpty()) {
     preferences_.last_program = QFileInfo(document->path).absoluteFilePath();
     studio::remember(preferences_.recent_programs, preferences_.last_program);

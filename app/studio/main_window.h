@@ -102,6 +102,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* addDock(const char* name, QWidget* content, Qt::DockWidgetArea area, bool titled);
   void addTool(const char* name, QWidget* page, const QSize& size);
   void arrange();
+  void showWholeTuning();
   void shareRoom();
   void buildToolBar();
   void buildMenus();

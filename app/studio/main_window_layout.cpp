@@ -125,6 +125,15 @@ void MainWindow::shareRoom() {
   resizeDocks({docks_["plotsDock"]}, {plots}, Qt::Vertical);
 }
 
+// Rows of rotary axes need more room than the tuning was given; where there is some, the results below it give it.
+void MainWindow::showWholeTuning() {
+  QDockWidget &tuning = *docks_["tuningDock"], &results = *docks_["resultsDock"];
+  if (tuning.isFloating() || results.isFloating() || !tuning.isVisible()) return;
+  const int both = tuning.height() + results.height(), frame = tuning.height() - tuning_->height();
+  const int wanted = std::min(tuning_->wholeHeight() + frame, both / 2);
+  if (wanted > tuning.height()) resizeDocks({&tuning, &results}, {wanted, both - wanted}, Qt::Vertical);
+}
+
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   const int before = event->oldSize().height() - kChrome, after = event->size().height() - kChrome;

@@ -219,6 +219,8 @@ void TuningPanel::setBlockCount(std::size_t blocks) { lookahead_->setBlockCount(
 
 void TuningPanel::setRotaryAxes(const std::array<bool, 3>& shown) { axes_->setRotaryAxes(shown); }
 
+int TuningPanel::wholeHeight() const { return widget()->sizeHint().height() + 2 * frameWidth(); }
+
 void TuningPanel::showValues() {
   const Tuning& tuning = model_.value();
   for (auto& entry : entries_) entry.field->setValue(entry.read(tuning));

@@ -25,6 +25,9 @@ class TuningPanel : public QScrollArea {
   void setBlockCount(std::size_t blocks);
   void setRotaryAxes(const std::array<bool, 3>& shown);
 
+  /// With which nothing has to be scrolled [px].
+  int wholeHeight() const;
+
  protected:
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
