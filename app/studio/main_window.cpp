@@ -189,8 +189,7 @@ void MainWindow::showState() {
                           tr("Shown is a quick plan; a faster motion inside the tolerance is computed"));
   }
   if (state == State::given_up) {
-    return title.setBadge(tr("not refined"),
-                          tr("Shown is the quick plan; reload (F5) to refine it"));
+    return title.setBadge(tr("not refined"), tr("Shown is the quick plan; reload (F5) to refine it"));
   }
   title.setBadge({}, {});
 }

@@ -3,7 +3,6 @@
 #include <QTest>
 #include <QToolButton>
 
-
 #include "main_window.h"
 #include "panels/number_field.h"
 #include "screenshot.h"
