@@ -183,8 +183,18 @@ void PathCheck::take_crossings(const RowStream& stream, std::size_t local, const
     if (chord_.would_take(off, 0.0)) chord_.take(off, 0.0, stream, local);
     // Where a path runs back over itself, the row before may have been past the node already, or this one not yet.
     const Doubt doubt{before.last_cell >= v, follower_.match().first_cell < v};
-    if (vertex.is_node && on_path && vertex.segment + 1 < path_.size()) log_corner(stream, local, vertex, doubt);
+    if (!vertex.is_node || vertex.segment + 1 >= path_.size()) continue;
+    if (on_path || is_passed_exactly(vertex.segment)) log_corner(stream, local, vertex, doubt);
   }
+}
+
+/// Nothing smooths a corner at which G61 or G61.1 begins or ends, however near beside it a blend may lie.
+bool PathCheck::is_passed_exactly(std::size_t left) const {
+  const auto is_exact = [this](std::size_t segment) {
+    const PathControl control = moves_.modes[moves_.mode[path_.move[segment]]].control;
+    return control == PathControl::exact_path || control == PathControl::exact_stop;
+  };
+  return is_exact(left) || is_exact(left + 1);
 }
 
 void PathCheck::log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt) {

@@ -21,7 +21,8 @@ inline constexpr double kOnPath = 1e-6;
 /// Follows the path with the setpoints within `reach` of it and, while it does:
 /// - measures the distance of each setpoint to the exact curve that it is matched to;
 /// - measures how far the path is from the straight lines between setpoints (chord error);
-/// - logs each node that is passed on the path with a step of direction or curvature: V·|Δu| and V²·|Δκ| of each axis;
+/// - logs each node that is passed on the path, as each next to G61 or G61.1 is, with a step of direction or curvature:
+///   V·|Δu| and V²·|Δκ| of each axis;
 /// - compares the line column with the lines of the path under the setpoint.
 /// Setpoints that cut a corner, as smoothing does, are off the path there and get no such exemption.
 class PathCheck {
@@ -51,6 +52,7 @@ class PathCheck {
   };
   bool take_row(const RowStream& stream, std::size_t local);
   void take_crossings(const RowStream& stream, std::size_t local, const PathMatch& before, bool on_path);
+  bool is_passed_exactly(std::size_t left) const;
   void log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt);
   void take_line(const RowStream& stream, std::size_t local);
   double exact_distance(const AxisVector& point);
