@@ -92,6 +92,19 @@ inline Setup axis_limited_setup() {
   return setup;
 }
 
+/// Through the tolerance tube, seven-phase, under the limits of the axes.
+inline std::shared_ptr<Job> smoothed_job(const Program& program) {
+  auto job = std::make_shared<Job>();
+  const Setup setup = axis_limited_setup();
+  job->program = program.reading();
+  job->machine = setup.machine;
+  job->options = setup.options;
+  job->options.law = LawKind::seven_phase;
+  job->options.ramps = Ramps::span;
+  job->options.corner.rule = CornerRule::smooth;
+  return job;
+}
+
 inline Outcome planned(const Program& program, const Setup& setup) {
   auto job = std::make_shared<Job>();
   job->program = program.reading();

@@ -8,18 +8,6 @@ namespace {
 
 using namespace testing;
 
-std::shared_ptr<Job> job_of(const Program& program) {
-  auto job = std::make_shared<Job>();
-  const Setup setup = axis_limited_setup();
-  job->program = program.reading();
-  job->machine = setup.machine;
-  job->options = setup.options;
-  job->options.law = LawKind::seven_phase;
-  job->options.ramps = Ramps::span;
-  job->options.corner.rule = CornerRule::smooth;
-  return job;
-}
-
 Program curve() {
   Program program;
   for (int i = 1; i <= 60; ++i) program.line(i, 4 * std::sin(0.3 * i), 0.1 * i);
@@ -48,7 +36,7 @@ Rest rest_of(const Outcome& outcome) {
 // From 100 mm/s at 2000 mm/s² and 5e4 mm/s³ an axis stops in 50 + 40 ms; curves bend, so twice that is allowed.
 TEST(SmoothedHold, StopsInsideTheTubeWithEveryLimitHeldAndGoesOn) {
   const Program program = curve();
-  const auto job = job_of(program);
+  const auto job = smoothed_job(program);
   const double alone = run(job)->summary.cycle_time;
   for (const double share : {0.05, 0.3, 0.5, 0.77, 0.95}) {
     SCOPED_TRACE(share);
@@ -74,7 +62,7 @@ TEST(SmoothedHold, StopsInsideTheTubeWithEveryLimitHeldAndGoesOn) {
 TEST(SmoothedHold, MakesAPauseLongerAndHoldsBehindIt) {
   Program program = curve();
   program.dwell(0.5).line(70, 0, 6).line(80, 3, 6);
-  const auto job = job_of(program);
+  const auto job = smoothed_job(program);
   const auto alone = run(job);
   const double before = alone->node_time[60];
   for (const double after : {0.2, 0.7}) {  // in the pause; in the motion behind it
@@ -94,7 +82,7 @@ TEST(SmoothedHold, MakesAPauseLongerAndHoldsBehindIt) {
 TEST(SmoothedHold, HoldsInExactBlocksToo) {
   Program program;
   program.line(20, 0).line(20, 20).control(PathControl::exact_path).line(40, 20).line(40, 40);
-  const auto job = job_of(program);
+  const auto job = smoothed_job(program);
   const auto alone = run(job);
   const auto held = std::make_shared<Job>(*job);
   held->options.hold_at = alone->node_time[2] + 0.2;
@@ -107,7 +95,7 @@ TEST(SmoothedHold, HoldsInExactBlocksToo) {
 }
 
 TEST(SmoothedHold, RefusesAHoldBehindTheEnd) {
-  const auto job = job_of(curve());
+  const auto job = smoothed_job(curve());
   job->options.hold_at = 100;
   const auto outcome = run(job);
   ASSERT_FALSE(outcome);

@@ -16,18 +16,6 @@ namespace {
 
 using namespace testing;
 
-std::shared_ptr<Job> job_of(const Program& program) {
-  auto job = std::make_shared<Job>();
-  const Setup setup = axis_limited_setup();
-  job->program = program.reading();
-  job->machine = setup.machine;
-  job->options = setup.options;
-  job->options.law = LawKind::seven_phase;
-  job->options.ramps = Ramps::span;
-  job->options.corner.rule = CornerRule::smooth;
-  return job;
-}
-
 Program wander(int blocks) {
   std::mt19937_64 engine(7);
   const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
@@ -42,7 +30,7 @@ TEST(SmoothedRun, IsNeverSlowerThanProvenBlends) {
   Program slow;
   for (int i = 1; i <= 10; ++i) slow.line(2 * i, i % 2, 0, 2);
   for (const Program& program : {slow, wander(300)}) {
-    const auto smooth = job_of(program), blend = std::make_shared<Job>(*smooth);
+    const auto smooth = smoothed_job(program), blend = std::make_shared<Job>(*smooth);
     blend->options.corner.rule = CornerRule::blend;
     const auto outcome = run(smooth);
     ASSERT_TRUE(outcome) << outcome.error().message;
@@ -57,7 +45,7 @@ TEST(SmoothedRun, IsNeverSlowerThanProvenBlends) {
 TEST(SmoothedRun, BlendsWhereNothingBoundsAnAxisAndSaysSo) {
   Program program;
   program.line(10, 10).line(20, 5).line(30, 15);  // X bounds every block
-  const auto job = job_of(program);
+  const auto job = smoothed_job(program);
   job->machine.path.acceleration = job->machine.path.deceleration = kUnlimited;
   job->machine.path.jerk = job->machine.path.jerk_deceleration = kUnlimited;
   job->machine.axes[1].acceleration = job->machine.axes[1].jerk = kUnlimited;
@@ -74,7 +62,7 @@ TEST(SmoothedRun, BlendsWhereNothingBoundsAnAxisAndSaysSo) {
 // The workbench wants 0.2 s; five times that leaves room for a busy machine.
 TEST(SmoothedRun, ReportsProgressAndStopsAtOnceWhenItIsCancelled) {
   using Clock = std::chrono::steady_clock;
-  const auto job = job_of(wander(6000));
+  const auto job = smoothed_job(wander(6000));
   std::stop_source source;
   std::atomic<double> last = 0;
   Clock::time_point asked;
@@ -93,7 +81,7 @@ TEST(SmoothedRun, ReportsProgressAndStopsAtOnceWhenItIsCancelled) {
 }
 
 TEST(SmoothedRun, PlansTheSameBytesOnOneThreadAndOnTwo) {
-  const auto job = job_of(wander(1200));
+  const auto job = smoothed_job(wander(1200));
   const Moves& moves = job->program->moves;
   const Path path = build_path(moves, 0).value();
   LimitOptions options;
@@ -128,7 +116,7 @@ TEST(SmoothedRun, SaysWhichLimitBindsAtEachMoment) {
   Program program;
   program.line(0, 40, 0, 20);
   for (int i = 1; i <= 100; ++i) program.line(0.3 * ((i + 1) / 2), 40 + 0.3 * (i / 2));
-  const auto job = job_of(program);
+  const auto job = smoothed_job(program);
   job->options.hold_at = 1.0;
   const auto outcome = run(job);
   ASSERT_TRUE(outcome) << outcome.error().message;
