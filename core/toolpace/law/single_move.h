@@ -4,13 +4,12 @@
 /// The peak speed is the largest v ≤ feed with d(start→v) + d(v→end) ≤ length; the rest of the length is cruised at it.
 ///
 /// ERRATA of Zheng et al. 2014, whose eqs. (11)–(29) this generalises to every law:
-/// - Table 2 prints fmax = 91.1893 for its second move. Eq. (27) gives 92.666667, and only that agrees with the jerks
-/// and
-///   accelerations of the same table.
+/// - Table 2 prints fmax = 91.1893 for its second move. Eq. (27) gives 92.666667, and only that agrees with the
+///   jerks and accelerations of the same table.
 /// - Five-phase by time has a gap. Eq. (27) can give an fmax below the higher end speed; used as it stands, eq. (29)
-/// then
-///   has negative jerk in the "acceleration" phase. Here the one ramp that is needed is run alone and the rest cruised
-///   at the higher speed, if (fs+fe)/2·T ≤ L; otherwise the exit speed cannot be reached, which is an error.
+///   then has negative jerk in the "acceleration" phase. Here the one ramp that is needed is run alone and the rest
+///   cruised at the higher speed, if (fs+fe)/2·T ≤ L; otherwise the exit speed cannot be reached, which is an error.
+///
 /// ERRATUM of the seven-phase text: t1 = a/J, t2 = v/a − a/J, t4 = (s − s_acc − s_dec)/v hold only where every phase
 /// exists and both ends stand still; here every phase may vanish and the end speeds are free.
 
@@ -45,8 +44,7 @@ struct SingleMove {
 /// Checks everything a move needs: finite numbers, 0 or 1e-30 … 1e30; 0 ≤ start, end ≤ feed, feed > 0; limits > 0 (they
 /// may be infinite) and times ≥ 0; and that the end speed can be reached.
 /// @return the error: kind usage for numbers that make no sense, kind infeasible for an end speed that cannot be
-/// reached
-///         within the length (attainable = the nearest one that can; the message says which length would do)
+///         reached within the length (attainable = the nearest one that can; the message says which length would do)
 std::optional<Error> check_move(LawKind law, const MoveRequest& move, const Dynamics& dynamics);
 
 namespace detail {
