@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "toolpace/law/law_table.h"
-#include "toolpace/plan/block_plan.h"
+#include "toolpace/plan/block/block_plan.h"
 #include "toolpace/plan/bound_valley.h"
 #include "toolpace/plan/increasing_root.h"
 

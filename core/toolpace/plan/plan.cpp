@@ -7,8 +7,8 @@
 #include <string>
 
 #include "toolpace/law/law_table.h"
-#include "toolpace/plan/block_plan.h"
-#include "toolpace/plan/span_dispatch.h"
+#include "toolpace/plan/block/block_plan.h"
+#include "toolpace/plan/span/dispatch.h"
 
 namespace toolpace {
 namespace {

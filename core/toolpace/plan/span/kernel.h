@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "toolpace/plan/span_ramp.h"
+#include "toolpace/plan/span/ramp.h"
 
 namespace toolpace::detail {
 

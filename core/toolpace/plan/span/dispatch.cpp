@@ -1,13 +1,13 @@
-#include "toolpace/plan/span_dispatch.h"
+#include "toolpace/plan/span/dispatch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
 
-#include "toolpace/plan/block_plan.h"
-#include "toolpace/plan/span_lookahead.h"
-#include "toolpace/plan/span_methods.h"
+#include "toolpace/plan/block/block_plan.h"
+#include "toolpace/plan/span/lookahead.h"
+#include "toolpace/plan/span/methods.h"
 
 namespace toolpace::detail {
 namespace {

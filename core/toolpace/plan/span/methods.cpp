@@ -1,13 +1,13 @@
-#include "toolpace/plan/span_methods.h"
+#include "toolpace/plan/span/methods.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "toolpace/plan/anchor_sites.h"
-#include "toolpace/plan/anchored_plan.h"
-#include "toolpace/plan/block_plan.h"
-#include "toolpace/plan/span_plan.h"
-#include "toolpace/plan/trapezoid_plan.h"
+#include "toolpace/plan/block/block_plan.h"
+#include "toolpace/plan/span/anchor_sites.h"
+#include "toolpace/plan/span/anchored_plan.h"
+#include "toolpace/plan/span/span_plan.h"
+#include "toolpace/plan/span/trapezoid_plan.h"
 
 namespace toolpace::detail {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "toolpace/plan/motion_plan.h"
-#include "toolpace/plan/span_hull.h"
-#include "toolpace/plan/span_kernel.h"
+#include "toolpace/plan/span/hull.h"
+#include "toolpace/plan/span/kernel.h"
 
 namespace toolpace::detail {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "toolpace/limits/ramp_limits.h"
-#include "toolpace/plan/span_filter.h"
-#include "toolpace/plan/span_hull.h"
-#include "toolpace/plan/span_kernel.h"
+#include "toolpace/plan/span/filter.h"
+#include "toolpace/plan/span/hull.h"
+#include "toolpace/plan/span/kernel.h"
 
 namespace toolpace::detail {
 

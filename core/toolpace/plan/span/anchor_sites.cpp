@@ -1,7 +1,7 @@
-#include "toolpace/plan/anchor_sites.h"
+#include "toolpace/plan/span/anchor_sites.h"
 
 #include "toolpace/plan/plan.h"
-#include "toolpace/plan/span_filter.h"
+#include "toolpace/plan/span/filter.h"
 
 namespace toolpace::detail {
 namespace {

@@ -1,4 +1,4 @@
-#include "toolpace/plan/span_bridge.h"
+#include "toolpace/plan/span/bridge.h"
 
 #include <algorithm>
 #include <cmath>

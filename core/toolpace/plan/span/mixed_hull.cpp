@@ -1,4 +1,4 @@
-#include "toolpace/plan/span_mixed_hull.h"
+#include "toolpace/plan/span/mixed_hull.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "toolpace/plan/span_lookahead.h"
+#include "toolpace/plan/span/lookahead.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "toolpace/law/phase.h"
-#include "toolpace/plan/span_filter.h"
-#include "toolpace/plan/span_kernel.h"
-#include "toolpace/plan/span_mixed_hull.h"
+#include "toolpace/plan/span/filter.h"
+#include "toolpace/plan/span/kernel.h"
+#include "toolpace/plan/span/mixed_hull.h"
 
 namespace toolpace::detail {
 

@@ -1,4 +1,4 @@
-#include "toolpace/plan/span_hull.h"
+#include "toolpace/plan/span/hull.h"
 
 namespace toolpace::detail {
 namespace {

@@ -1,9 +1,9 @@
-#include "toolpace/plan/block_plan.h"
+#include "toolpace/plan/block/block_plan.h"
 
 #include <algorithm>
 
-#include "toolpace/plan/block_profile.h"
-#include "toolpace/plan/node_speeds.h"
+#include "toolpace/plan/block/block_profile.h"
+#include "toolpace/plan/block/node_speeds.h"
 #include "toolpace/plan/plan.h"
 
 namespace toolpace::detail {

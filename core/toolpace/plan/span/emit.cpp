@@ -1,4 +1,4 @@
-#include "toolpace/plan/span_emit.h"
+#include "toolpace/plan/span/emit.h"
 
 #include <algorithm>
 

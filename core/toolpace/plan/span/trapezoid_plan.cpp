@@ -1,11 +1,11 @@
-#include "toolpace/plan/trapezoid_plan.h"
+#include "toolpace/plan/span/trapezoid_plan.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "toolpace/plan/phase_writer.h"
 #include "toolpace/plan/plan.h"
-#include "toolpace/plan/span_filter.h"
+#include "toolpace/plan/span/filter.h"
 
 namespace toolpace::detail {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "toolpace/plan/span_bridge.h"
-#include "toolpace/plan/span_kernel.h"
+#include "toolpace/plan/span/bridge.h"
+#include "toolpace/plan/span/kernel.h"
 
 namespace toolpace::detail {
 

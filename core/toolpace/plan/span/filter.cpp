@@ -1,4 +1,4 @@
-#include "toolpace/plan/span_filter.h"
+#include "toolpace/plan/span/filter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "toolpace/plan/span_kernel.h"
+#include "toolpace/plan/span/kernel.h"
 
 namespace toolpace::detail {
 

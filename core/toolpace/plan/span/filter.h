@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "toolpace/limits/speed_limits.h"
-#include "toolpace/plan/span_kernel.h"
+#include "toolpace/plan/span/kernel.h"
 
 namespace toolpace::detail {
 

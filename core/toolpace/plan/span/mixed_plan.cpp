@@ -1,12 +1,12 @@
-#include "toolpace/plan/span_mixed_plan.h"
+#include "toolpace/plan/span/mixed_plan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "toolpace/plan/phase_writer.h"
-#include "toolpace/plan/span_emit.h"
-#include "toolpace/plan/span_tilt.h"
+#include "toolpace/plan/span/emit.h"
+#include "toolpace/plan/span/tilt.h"
 
 namespace toolpace::detail {
 namespace {

@@ -1,4 +1,4 @@
-#include "toolpace/plan/span_tilt.h"
+#include "toolpace/plan/span/tilt.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,14 @@
-#include "toolpace/plan/anchored_plan.h"
+#include "toolpace/plan/span/anchored_plan.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "toolpace/law/law_table.h"
-#include "toolpace/plan/anchor_sites.h"
-#include "toolpace/plan/block_profile.h"
+#include "toolpace/plan/block/block_profile.h"
+#include "toolpace/plan/block/node_speeds.h"
 #include "toolpace/plan/increasing_root.h"
-#include "toolpace/plan/node_speeds.h"
 #include "toolpace/plan/plan.h"
+#include "toolpace/plan/span/anchor_sites.h"
 
 namespace toolpace::detail {
 namespace {

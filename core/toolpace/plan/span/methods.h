@@ -8,7 +8,7 @@
 #include "toolpace/law/law.h"
 #include "toolpace/limits/speed_limits.h"
 #include "toolpace/plan/motion_plan.h"
-#include "toolpace/plan/span_lookahead.h"
+#include "toolpace/plan/span/lookahead.h"
 
 namespace toolpace::detail {
 

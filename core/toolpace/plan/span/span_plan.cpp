@@ -1,13 +1,13 @@
-#include "toolpace/plan/span_plan.h"
+#include "toolpace/plan/span/span_plan.h"
 
 #include <algorithm>
 
 #include "toolpace/plan/plan.h"
-#include "toolpace/plan/span_emit.h"
-#include "toolpace/plan/span_filter.h"
-#include "toolpace/plan/span_hull.h"
-#include "toolpace/plan/span_mixed_plan.h"
-#include "toolpace/plan/span_tilt.h"
+#include "toolpace/plan/span/emit.h"
+#include "toolpace/plan/span/filter.h"
+#include "toolpace/plan/span/hull.h"
+#include "toolpace/plan/span/mixed_plan.h"
+#include "toolpace/plan/span/tilt.h"
 
 namespace toolpace::detail {
 namespace {

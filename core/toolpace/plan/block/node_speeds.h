@@ -8,7 +8,7 @@
 #include "toolpace/base/monitor.h"
 #include "toolpace/law/law.h"
 #include "toolpace/limits/speed_limits.h"
-#include "toolpace/plan/block_profile.h"
+#include "toolpace/plan/block/block_profile.h"
 #include "toolpace/plan/increasing_root.h"
 
 namespace toolpace::detail {

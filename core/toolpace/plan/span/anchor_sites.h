@@ -9,7 +9,7 @@
 
 #include "toolpace/law/peak_speed.h"
 #include "toolpace/limits/speed_limits.h"
-#include "toolpace/plan/block_profile.h"
+#include "toolpace/plan/block/block_profile.h"
 
 namespace toolpace::detail {
 
