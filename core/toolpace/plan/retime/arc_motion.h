@@ -2,6 +2,7 @@
 /// A motion along a path as a cubic B-spline in time: jerk is constant between knots.
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace toolpace::detail::retime {
@@ -58,6 +59,20 @@ class ArcMotion {
     const double t = x * step_[k];
     return {s.distance + t * (s.speed + t * (s.acceleration / 2 + t * s.jerk / 6)),
             s.speed + t * (s.acceleration + t * s.jerk / 2), s.acceleration + t * s.jerk, s.jerk};
+  }
+
+  /// The share, from `low` on, at which interval k is at a distance that it passes. To rounding, by bisection and Newton.
+  double share_at(std::size_t k, double distance, double low) const {
+    double high = 1.0, x = low;
+    for (int i = 0; i < 60 && high - low > 1e-15; ++i) {
+      const State s = at(k, x);
+      (s.distance < distance ? low : high) = x;
+      const double newton = s.speed > 0 ? x + (distance - s.distance) / (s.speed * step_[k]) : low;
+      const double next = newton > low && newton < high ? newton : (low + high) / 2;
+      if (std::abs(next - x) <= 1e-15) return next;
+      x = next;
+    }
+    return x;
   }
 
   /// Stretches each interval; neighbours should differ little.

@@ -6,7 +6,7 @@ namespace toolpace::detail::retime {
 namespace {
 
 // Pieces of splines are short; through a sharp corner the parameter runs very unevenly.
-constexpr std::size_t kSplineKnots = 2, kBlendKnots = 9;
+constexpr std::size_t kSplineKnots = 5, kBlendKnots = 9;
 constexpr double kMostSlope = 3.0;  // of a Hermite cubic that does not run back
 
 }  // namespace
@@ -14,16 +14,21 @@ constexpr double kMostSlope = 3.0;  // of a Hermite cubic that does not run back
 PathSampler::PathSampler(const Path& path, std::size_t begin) : path_(path), segment_(begin) { enter(); }
 
 void PathSampler::go(double position) {
-  while (segment_ + 1 < path_.size() && position - start_ > path_.length[segment_]) {
-    start_ += path_.length[segment_++];
-    enter();
-  }
+  while (segment_ + 1 < path_.size() && position - start_ > path_.length[segment_]) enter_next();
   while (position < start_ && segment_ > 0) {
     start_ -= path_.length[--segment_];
     enter();
   }
   at_ = position - start_;
 }
+
+void PathSampler::enter_next() {
+  start_ += path_.length[segment_++];
+  at_ = 0;
+  enter();
+}
+
+void PathSampler::go_inside(double position) { at_ = std::clamp(position - start_, 0.0, path_.length[segment_]); }
 
 ParameterDerivatives PathSampler::derivatives() const {
   switch (path_.kind[segment_]) {

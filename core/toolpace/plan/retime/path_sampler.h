@@ -1,5 +1,6 @@
 #pragma once
-/// Derivatives along a path for planning: where on a curve a path length lies is good to about a hundredth of the piece.
+/// Derivatives along a path for planning: where on a curve a path length lies is good to about
+/// a ten-thousandth of the piece.
 
 #include <array>
 #include <optional>
@@ -15,8 +16,14 @@ class PathSampler {
   PathSampler(const Path& path, std::size_t begin);
 
   std::size_t segment() const { return segment_; }
+  /// Position at which the present segment ends.
+  double end() const { return start_ + path_.length[segment_]; }
 
   void go(double position);
+  /// To the beginning of the next segment, of which there is one.
+  void enter_next();
+  /// To a place of the present segment; positions beyond its ends mean these.
+  void go_inside(double position);
 
   /// Derivatives by path length at the place gone to.
   ParameterDerivatives derivatives() const;

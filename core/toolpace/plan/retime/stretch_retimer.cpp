@@ -8,15 +8,23 @@
 namespace toolpace::detail::retime {
 namespace {
 
-constexpr std::size_t kWindow = 256;                 // intervals
-constexpr double kHeadroom = 0.99;                   // of the limits, aimed at by the rounds
-constexpr double kSettled = 0.998;                   // of the limits, aimed at where they are broken
-constexpr std::array kWeights = {2e-3, 3e-4, 1e-4};  // of the barrier, a round each
-constexpr int kRoughSamples = 3, kFineSamples = 12;  // an interval
+constexpr std::size_t kWindow = 256;               // intervals
+constexpr double kHeadroom = 0.99;                 // of the limits, aimed at by the rounds
+constexpr double kSettled = 0.9995;                // of the limits, aimed at where they are broken
+constexpr int kLeastPlaces = 4, kMostPlaces = 12;  // of a curve in an interval
+constexpr double kBetween = 2.0 / 8;               // of a second difference: a parabola rises by an eighth of it
 constexpr int kMostSlowDowns = 12;
 constexpr double kOpen = 1e6, kTouch = 1.0002;       // of b: no speed limit near; a little room where there is none
 constexpr double kStill = 1e-9;                      // [mm/s]
 constexpr double kLeastReach = 6, kMostReach = 200;  // of a slow-down [intervals]
+
+/// One round of faster.
+struct Hurry {
+  double weight;   ///< of the barrier
+  int samples;     ///< an interval
+  bool is_slowed;  ///< whether what breaks limits is mended before: from there the barrier keeps them
+};
+constexpr std::array<Hurry, 4> kHurries = {{{2e-3, 3, false}, {3e-4, 3, false}, {1e-4, 12, true}, {1e-4, 12, true}}};
 
 /// The quadratic spline of b at share x of interval k.
 double value(const std::vector<double>& b, std::size_t k, double x) {
@@ -59,13 +67,14 @@ StretchRetimer::StretchRetimer(const StretchTask& task) : task_(task) {
 }
 
 ArcMotion StretchRetimer::run(ArcMotion motion, const Monitor& monitor) {
-  for (std::size_t round = 0; round < kWeights.size(); ++round) {
+  for (std::size_t round = 0; round < kHurries.size(); ++round) {
     if (monitor.is_cancelled()) return {};
-    measure(motion, kRoughSamples, kHeadroom);
-    motion = hurry(motion, static_cast<int>(round), kWeights[round]);
+    if (kHurries[round].is_slowed && find_peaks(motion) > 1.0) slow_down(motion);
+    measure(motion, kHurries[round].samples);
+    motion = hurry(motion, static_cast<int>(round), kHurries[round].weight);
   }
   for (int round = 0; round < kMostSlowDowns; ++round) {
-    if (measure(motion, kFineSamples, 1.0) <= 1.0) return motion;
+    if (find_peaks(motion) <= 1.0) return motion;
     slow_down(motion);
   }
   return {};
@@ -85,8 +94,7 @@ void StretchRetimer::set_limits(double step, double share) {
   ++limits_.count;
 }
 
-StretchRetimer::Sample StretchRetimer::sample(const ArcMotion::State& s, PathSampler& sampler) const {
-  sampler.go(s.distance);
+StretchRetimer::Sample StretchRetimer::sample(const ArcMotion::State& s, const PathSampler& sampler) const {
   const ParameterDerivatives d = sampler.derivatives();
   const double v = s.speed, a = s.acceleration;
   Sample r;
@@ -106,20 +114,21 @@ StretchRetimer::Sample StretchRetimer::sample(const ArcMotion::State& s, PathSam
   return r;
 }
 
-/// Of each axis the sample counts that comes nearest to a limit. @return by how much time has to be stretched
-double StretchRetimer::measure_interval(const ArcMotion& motion, std::size_t k, int samples, PathSampler& sampler) {
+/// Of each axis the sample counts that comes nearest to a limit.
+void StretchRetimer::measure_interval(const ArcMotion& motion, std::size_t k, int samples, PathSampler& sampler) {
   IntervalUse& use = use_[k];
   const double h = motion.step(k), scale = motion.step(0) / h;
   std::array<double, kMostAxes> nearest;
   nearest.fill(-1.0);
-  double fastest = 1 / std::sqrt(kOpen), excess = 0;
+  double fastest = 1 / std::sqrt(kOpen);
   for (int q = 0; q < samples; ++q) {
-    const Sample s = sample(motion.at(k, (q + 0.5) / samples), sampler);
+    const ArcMotion::State state = motion.at(k, (q + 0.5) / samples);
+    sampler.go(state.distance);
+    const Sample s = sample(state, sampler);
     fastest = std::max(fastest, s.speed_ratio);
     for (std::size_t a = 0; a < limits_.count; ++a) {
       const double x = std::abs(s.second[a]) * h * h * scale * scale / limits_.acceleration[a];
       const double y = std::abs(s.third[a]) * h * h * h * scale * scale * scale / limits_.jerk[a];
-      excess = std::max({excess, std::sqrt(x), std::cbrt(y)});
       if (!(std::max(x, y) > nearest[a])) continue;
       nearest[a] = std::max(x, y);
       use.first[a] = s.first[a] * h;
@@ -128,18 +137,70 @@ double StretchRetimer::measure_interval(const ArcMotion& motion, std::size_t k, 
     }
   }
   use.fastest = std::max(1 / (fastest * fastest), kTouch);
-  return std::max(excess, fastest);
 }
 
-double StretchRetimer::measure(const ArcMotion& motion, int samples, double share) {
-  set_limits(motion.step(0), share);
-  const std::size_t n = motion.intervals();
-  use_.resize(n);
-  excess_.resize(n);
+void StretchRetimer::measure(const ArcMotion& motion, int samples) {
+  set_limits(motion.step(0), kHeadroom);
+  use_.resize(motion.intervals());
+  PathSampler sampler(task_.path, task_.begin);
+  for (std::size_t k = 0; k < motion.intervals(); ++k) measure_interval(motion, k, samples, sampler);
+}
+
+/// By how much time has to be stretched in a stretch of an interval within one segment. Along a line acceleration is linear
+/// and jerk is constant, so its ends tell all; on curves there are places between them, and what a peak between two places
+/// may add is judged by the second differences.
+double StretchRetimer::peak_of_piece(const ArcMotion& motion, std::size_t k, double from, double to,
+                                     PathSampler& sampler) const {
+  const bool is_line = task_.path.kind[sampler.segment()] == SegmentKind::line;
+  const int parts =
+      is_line ? 1 : std::clamp(static_cast<int>(std::ceil((to - from) * kMostPlaces)), kLeastPlaces, kMostPlaces);
+  const double h = motion.step(0), part = (to - from) / parts * motion.step(k);
+  double excess = 0;
+  std::array<Sample, 3> last;  // of place q at q % 3
+  for (int q = 0; q <= parts; ++q) {
+    const ArcMotion::State state = motion.at(k, from + (to - from) * q / parts);
+    sampler.go_inside(state.distance);
+    const Sample& s = last[static_cast<std::size_t>(q) % 3] = sample(state, sampler);
+    const double rise = std::abs(state.jerk) * part * part / 8;  // of the speed's parabola between two places
+    excess = std::max(excess, s.speed_ratio * (state.speed + rise) / std::max(state.speed, kStill));
+    for (std::size_t a = 0; a < limits_.count; ++a) {
+      double second = std::abs(s.second[a]), third = std::abs(s.third[a]);
+      if (q >= 2) {
+        const Sample &before = last[static_cast<std::size_t>(q - 2) % 3],
+                     &middle = last[static_cast<std::size_t>(q - 1) % 3];
+        const auto peak = [](double p, double m, double n) { return std::abs(m) + kBetween * std::abs(p - 2 * m + n); };
+        second = std::max(second, peak(before.second[a], middle.second[a], s.second[a]));
+        third = std::max(third, peak(before.third[a], middle.third[a], s.third[a]));
+      }
+      excess = std::max({excess, std::sqrt(second * h * h / limits_.acceleration[a]),
+                         std::cbrt(third * h * h * h / limits_.jerk[a])});
+    }
+  }
+  return excess;
+}
+
+/// Where curves meet their third derivatives step: each segment in the interval is looked at by itself, up to its ends.
+double StretchRetimer::peak_of_interval(const ArcMotion& motion, std::size_t k, PathSampler& sampler) const {
+  sampler.go(motion.knot(k).distance);
+  const double last = motion.knot(k + 1).distance;
+  double excess = 0;
+  for (double from = 0;;) {
+    const bool ends_beyond = sampler.end() >= last || sampler.segment() + 1 >= task_.end;
+    const double to = ends_beyond ? 1.0 : motion.share_at(k, sampler.end(), from);
+    excess = std::max(excess, peak_of_piece(motion, k, from, to, sampler));
+    if (ends_beyond) return excess;
+    sampler.enter_next();
+    from = to;
+  }
+}
+
+double StretchRetimer::find_peaks(const ArcMotion& motion) {
+  set_limits(motion.step(0), 1.0);
+  excess_.resize(motion.intervals());
   PathSampler sampler(task_.path, task_.begin);
   double most = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    excess_[k] = measure_interval(motion, k, samples, sampler);
+  for (std::size_t k = 0; k < motion.intervals(); ++k) {
+    excess_[k] = peak_of_interval(motion, k, sampler);
     most = std::max(most, excess_[k]);
   }
   return most;

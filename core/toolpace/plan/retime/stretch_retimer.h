@@ -23,8 +23,7 @@ struct StretchTask {
   std::size_t begin, end;            ///< segments begin … end − 1
 };
 
-/// Rounds of faster (in windows that move by half from round to round) and slower, until every limit is kept at samples in
-/// every interval.
+/// Rounds of faster (in windows that move by half from round to round) and slower, until every limit is kept everywhere.
 class StretchRetimer {
  public:
   explicit StretchRetimer(const StretchTask& task);
@@ -36,9 +35,12 @@ class StretchRetimer {
  private:
   struct Sample;
   void set_limits(double step, double share);
-  double measure(const ArcMotion& motion, int samples, double share);
-  double measure_interval(const ArcMotion& motion, std::size_t k, int samples, PathSampler& sampler);
-  Sample sample(const ArcMotion::State& state, PathSampler& sampler) const;
+  void measure(const ArcMotion& motion, int samples);
+  void measure_interval(const ArcMotion& motion, std::size_t k, int samples, PathSampler& sampler);
+  double find_peaks(const ArcMotion& motion);
+  double peak_of_interval(const ArcMotion& motion, std::size_t k, PathSampler& sampler) const;
+  double peak_of_piece(const ArcMotion& motion, std::size_t k, double from, double to, PathSampler& sampler) const;
+  Sample sample(const ArcMotion::State& state, const PathSampler& sampler) const;
   ArcMotion hurry(const ArcMotion& motion, int round, double weight);
   ArcMotion resample(const ArcMotion& motion) const;
   void slow_down(ArcMotion& motion) const;
