@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "planned_program.h"
+#include "toolpace/nc/reader.h"
+#include "toolpace/pipeline/prove.h"
 #include "toolpace/verify/path_follower.h"
 
 namespace toolpace {
@@ -166,6 +168,35 @@ TEST(PathCheck, FindsTheTipOfAStrokeInsideAWideTolerance) {
   setup.options.corner.rule = CornerRule::blend;
   write_setpoints(planned(program, setup), dir / "a.csv");
   const VerifyReport report = verified(dir / "a.csv", setup.machine, &program.moves(), 0.010001);
+  EXPECT_TRUE(report.passes()) << broken(report);
+}
+
+/// Planned, and judged against its path.
+VerifyReport proven(const std::string& text, const toolpace::Setup& setup) {
+  auto job = std::make_shared<Job>();
+  job->program = std::make_shared<const Reading>(read_text(text, "test.ngc").value());
+  job->machine = setup.machine;
+  job->options = setup.options;
+  const auto outcome = run(job);
+  EXPECT_TRUE(outcome) << outcome.error().message;
+  return prove(*outcome).value();
+}
+
+// The blend ends so near the corner that the row before the corner is still on it.
+TEST(PathCheck, ExemptsACornerOfG61BesideABlend) {
+  toolpace::Setup setup = default_setup();
+  setup.machine.period = 0.001;
+  setup.machine.path = {191.5, 1355.8, 694.9, 291580, 226940};
+  setup.machine.axes[0] = {203, 1533, 223036};
+  setup.options.law = LawKind::time_optimal;
+  setup.options.ramps = Ramps::span;
+  setup.options.corner.rule = CornerRule::stop;
+  setup.options.lookahead = 4;
+  const VerifyReport report = proven(
+      "G21 G90 G94 G17\nG64 P0.01\nG0 X-1.2745 Y0.6588\nG1 X-1.6526 Y-0.1538 F4234.5\nG1 X-1.6772 Y-0.2188 F416.5\n"
+      "G1 X-1.7240 Y-0.2132 F340.8\nG61\nG0 X-1.8846 Y-0.2694\n"
+      "G3 X-1.9673 Y-0.1736 I-0.1982 J-0.0875 F88.7\nG1 X-2.0196 Y-0.4995 F68.7\nM2\n",
+      setup);
   EXPECT_TRUE(report.passes()) << broken(report);
 }
 
