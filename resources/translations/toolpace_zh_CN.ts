@@ -607,22 +607,6 @@
             <translation>进给过大</translation>
         </message>
         <message>
-            <source>file-is-directory</source>
-            <translation>是文件夹，不是文件</translation>
-        </message>
-        <message>
-            <source>file-missing</source>
-            <translation>文件不存在</translation>
-        </message>
-        <message>
-            <source>file-not-opened</source>
-            <translation>文件无法打开</translation>
-        </message>
-        <message>
-            <source>file-not-read</source>
-            <translation>文件无法读取</translation>
-        </message>
-        <message>
             <source>file-too-large</source>
             <translation>文件过大</translation>
         </message>

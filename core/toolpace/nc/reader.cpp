@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "toolpace/base/mapped_file.h"
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/dialects.h"
 #include "toolpace/nc/interpreter.h"
-#include "toolpace/nc/mapped_file.h"
 #include "toolpace/nc/parameter_file.h"
 #include "toolpace/nc/polyline.h"
 #include "toolpace/nc/tool_table.h"
@@ -52,9 +52,9 @@ void reserve(Moves& moves, std::size_t rows) {
 template <class ReadContent>
 Result<void> read_beside(const std::filesystem::path& path, nc::Interpreter& interpreter, ReadContent read_content) {
   if (path.empty()) return {};
-  const auto file = nc::MappedFile::open(path);
+  const auto file = MappedFile::open(path);
   if (!file) return tl::unexpected(file.error());
-  read_content(file->text(), [&](std::size_t line, nc::Fault fault) {
+  read_content(file->bytes(), [&](std::size_t line, nc::Fault fault) {
     interpreter.log().add(std::move(fault), path.string(), line, {});
   });
   return {};
@@ -128,9 +128,9 @@ Result<Reading> read_text(std::string_view text, const std::string& name, const 
 }
 
 Result<Reading> read_file(const std::filesystem::path& file, const ReadOptions& options, const Monitor& monitor) {
-  const auto mapped = nc::MappedFile::open(file, monitor);
+  const auto mapped = MappedFile::open(file, monitor);
   if (!mapped) return tl::unexpected(mapped.error());
-  return read_text(mapped->text(), file.string(), options, monitor);
+  return read_text(mapped->bytes(), file.string(), options, monitor);
 }
 
 }  // namespace toolpace

@@ -4,22 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
-#include "toolpace/base/numbers.h"
+#include "toolpace/base/mapped_file.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/setup_keys.h"
 
 namespace toolpace {
 namespace {
 
+constexpr std::size_t kLongestFile = std::size_t{1} << 20;  ///< bytes; a file of settings has thousands
+
 Location place(const std::string& file, const toml::source_region& source) {
   return {file, source.begin.line, source.begin.column};
+}
+
+bool has_key(const SetupSection& section, const std::string& key) {
+  const auto is_key = [&](const auto& known) { return known.name == key; };
+  return std::any_of(section.numbers.begin(), section.numbers.end(), is_key) ||
+         std::any_of(section.ranges.begin(), section.ranges.end(), is_key) ||
+         std::find(section.words.begin(), section.words.end(), key) != section.words.end();
 }
 
 /// Reads one TOML document into a Setup.
@@ -99,6 +105,11 @@ class SetupReader {
 
   bool read_named(const std::string& section, const toml::key& key, const toml::node& node) {
     if (const SetupSection* found = find(section)) return read_section(*found, node);
+    for (const SetupSection& other : sections_) {
+      if (!has_key(other, section)) continue;
+      return fail("machine-key", fmt::format("'{}' stands outside of any section", section),
+                  fmt::format("write it under [{}]", other.name), key.source());
+    }
     return unknown("section", key, {"machine", "path", "axes", "servo", "law", "lookahead"});
   }
 
@@ -136,8 +147,10 @@ class SetupReader {
     const auto value = node.value<double>();
     const bool in_range = value && (key.range == KeyRange::positive ? *value > 0 : *value >= 0);
     if (!in_range) {
-      return fail("machine-value", key.name + " must be a number " + (key.range == KeyRange::positive ? "> 0" : "≥ 0"),
-                  "leave the key out for no limit", node.source());
+      return fail(
+          "machine-value", key.name + " must be a number " + (key.range == KeyRange::positive ? "> 0" : "≥ 0"),
+          key.name.rfind("max_", 0) == 0 ? "leave the key out for no limit" : "leave the key out for its default",
+          node.source());
     }
     *key.value = *value * key.unit;
     if (key.name == "max_deceleration_mm_s2") deceleration_given_ = true;
@@ -256,18 +269,13 @@ Result<Setup> parse_setup(std::string_view text, const std::string& name) {
 }
 
 Result<Setup> read_setup(const std::filesystem::path& file) {
-  std::error_code ignored;
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file, ignored)) {
-    return tl::unexpected(Error{ErrorKind::io,
-                                "cannot-open",
-                                "cannot open the machine file",
-                                "check the name and the rights",
-                                {file.string(), 0, 0},
-                                {}});
+  const auto mapped = MappedFile::open(file);
+  if (!mapped) return tl::unexpected(mapped.error());
+  if (mapped->bytes().size() > kLongestFile) {
+    return tl::unexpected(
+        syntax_error("the file is longer than 1 MiB", "machine files are short", {file.string(), 0, 0}));
   }
-  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  return parse_setup(text, file.string());
+  return parse_setup(mapped->bytes(), file.string());
 }
 
 }  // namespace toolpace

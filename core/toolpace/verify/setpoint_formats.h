@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "toolpace/verify/mapped_file.h"
+#include "toolpace/base/mapped_file.h"
 #include "toolpace/verify/setpoint_file.h"
 
 namespace toolpace::verify_detail {

@@ -12,10 +12,10 @@ TEST(BadInput, AMissingFileAndADirectoryAreFileTrouble) {
   const auto missing = read_file("/nowhere/at/all.ngc");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().kind, ErrorKind::io);
-  EXPECT_EQ(missing.error().code, "file-missing");
+  EXPECT_EQ(missing.error().code, "file-not-found");
   const auto folder = read_file(std::filesystem::temp_directory_path());
   ASSERT_FALSE(folder);
-  EXPECT_EQ(folder.error().code, "file-is-directory");
+  EXPECT_EQ(folder.error().code, "is-directory");
 }
 
 TEST(BadInput, EmptyAndBinaryTextsAreRefused) {

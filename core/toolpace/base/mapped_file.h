@@ -1,19 +1,21 @@
 #pragma once
-/// The bytes of a file, mapped where possible.
+/// The bytes of a file, memory-mapped where the system can, read otherwise.
 
 #include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
 
 namespace toolpace {
 
 class MappedFile {
  public:
-  /// "-" = standard input. Errors: io.
-  static Result<MappedFile> open(const std::filesystem::path& file);
+  /// "-" = standard input. Errors: io (of file_error(); "stream-too-long" for a pipe or device that does not end within
+  /// 1 GiB), cancelled.
+  static Result<MappedFile> open(const std::filesystem::path& file, const Monitor& monitor = {});
 
   MappedFile(MappedFile&& other) noexcept;
   MappedFile& operator=(MappedFile&&) = delete;
