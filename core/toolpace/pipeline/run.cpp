@@ -16,6 +16,7 @@
 #include "toolpace/pipeline/setup.h"
 #include "toolpace/pipeline/summarise.h"
 #include "toolpace/pipeline/travel.h"
+#include "toolpace/pipeline/tube_bound.h"
 #include "toolpace/plan/bound.h"
 #include "toolpace/plan/hold.h"
 #include "toolpace/plan/plan.h"
@@ -150,7 +151,7 @@ Result<void> check_duration(double cycle_time, double period) {
   return tl::unexpected(
       Error{ErrorKind::input,
             "motion-too-long",
-            fmt::format("the program takes {:.0f} days, {:.3g} setpoints", cycle_time / 86400, setpoints),
+            fmt::format("the program takes {:.4g} days, {:.3g} setpoints", cycle_time / 86400, setpoints),
             "check feeds and dwells, or take a longer period",
             {},
             {}});
@@ -229,7 +230,8 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<S
   outcome.restraints = explain_all(outcome, moves);
   outcome.warnings = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.summary = summarise(outcome, moves);
-  if (outcome.job->bound) outcome.summary.bound = bound_of(outcome, moves) + outcome.summary.dwell_time;
+  if (outcome.job->bound && !is_through_tube(*outcome.job))
+    outcome.summary.bound = bound_of(outcome, moves) + outcome.summary.dwell_time;
   outcome.summary.blends = route.blends;
   outcome.summary.tube_deviation = planned->deviation;
   outcome.summary.tube_windows = planned->windows;
@@ -263,6 +265,19 @@ bool is_better(const Outcome& one, const Outcome& other, const Monitor& monitor)
   return report && report->passes();
 }
 
+/// What no motion through the job's tube beats, whichever was taken.
+Result<Outcome> with_tube_bound(Outcome outcome) {
+  const Job& job = *outcome.job;
+  if (!job.bound) return outcome;
+  const auto programmed = build_path(job.program->moves, job.machine.tool_change);
+  if (!programmed) return tl::unexpected(programmed.error());
+  const Moves& moves = job.program->moves;
+  const double tolerance = judged_tolerance(moves, job.options.corner);
+  outcome.summary.bound =
+      tube_bound(*programmed, moves, job.machine, job.options, tolerance) + outcome.summary.dwell_time;
+  return outcome;
+}
+
 Diagnostic not_smoothed(const Error& why) {
   return {Severity::warning, "smooth-fell-back", why.message + ", so corners are blended", why.remedy, {}, {}};
 }
@@ -275,14 +290,14 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   auto blended = plan_job(with_blends(*job), stage(monitor, 0.0, 0.1));
   auto smooth = plan_job(job, stage(monitor, 0.1, 0.95));
   const bool unbounded = !smooth && smooth.error().code == "tube-unbounded";
-  if (!blended || (!smooth && !unbounded)) return smooth;
+  if (!smooth && !(unbounded && blended)) return smooth;
+  if (!blended) return with_tube_bound(std::move(*smooth));
   blended->job = std::move(job);
   if (unbounded) blended->warnings.push_back(not_smoothed(smooth.error()));
   const bool takes_blended = unbounded || is_better(*blended, *smooth, monitor);
   if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
   monitor.report(1.0);
-  if (takes_blended) return blended;
-  return smooth;
+  return with_tube_bound(std::move(takes_blended ? *blended : *smooth));
 }
 
 Result<Outcome> replan(std::shared_ptr<const Job> job, const Outcome& before, const Monitor& monitor) {

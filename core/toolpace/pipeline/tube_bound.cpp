@@ -1,0 +1,153 @@
+#include "toolpace/pipeline/tube_bound.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "toolpace/plan/bound.h"
+
+namespace toolpace {
+namespace {
+
+constexpr std::size_t kLinearAxes = 3;
+constexpr double kArcStep = 0.1;  ///< [rad] between the points that may be chosen on a curve
+
+using Point = Eigen::Vector3d;
+
+double distance(const Point& a, const Point& b) { return (b - a).norm(); }
+
+Point xyz(const AxisVector& v) { return v.head<3>(); }
+
+class TubeBound {
+ public:
+  TubeBound(const Path& path, const Moves& moves, const Machine& machine, const PlanOptions& options, double tolerance)
+      : path_(path), moves_(moves), machine_(machine), options_(options) {
+    std::array<bool, kLinearAxes> moved{};
+    for (const AxisVector& node : path.node) {
+      for (std::size_t k = 0; k < kLinearAxes; ++k) moved[k] = moved[k] || node[k] != path.node.front()[k];
+    }
+    for (const SegmentKind kind : path.kind) moved_round_ = moved_round_ || kind != SegmentKind::line;
+    Point speed = Point::Zero(), acceleration = Point::Zero();
+    for (std::size_t k = 0; k < kLinearAxes; ++k) {
+      if (!moved[k] && !moved_round_) continue;
+      speed[k] = machine.axes[k].speed;
+      acceleration[k] = machine.axes[k].acceleration;
+    }
+    speed_ = std::min(machine.path.speed, speed.norm());
+    up_ = std::min(machine.path.acceleration, acceleration.norm());
+    down_ = std::min(machine.path.deceleration, acceleration.norm());
+    // Between two setpoints the motion is off their chord by no more than a·Ts²/8.
+    const double bulge = acceleration.norm() * machine.period * machine.period / 8;
+    radius_ = tolerance + (std::isfinite(bulge) ? bulge : 0.0);
+  }
+
+  double with_points_apart(double multiple) {
+    least_distance_ = multiple * radius_;
+    time_ = 0;
+    start_section(xyz(path_.node.front()));
+    auto pause = path_.pauses.begin();
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      for (; pause != path_.pauses.end() && pause->node < i; ++pause) continue;
+      if (pause != path_.pauses.end() && pause->node == i) end_section(xyz(path_.node[i]));
+      walk(i);
+    }
+    end_section(xyz(path_.node.back()));
+    return time_;
+  }
+
+ private:
+  double top_speed(std::size_t segment) const {
+    const std::uint32_t row = path_.move[segment];
+    if (moves_.kind[row] == MoveKind::rapid) return speed_;
+    return std::min(speed_, moves_.feed[row] * options_.feed_override);
+  }
+
+  void walk(std::size_t segment) {
+    if (is_rotary_only(path_, segment)) return;
+    cap_ = std::max(cap_, top_speed(segment));
+    const double length = path_.length[segment];
+    if (path_.kind[segment] != SegmentKind::line) {
+      const double curvature = xyz(frame_at(path_, segment, length / 2).second).norm();
+      const double pieces = std::min(1e4, std::floor(length * curvature / kArcStep));
+      for (double k = 1; k < pieces; ++k) {
+        take(xyz(point_at(path_, segment, length * k / pieces)));
+        cap_ = std::max(cap_, top_speed(segment));
+      }
+    }
+    take(xyz(path_.node[segment + 1]));
+  }
+
+  /// Chooses the point, if it is far enough from the one before.
+  void take(const Point& point) {
+    if (distance(last_, point) >= least_distance_) choose(point);
+  }
+
+  void choose(const Point& point) {
+    const double length = distance(last_, point) - 2 * radius_;
+    double time = cap_ > 0 && length > 0 ? length / cap_ : 0.0;
+    for (std::size_t k = 0; k < kLinearAxes; ++k) {
+      time = std::max(time, (std::abs(point[k] - last_[k]) - 2 * radius_) / machine_.axes[k].speed);
+    }
+    section_time_ += std::max(0.0, time);
+    if (length > 0 && cap_ > 0 && cap_ < kUnlimited) {
+      line_.length.push_back(length);
+      line_.block_cap.push_back(cap_);
+    }
+    last_ = point;
+    cap_ = 0;
+  }
+
+  void start_section(const Point& point) {
+    last_ = point;
+    cap_ = 0;
+    section_time_ = 0;
+    line_ = {};
+  }
+
+  /// The machine rests at the point.
+  void end_section(const Point& point) {
+    choose(point);
+    time_ += std::max(section_time_, line_time());
+    start_section(point);
+  }
+
+  /// The fastest motion from rest to rest along a line of the section's lengths.
+  double line_time() {
+    const std::size_t n = line_.length.size();
+    if (n == 0 || !(up_ < kUnlimited) || !(down_ < kUnlimited)) return 0;
+    line_.ramp.assign(n, 0);
+    line_.node_cap.assign(n + 1, 0.0);
+    for (std::size_t i = 1; i < n; ++i) line_.node_cap[i] = std::min(line_.block_cap[i - 1], line_.block_cap[i]);
+    line_.dynamics = {{{up_, kUnlimited, 0.0}, {down_, kUnlimited, 0.0}}};
+    return lower_bound(line_, LawKind::trapezoid);
+  }
+
+  const Path& path_;
+  const Moves& moves_;
+  const Machine& machine_;
+  const PlanOptions& options_;
+  bool moved_round_ = false;
+  double speed_, up_, down_;  ///< of any motion along the axes that move [mm/s, mm/s²]
+  double radius_;             ///< of the tube [mm]
+  double least_distance_ = 0;
+
+  Point last_ = Point::Zero();  ///< point chosen last
+  double cap_ = 0;              ///< top speed since then
+  double section_time_ = 0, time_ = 0;
+  SpeedLimits line_;
+};
+
+}  // namespace
+
+double tube_bound(const Path& path, const Moves& moves, const Machine& machine, const PlanOptions& options,
+                  double tolerance) {
+  if (path.size() == 0) return 0;
+  TubeBound bound(path, moves, machine, options, tolerance);
+  double longest = 0;
+  for (const double multiple : {25.0, 100.0, 400.0}) longest = std::max(longest, bound.with_points_apart(multiple));
+  return longest;
+}
+
+}  // namespace toolpace
