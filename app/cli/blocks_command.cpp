@@ -1,11 +1,11 @@
 /// toolpace blocks: what the interpreter understood of a program.
 
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "commands.h"
+#include "flags.h"
 #include "reading_flags.h"
 #include "report.h"
 #include "toolpace/io/block_writer.h"
@@ -29,27 +29,7 @@ const char* dialect_text(Dialect dialect) {
   return "linuxcnc";
 }
 
-const char* severity_text(Severity severity) {
-  switch (severity) {
-    case Severity::note: return "note";
-    case Severity::warning: return "warning";
-    case Severity::error: break;
-  }
-  return "error";
-}
-
-nlohmann::ordered_json to_json(const BlocksFlags& flags, const Reading& reading) {
-  nlohmann::ordered_json diagnostics = nlohmann::ordered_json::array();
-  for (const auto& d : reading.diagnostics) {
-    diagnostics.push_back({{"severity", severity_text(d.severity)},
-                           {"code", d.code},
-                           {"file", d.where.file},
-                           {"line", d.where.line},
-                           {"column", d.where.column},
-                           {"message", d.message},
-                           {"excerpt", d.excerpt},
-                           {"remedy", d.remedy}});
-  }
+nlohmann::ordered_json blocks_json(const BlocksFlags& flags, const Reading& reading) {
   std::size_t motion = 0;
   for (const MoveKind kind : reading.moves.kind) motion += is_motion(kind) ? 1 : 0;
   return {{"program", flags.reading.program},
@@ -58,21 +38,21 @@ nlohmann::ordered_json to_json(const BlocksFlags& flags, const Reading& reading)
           {"rows", reading.moves.size()},
           {"motion_blocks", motion},
           {"csv", flags.csv.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(flags.csv)},
-          {"diagnostics", std::move(diagnostics)}};
+          {"diagnostics", to_json(reading.diagnostics)}};
 }
 
-int run_blocks(const BlocksFlags& flags) {
-  const auto reading = flags.reading.read();
-  if (!reading) return report(reading.error());
+Done run_blocks(const BlocksFlags& flags) {
   const std::string target = flags.csv.empty() && !flags.json ? "-" : flags.csv;
+  if (flags.json && target == "-") {
+    return tl::unexpected(
+        usage_error("two-outputs", "--json and --csv - both want standard output", "write the table to a file"));
+  }
+  const auto reading = flags.reading.read();
+  if (!reading) return tl::unexpected(reading.error());
   if (!target.empty()) {
-    if (const auto written = write_blocks(target, *reading); !written) return report(written.error());
+    if (const auto written = write_blocks(target, *reading); !written) return tl::unexpected(written.error());
   }
-  if (flags.json) {
-    // Comments may hold any bytes; JSON is UTF-8.
-    const auto text = to_json(flags, *reading).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    std::printf("%s\n", text.c_str());
-  }
+  if (flags.json) print_json(blocks_json(flags, *reading));
   return reading->refused ? kBadInput : kFine;
 }
 
@@ -80,10 +60,18 @@ int run_blocks(const BlocksFlags& flags) {
 
 void add_blocks_command(CLI::App& app, Action& action) {
   auto flags = std::make_shared<BlocksFlags>();
-  CLI::App& command = *app.add_subcommand("blocks", "Writes what was understood of a program, one motion block a row.");
+  CLI::App& command = *app.add_subcommand("blocks", "Write what was understood of a program, one motion block a row");
+  add_word(command, "--csv FILE", flags->csv, "Table to write; - = standard output, also without --csv and --json");
+  command.add_flag("--json", flags->json, "Print one JSON object: counts and diagnostics");
   flags->reading.add_to(command);
-  command.add_option("--csv", flags->csv, "table to write; - = standard output, also without --csv and --json");
-  command.add_flag("--json", flags->json, "print counts and diagnostics as JSON");
+  command.footer(
+      "Rows in machine coordinates, lengths in mm, angles in deg, feeds in mm/min. A program with errors is written up "
+      "to\n"
+      "the first one, then the error, and the exit code is 3.\n\n"
+      "Examples:\n"
+      "  toolpace blocks part.ngc\n"
+      "  toolpace blocks part.nc --dialect fanuc --csv part.csv\n"
+      "  toolpace blocks part.ngc --json");
   command.callback([flags, &action] { action = [flags] { return run_blocks(*flags); }; });
 }
 

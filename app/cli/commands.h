@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "failure.h"
+
 namespace toolpace::cli {
 
-using Action = std::function<int()>;  ///< returns the exit code
+using Action = std::function<Done()>;
 
 void add_plan_command(CLI::App& app, Action& action);
 void add_blocks_command(CLI::App& app, Action& action);

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <utility>
 
+#include "flags.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/setup_keys.h"
@@ -37,7 +38,7 @@ Result<void> set_lookahead(const std::string& text, std::optional<std::size_t>& 
   std::size_t blocks = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), blocks);
   if (error != std::errc() || end != text.data() + text.size() || blocks < 1) {
-    return tl::unexpected(bad_flag("--lookahead", text, "a whole number of blocks ≥ 1, all"));
+    return tl::unexpected(bad_flag("--lookahead", text, "1, 2, 3 … (blocks), all"));
   }
   lookahead = blocks;
   return {};
@@ -88,25 +89,40 @@ void set_path_limits(const JobFlags& f, PathLimits& path) {
 }  // namespace
 
 void JobFlags::add_to(CLI::App& c) {
-  c.add_option("--machine", machine, "Machine file (TOML)");
-  c.add_option("--law", law, "Velocity law: " + law_ids());
-  c.add_option("--tacc-ms", tacc_ms, "Duration of a ramp up, five-phase-time [ms]");
-  c.add_option("--tdec-ms", tdec_ms, "Duration of a ramp down, five-phase-time [ms]");
-  c.add_option("--am", am, "Acceleration along the path [mm/s²]");
-  c.add_option("--dm", dm, "Deceleration along the path [mm/s²]; default am");
-  c.add_option("--jm", jm, "Jerk along the path [mm/s³]");
-  c.add_option("--jd", jd, "Jerk while slowing down [mm/s³]; default jm");
-  c.add_option("--vmax", vmax, "Top speed along the path [mm/s]");
-  c.add_option("--lookahead", lookahead, "Look-ahead depth in blocks, or all; 1 = full stop at every node");
-  c.add_option("--ramps", ramps, "block: ramps end inside their block; span: ramps run across blocks");
-  c.add_option("--corner", corner, "Corner rule: stop, servo, junction, blend or smooth");
-  c.add_option("--corner-step-mm-s", corner_step, "Instead of --corner: largest step of the velocity vector [mm/s]");
-  c.add_option("--tolerance-mm", tolerance, "Tolerance of blend and smooth [mm]");
-  c.add_option("--junction-deviation-mm", junction_deviation, "Junction deviation [mm]");
-  c.add_option("--override-percent", override_percent, "Feed override [%], up to 200");
-  c.add_option("--rapid-percent", rapid_percent, "Rapid override [%], up to 100");
-  c.add_option("--period-ms", period_ms, "Interpolation period [ms]");
-  c.add_option("--hold-at-s", hold_at, "Feed hold at this time [s]: a jerk-limited stop on the path, then a resume");
+  constexpr char kLimits[] = "Machine and limits along the path (they override the machine file's)";
+  add_word(c, "--machine FILE", machine, "Machine file (TOML); without one 100 mm/s, 3000 mm/s², 1e6 mm/s³, 1 ms")
+      ->group(kLimits);
+  add_number(c, "--vmax MM/S", vmax, "Top speed")->group(kLimits);
+  add_number(c, "--am MM/S2", am, "Acceleration")->group(kLimits);
+  add_number(c, "--dm MM/S2", dm, "Deceleration; default am")->group(kLimits);
+  add_number(c, "--jm MM/S3", jm, "Jerk")->group(kLimits);
+  add_number(c, "--jd MM/S3", jd, "Jerk while slowing down; default jm")->group(kLimits);
+  add_number(c, "--override-percent PERCENT", override_percent, "Feed override, up to 200; default 100")
+      ->group(kLimits);
+  add_number(c, "--rapid-percent PERCENT", rapid_percent, "Rapid override, up to 100; default 100")->group(kLimits);
+  add_number(c, "--period-ms MS", period_ms, "Interpolation period; default 1")->group(kLimits);
+
+  constexpr char kLaw[] = "Law and look-ahead";
+  add_word(c, "--law LAW", law, law_ids() + "; default quintic")->group(kLaw);
+  add_number(c, "--tacc-ms MS", tacc_ms, "five-phase-time: least duration of a ramp up; default 50")->group(kLaw);
+  add_number(c, "--tdec-ms MS", tdec_ms, "five-phase-time: least duration of a ramp down; default 50")->group(kLaw);
+  add_word(c, "--lookahead N", lookahead, "Depth in blocks, or all (default); 1 = full stop at every node")
+      ->group(kLaw);
+  add_word(c, "--ramps KIND", ramps, "block (default): ramps end inside their block; span: they run across blocks")
+      ->group(kLaw);
+  add_number(c, "--hold-at-s S", hold_at, "Feed hold at this time: a jerk-limited stop on the path, then a resume")
+      ->group(kLaw);
+
+  constexpr char kCorners[] = "Corners";
+  add_word(c, "--corner RULE", corner,
+           "stop; servo (default): speed steps that a servo follows within a period; junction: by\n"
+           "junction deviation; blend: corner curves; smooth: optimised through the tolerance tube")
+      ->group(kCorners);
+  add_number(c, "--corner-step-mm-s MM/S", corner_step, "Instead of --corner: largest step of the velocity vector")
+      ->group(kCorners);
+  add_number(c, "--tolerance-mm MM", tolerance, "Largest distance from the path for blend and smooth; default 0.01")
+      ->group(kCorners);
+  add_number(c, "--junction-deviation-mm MM", junction_deviation, "Junction deviation; default 0.01")->group(kCorners);
 }
 
 Result<Setup> JobFlags::setup() const {

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "commands.h"
+#include "flags.h"
+#include "outcome_json.h"
 #include "report.h"
 #include "toolpace/law/single_move.h"
 
@@ -22,10 +24,6 @@ struct MoveFlags {
   std::optional<double> tacc, tdec, am, dm, jm, jd;
   bool json = false;
 };
-
-Error usage_error(std::string code, std::string message, std::string remedy) {
-  return {ErrorKind::usage, std::move(code), std::move(message), std::move(remedy), {}, {}};
-}
 
 /// What the law has to be told, and was not.
 std::optional<Error> find_missing(const LawRow& law, const MoveFlags& flags) {
@@ -59,11 +57,7 @@ Dynamics dynamics_of(const LawRow& law, const MoveFlags& flags) {
   return {{am, jm, 0.0}, {flags.dm.value_or(am), flags.jd.value_or(jm), 0.0}};
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isinf(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value);
-}
-
-nlohmann::ordered_json to_json(const LawRow& law, const SingleMove& move) {
+nlohmann::ordered_json move_json(const LawRow& law, const SingleMove& move) {
   nlohmann::ordered_json phases = nlohmann::ordered_json::array();
   for (const Phase& p : move.phases) {
     const PhaseState first = evaluate(p, 0.0), last = evaluate(p, p.duration);
@@ -110,18 +104,19 @@ void print_table(const LawRow& law, const SingleMove& move) {
   fmt::print("total time            {}\n", text(move.total_time()));
 }
 
-int run_move(const MoveFlags& flags) {
+Done run_move(const MoveFlags& flags) {
   const auto kind = find_law(flags.law);
   if (!kind) {
-    return report(usage_error("law-unknown", "there is no law called " + flags.law, "take one of " + law_ids()));
+    return tl::unexpected(
+        usage_error("law-unknown", "there is no law called " + flags.law, "take one of " + law_ids()));
   }
   const LawRow& law = law_row(*kind);
-  if (auto error = find_missing(law, flags)) return report(*error);
+  if (auto error = find_missing(law, flags)) return tl::unexpected(std::move(*error));
   const auto move = single_move(*kind, flags.move, dynamics_of(law, flags));
-  if (!move) return report(move.error());
+  if (!move) return tl::unexpected(move.error());
   mention_unused(law, flags);
   if (flags.json) {
-    fmt::print("{}\n", to_json(law, *move).dump(2));
+    print_json(move_json(law, *move));
   } else {
     print_table(law, *move);
   }
@@ -132,19 +127,26 @@ int run_move(const MoveFlags& flags) {
 
 void add_move_command(CLI::App& app, Action& action) {
   auto flags = std::make_shared<MoveFlags>();
-  CLI::App& command = *app.add_subcommand("move", "Computes one move: ramp, cruise, ramp. Takes any consistent units.");
-  command.add_option("--law", flags->law, "one of " + law_ids())->required();
-  command.add_option("--length", flags->move.length, "length of the move")->required();
-  command.add_option("--feed", flags->move.feed, "top speed")->required();
-  command.add_option("--start", flags->move.start, "speed at the start")->capture_default_str();
-  command.add_option("--end", flags->move.end, "speed at the end")->capture_default_str();
-  command.add_option("--tacc", flags->tacc, "acceleration time, five-phase-time");
-  command.add_option("--tdec", flags->tdec, "deceleration time, five-phase-time; default --tacc");
-  command.add_option("--am", flags->am, "acceleration limit");
-  command.add_option("--dm", flags->dm, "deceleration limit; default --am");
-  command.add_option("--jm", flags->jm, "jerk limit");
-  command.add_option("--jd", flags->jd, "jerk limit while slowing down; default --jm");
-  command.add_flag("--json", flags->json, "print one JSON object");
+  CLI::App& command = *app.add_subcommand("move", "Compute one move: ramp, cruise, ramp, in any consistent units");
+  add_word(command, "--law LAW", flags->law, law_ids())->required();
+  add_number(command, "--length L", flags->move.length, "Length of the move")->required();
+  add_number(command, "--feed F", flags->move.feed, "Top speed")->required();
+  add_number(command, "--start FS", flags->move.start, "Speed at the start; default 0");
+  add_number(command, "--end FE", flags->move.end, "Speed at the end; default 0");
+  add_number(command, "--tacc TA", flags->tacc, "Acceleration time, five-phase-time");
+  add_number(command, "--tdec TD", flags->tdec, "Deceleration time, five-phase-time; default tacc");
+  add_number(command, "--am A", flags->am, "Acceleration limit");
+  add_number(command, "--dm D", flags->dm, "Deceleration limit; default am");
+  add_number(command, "--jm J", flags->jm, "Jerk limit");
+  add_number(command, "--jd JD", flags->jd, "Jerk limit while slowing down; default jm");
+  command.add_flag("--json", flags->json, "Print one JSON object");
+  command.footer(
+      "Any units that fit together do: mm and s, pulse and cycle. An end speed that the length does not allow is an "
+      "error\n"
+      "(exit code 3), which tells the nearest speed and the least length that would do.\n\n"
+      "Examples:\n"
+      "  toolpace move --law quintic --length 10 --feed 100 --am 3000 --jm 1e6\n"
+      "  toolpace move --law five-phase-time --length 4000 --feed 100 --start 10 --end 20 --tacc 35 --tdec 20 --json");
   command.callback([flags, &action] { action = [flags] { return run_move(*flags); }; });
 }
 

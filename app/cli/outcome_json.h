@@ -9,15 +9,15 @@
 namespace toolpace::cli {
 
 /// A number, or null where it is not finite.
-nlohmann::json number(double value);
+nlohmann::ordered_json number(double value);
 
 /// Everything that the plan itself knows; the keys that need setpoints are added by the caller.
-nlohmann::json outcome_json(const Outcome& outcome);
+nlohmann::ordered_json outcome_json(const Outcome& outcome);
 
 /// {"X": {"max_speed_mm_s": …}, …} of the axes that moved.
-nlohmann::json axes_json(const AxisPeakMeter& meter);
+nlohmann::ordered_json axes_json(const AxisPeakMeter& meter);
 
 /// {"line", "column", "code", "message"} each.
-nlohmann::json diagnostics_json(const Diagnostics& diagnostics);
+nlohmann::ordered_json diagnostics_json(const Diagnostics& diagnostics);
 
 }  // namespace toolpace::cli

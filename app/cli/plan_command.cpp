@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "flags.h"
 #include "interrupt.h"
 #include "job_flags.h"
 #include "outcome_json.h"
+#include "planned_program.h"
 #include "reading_flags.h"
 #include "report.h"
 #include "servo_json.h"
@@ -21,6 +24,7 @@
 #include "toolpace/pipeline/prove.h"
 #include "toolpace/sample/program_pulses.h"
 #include "toolpace/sample/sampler.h"
+#include "verification.h"
 
 namespace toolpace::cli {
 namespace {
@@ -41,18 +45,35 @@ struct SetpointPass {
   double chord_error = 0.0;  ///< [mm]
 };
 
-/// Samples the plan once: measures, and writes the file where one is wanted.
-Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, const PlanFlags& flags, const Monitor& monitor) {
-  std::unique_ptr<SetpointWriter> writer;
-  if (!flags.setpoints.empty() && !is_pulse_file(flags.setpoints)) {
-    SetpointFileOptions options;
-    options.axis_derivatives = flags.axis_derivatives;
-    options.decimal_comma = flags.decimal_comma;
-    options.program_name = outcome.job->program_name;
-    auto opened = open_setpoint_writer(flags.setpoints, options);
-    if (!opened) return tl::unexpected(opened.error());
-    writer = std::move(*opened);
+/// The file that --setpoints names, opened before anything is planned: what cannot be written is known at once.
+struct Target {
+  std::unique_ptr<SetpointWriter> setpoints;
+  std::optional<ProgramPulseWriter> pulses;
+
+  bool is_open() const { return setpoints != nullptr || pulses; }
+};
+
+Result<Target> open_target(const PlanFlags& flags) {
+  Target target;
+  if (flags.setpoints.empty()) return target;
+  if (is_pulse_file(flags.setpoints)) {
+    auto pulses = ProgramPulseWriter::create(flags.setpoints);
+    if (!pulses) return tl::unexpected(pulses.error());
+    target.pulses.emplace(std::move(*pulses));
+    return target;
   }
+  SetpointFileOptions options;
+  options.axis_derivatives = flags.axis_derivatives;
+  options.decimal_comma = flags.decimal_comma;
+  options.program_name = flags.reading.program;
+  auto setpoints = open_setpoint_writer(flags.setpoints, options);
+  if (!setpoints) return tl::unexpected(setpoints.error());
+  target.setpoints = std::move(*setpoints);
+  return target;
+}
+
+/// Samples the plan once: measures, and writes the file where one is wanted.
+Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, SetpointWriter* writer, const Monitor& monitor) {
   SetpointPass pass;
   Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
   pass.rows = sampler.rows();
@@ -72,18 +93,27 @@ Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, const PlanFlags
   return pass;
 }
 
-/// The step pulses of the plan as a file.
-Result<void> write_pulses(const Outcome& outcome, const PlanFlags& flags, const Monitor& monitor) {
-  auto writer = ProgramPulseWriter::create(flags.setpoints);
-  if (!writer) return tl::unexpected(writer.error());
+/// The step pulses of the plan.
+Result<void> write_pulses(const Outcome& outcome, double timer_hz, ProgramPulseWriter& writer, const Monitor& monitor) {
   const TimedMotion motion{*outcome.path, outcome.plan, outcome.node_time};
-  const auto take = [&](const std::vector<Pulse>& pulses) { return writer->write(pulses); };
-  const auto counts = program_pulses(motion, outcome.job->machine, flags.timer_hz.value_or(0), take, monitor);
+  const auto take = [&](const std::vector<Pulse>& pulses) { return writer.write(pulses); };
+  const auto counts = program_pulses(motion, outcome.job->machine, timer_hz, take, monitor);
   if (!counts) return tl::unexpected(counts.error());
-  return writer->finish();
+  return writer.finish();
 }
 
-void add_verification(nlohmann::json& json, const std::optional<VerifyReport>& proof) {
+/// Proves the file that was written; what cannot be read back (no file, a pipe, pulses) is proven before it is written.
+Result<VerifyReport> prove_plan(const Outcome& outcome, const PlanFlags& flags) {
+  std::error_code ignored;
+  const bool is_setpoint_file =
+      !is_pulse_file(flags.setpoints) && std::filesystem::is_regular_file(flags.setpoints, ignored);
+  auto proof = is_setpoint_file ? prove(flags.setpoints, outcome, terminal_monitor("verifying"))
+                                : prove(outcome, terminal_monitor("verifying"));
+  end_progress();
+  return proof;
+}
+
+void add_verification(nlohmann::ordered_json& json, const std::optional<VerifyReport>& proof) {
   json["violations"] = nullptr;
   json["max_path_deviation_mm"] = nullptr;
   if (!proof) return;
@@ -96,12 +126,13 @@ void add_verification(nlohmann::json& json, const std::optional<VerifyReport>& p
   json["exempt_corners"] = proof->exempt_corners;
 }
 
-void print_verification(const VerifyReport& proof) {
-  fmt::print("  verified     {}\n", proof.passes() ? "every limit holds" : "LIMITS ARE BROKEN");
+void print_proof(std::FILE* out, const VerifyReport& proof) {
+  fmt::print(out, "  verified     {}\n", proof.passes() ? "every limit holds" : "LIMITS ARE BROKEN");
   for (const Check& c : proof.checks) {
     if (!c.broken) continue;
-    fmt::print("    {}{} {:.6g} > {:.6g} at {:.3f} s, line {}\n", key_of(c.kind),
-               c.axis ? std::string(" ") + kAxisNames[*c.axis] : "", c.value, c.limit, c.time, c.line);
+    const CheckUnit unit = check_unit(c);
+    fmt::print(out, "    {}: {:.6g} {} where {:.6g} is allowed, at {:.3f} s, line {}\n", check_title(c),
+               c.value * unit.factor, unit.symbol, c.limit * unit.factor, c.time, c.line);
   }
 }
 
@@ -126,79 +157,62 @@ void print_summary(const Outcome& outcome, const SetpointPass& pass, const PlanF
     }
   }
   if (!flags.setpoints.empty()) {
-    fmt::print("  setpoints    {} rows every {} ms -> {}\n", pass.rows, outcome.job->machine.period * 1e3,
+    fmt::print("  setpoints    {} rows every {:.6g} ms -> {}\n", pass.rows, outcome.job->machine.period * 1e3,
                flags.setpoints);
   }
 }
 
-int run_plan(const PlanFlags& flags) {
+nlohmann::ordered_json plan_json(const Outcome& outcome, const SetpointPass& pass,
+                                 const std::optional<VerifyReport>& proof) {
+  nlohmann::ordered_json json = outcome_json(outcome);
+  json["axes"] = axes_json(pass.peaks);
+  json["setpoints"] = pass.rows;
+  json["max_chord_error_mm"] = pass.chord_error;
+  add_verification(json, proof);
+  return json;
+}
+
+Done run_plan(const PlanFlags& flags) {
   const auto begin = std::chrono::steady_clock::now();
-  if (flags.json && flags.setpoints == "-") {
-    return report(Error{ErrorKind::usage,
-                        "two-outputs",
-                        "--json and --setpoints - both want standard output",
-                        "write the setpoints to a file",
-                        {},
-                        {}});
-  }
-  if (flags.verify && (flags.setpoints.empty() || flags.setpoints == "-")) {
-    return report(Error{ErrorKind::usage,
-                        "verify-what",
-                        "--verify reads back the setpoint file, and there is none",
-                        "add --setpoints FILE",
-                        {},
-                        {}});
+  const bool to_stdout = flags.setpoints == "-";
+  if (flags.json && to_stdout) {
+    return tl::unexpected(usage_error("two-outputs", "--json and --setpoints - both want standard output",
+                                      "write the setpoints to a file"));
   }
   const auto setup = flags.job.setup();
-  if (!setup) return report(setup.error());
-  auto reading = flags.reading.read();
-  if (!reading) return report(reading.error());
-  if (reading->refused) return kBadInput;
-
-  auto job = std::make_shared<Job>();
-  job->program_name = flags.reading.program;
-  job->program = std::make_shared<const Reading>(std::move(*reading));
-  job->machine = setup->machine;
-  job->options = setup->options;
-  job->bound = flags.bound;
-  const auto outcome = run(job, terminal_monitor("planning"));
-  end_progress();
-  if (!outcome) return report(outcome.error());
-  report(outcome->warnings);
+  if (!setup) return tl::unexpected(setup.error());
+  auto target = open_target(flags);
+  if (!target) return tl::unexpected(target.error());
+  const auto outcome = plan_program(flags.reading, *setup, flags.bound);
+  if (!outcome) return tl::unexpected(outcome.error());
   const std::chrono::duration<double> planned = std::chrono::steady_clock::now() - begin;
 
-  const auto pass = pass_over_setpoints(*outcome, flags, terminal_monitor("setpoints"));
+  const auto pass = pass_over_setpoints(*outcome, target->setpoints.get(), terminal_monitor("setpoints"));
   end_progress();
-  if (!pass) return report(pass.error());
-  const bool pulses = is_pulse_file(flags.setpoints);
-  if (pulses) {
-    const auto written = write_pulses(*outcome, flags, terminal_monitor("pulses"));
+  if (!pass) return tl::unexpected(pass.error());
+  if (target->pulses) {
+    const auto written =
+        write_pulses(*outcome, flags.timer_hz.value_or(0), *target->pulses, terminal_monitor("pulses"));
     end_progress();
-    if (!written) return report(written.error());
+    if (!written) return tl::unexpected(written.error());
   }
   std::optional<VerifyReport> proof;
   if (flags.verify) {
-    auto verified = pulses ? prove(*outcome, terminal_monitor("verifying"))
-                           : prove(flags.setpoints, *outcome, terminal_monitor("verifying"));
-    end_progress();
-    if (!verified) return report(verified.error());
+    auto verified = prove_plan(*outcome, flags);
+    if (!verified) return tl::unexpected(verified.error());
     proof = std::move(*verified);
   }
   if (flags.json) {
-    nlohmann::json json = outcome_json(*outcome);
-    json["axes"] = axes_json(pass->peaks);
-    json["setpoints"] = pass->rows;
-    json["max_chord_error_mm"] = pass->chord_error;
-    add_verification(json, proof);
+    nlohmann::ordered_json json = plan_json(*outcome, *pass, proof);
     const auto servo = follow(*outcome, {}, terminal_monitor("simulating"));
     end_progress();
-    if (!servo && servo.error().kind == ErrorKind::cancelled) return report(servo.error());
-    json["servo"] = servo ? nlohmann::json(servo_json(*servo, outcome->job->machine)) : nlohmann::json(nullptr);
+    if (!servo && servo.error().kind == ErrorKind::cancelled) return tl::unexpected(servo.error());
+    json["servo"] = servo ? servo_json(*servo, outcome->job->machine) : nlohmann::ordered_json(nullptr);
     json["plan_wall_s"] = planned.count();
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-  } else if (flags.setpoints != "-") {
-    print_summary(*outcome, *pass, flags);
-    if (proof) print_verification(*proof);
+    print_json(json);
+  } else {
+    if (!to_stdout) print_summary(*outcome, *pass, flags);
+    if (proof) print_proof(to_stdout ? stderr : stdout, *proof);
   }
   return proof && !proof->passes() ? kLimitBroken : kFine;
 }
@@ -207,19 +221,27 @@ int run_plan(const PlanFlags& flags) {
 
 void add_plan_command(CLI::App& app, Action& action) {
   auto flags = std::make_shared<PlanFlags>();
-  CLI::App* command = app.add_subcommand("plan", "Plan a program: cycle time, peaks, setpoints");
-  flags->reading.add_to(*command);
-  flags->job.add_to(*command);
-  command->add_option("--setpoints", flags->setpoints,
-                      "Write setpoints: .csv, .npy, .npz, .halstream, .semicolon.csv, or step pulses: .pulses.csv; - = "
-                      "standard output");
-  command->add_option("--timer-hz", flags->timer_hz, "Clock of the pulse timer [Hz], for OUT.pulses.csv");
-  command->add_flag("--axis-derivatives", flags->axis_derivatives, "Add speed, acceleration and jerk of each axis");
-  command->add_flag("--decimal-comma", flags->decimal_comma, "Decimal commas in .semicolon.csv");
-  command->add_flag("--verify", flags->verify, "Read the setpoint file back and prove that it keeps every limit");
-  command->add_flag("--json", flags->json, "Print one JSON object");
-  command->add_flag("--bound", flags->bound, "Compute a lower bound of the cycle time");
-  command->callback([flags, &action] { action = [flags] { return run_plan(*flags); }; });
+  CLI::App& command = *app.add_subcommand("plan", "Plan a program: cycle time, peaks, setpoints");
+  add_word(command, "--setpoints FILE", flags->setpoints,
+           "Write setpoints: .csv (also without extension), .npy, .npz, .halstream,\n"
+           ".semicolon.csv, or step pulses: .pulses.csv; - = csv to standard output");
+  command.add_flag("--verify", flags->verify, "Read the setpoints back and prove that they keep every limit");
+  command.add_flag("--bound", flags->bound, "Compute a lower bound of the cycle time");
+  command.add_flag("--json", flags->json, "Print one JSON object");
+  command.add_flag("--axis-derivatives", flags->axis_derivatives, "Add speed, acceleration and jerk of each axis");
+  command.add_flag("--decimal-comma", flags->decimal_comma, "Decimal commas in .semicolon.csv");
+  add_number(command, "--timer-hz HZ", flags->timer_hz, "Clock of the pulse timer, for .pulses.csv");
+  flags->job.add_to(command);
+  flags->reading.add_to(command);
+  command.footer(
+      "Exit codes: 0 fine; 1 --verify found a broken limit; 2 bad usage; 3 bad input; 4 file trouble; 130 "
+      "interrupted.\n\n"
+      "Examples:\n"
+      "  toolpace plan part.ngc\n"
+      "  toolpace plan part.ngc --machine mill.toml --setpoints part.csv --verify\n"
+      "  toolpace plan part.ngc --law seven-phase --ramps span --corner blend --tolerance-mm 0.02 --bound\n"
+      "  toolpace plan - --vmax 50 --am 500 --jm 2e4 --json < part.ngc");
+  command.callback([flags, &action] { action = [flags] { return run_plan(*flags); }; });
 }
 
 }  // namespace toolpace::cli

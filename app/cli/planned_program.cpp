@@ -5,26 +5,20 @@
 
 namespace toolpace::cli {
 
-Result<Outcome> plan_program(const ReadingFlags& reading_flags, const Setup& setup) {
-  auto reading = reading_flags.read();
-  if (!reading) return tl::unexpected(reading.error());
-  if (reading->refused) {
-    return tl::unexpected(Error{ErrorKind::input,
-                                "program-refused",
-                                "the program has errors and is not planned",
-                                "correct it first",
-                                {reading_flags.program, 0, 0},
-                                {}});
-  }
+tl::expected<Outcome, Failure> plan_program(const ReadingFlags& flags, const Setup& setup, bool bound) {
+  auto reading = flags.read_accepted();
+  if (!reading) return tl::unexpected(std::move(reading.error()));
   auto job = std::make_shared<Job>();
-  job->program_name = reading_flags.program;
+  job->program_name = flags.program;
   job->program = std::make_shared<const Reading>(std::move(*reading));
   job->machine = setup.machine;
   job->options = setup.options;
+  job->bound = bound;
   auto outcome = run(job, terminal_monitor("planning"));
   end_progress();
-  if (outcome) report(outcome->warnings);
-  return outcome;
+  if (!outcome) return tl::unexpected<Failure>(std::move(outcome.error()));
+  report(outcome->warnings);
+  return std::move(*outcome);
 }
 
 }  // namespace toolpace::cli

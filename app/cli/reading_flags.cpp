@@ -1,12 +1,18 @@
 #include "reading_flags.h"
 
+#include <cerrno>
+#include <filesystem>
 #include <map>
 
+#include "flags.h"
 #include "interrupt.h"
 #include "report.h"
+#include "toolpace/base/file_error.h"
 
 namespace toolpace::cli {
 namespace {
+
+constexpr char kGroup[] = "Reading the program";
 
 const std::map<std::string, Dialect> kDialects = {
     {"auto", Dialect::automatic}, {"linuxcnc", Dialect::linuxcnc}, {"fanuc", Dialect::fanuc}, {"grbl", Dialect::grbl}};
@@ -16,31 +22,28 @@ const std::map<std::string, Dialect> kDialects = {
 void ReadingFlags::add_to(CLI::App& command) {
   command
       .add_option("PROGRAM", program, "NC program (.ngc, .nc, .tap, .gcode …) or polyline (.csv); - = standard input")
+      ->type_name("")
       ->required();
   add_options_to(command);
 }
 
 void ReadingFlags::add_options_to(CLI::App& command) {
-  command.add_option("--dialect", dialect, "auto, linuxcnc, fanuc or grbl")
-      ->check(CLI::IsMember({"auto", "linuxcnc", "fanuc", "grbl"}));
-  command.add_flag("--strict", strict, "Treat every warning as an error");
-  command.add_flag("--block-delete", block_delete, "Skip lines that start with '/'");
-  command.add_option("--tools", tools, "Tool table");
-  command.add_option("--parameters", parameters, "File of numbered parameters");
+  add_word(command, "--dialect NAME", dialect, "auto (default), linuxcnc, fanuc or grbl")->group(kGroup);
+  command.add_flag("--strict", strict, "Treat every warning as an error")->group(kGroup);
+  command.add_flag("--block-delete", block_delete, "Skip lines that start with '/'")->group(kGroup);
+  add_word(command, "--tools FILE", tools, "Tool table, as LinuxCNC writes it")->group(kGroup);
+  add_word(command, "--parameters FILE", parameters, "Numbered parameters, as LinuxCNC writes them")->group(kGroup);
   command.add_option("--sub-path", sub_paths, "Folder with sub-programs; may be given more than once")
-      ->check(CLI::ExistingDirectory);
-  command.add_option("--max-blocks", limits.blocks, "Most motion blocks, besides one a line")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command.add_option("--max-lines", limits.lines, "Most lines that loops and calls run again")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command.add_option("--max-loop-turns", limits.loop_turns, "Most turns of all loops together")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command.add_option("--max-call-depth", limits.call_depth, "Most calls within each other")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+      ->type_name("DIR")
+      ->allow_extra_args(false)
+      ->group(kGroup);
+  const auto add_bound = [&](const char* flag, std::uint64_t& target, const std::string& what) {
+    add_count(command, flag, target, what + "; default " + std::to_string(target))->group(kGroup);
+  };
+  add_bound("--max-blocks N", limits.blocks, "Most motion blocks, besides one a line");
+  add_bound("--max-lines N", limits.lines, "Most lines that loops and calls run again");
+  add_bound("--max-loop-turns N", limits.loop_turns, "Most turns of all loops together");
+  add_bound("--max-call-depth N", limits.call_depth, "Most calls within each other");
 }
 
 ReadOptions ReadingFlags::options() const {
@@ -55,11 +58,30 @@ ReadOptions ReadingFlags::options() const {
   return options;
 }
 
-Result<Reading> ReadingFlags::read() const {
+tl::expected<Reading, Failure> ReadingFlags::read() const {
+  if (kDialects.find(dialect) == kDialects.end()) {
+    return tl::unexpected<Failure>(usage_error("bad-flag", "--dialect does not know '" + dialect + "'",
+                                               "give one of auto, linuxcnc, fanuc, grbl"));
+  }
+  for (const std::string& folder : sub_paths) {
+    std::error_code trouble;
+    if (!std::filesystem::is_directory(folder, trouble)) {
+      return tl::unexpected<Failure>(file_error(trouble ? trouble.value() : ENOTDIR, folder, "search"));
+    }
+  }
   auto reading = read_file(program, options(), terminal_monitor("reading"));
   end_progress();
-  if (reading) report(reading->diagnostics);
-  return reading;
+  if (!reading) return tl::unexpected<Failure>(std::move(reading.error()));
+  report(reading->diagnostics);
+  return std::move(*reading);
+}
+
+tl::expected<Reading, Failure> ReadingFlags::read_accepted() const {
+  auto reading = read();
+  if (!reading || !reading->refused) return reading;
+  Error refused{ErrorKind::input,     "program-refused", "the program has errors",
+                "correct them first", {program, 0, 0},   {}};
+  return tl::unexpected(Failure(std::move(refused), std::move(reading->diagnostics)));
 }
 
 }  // namespace toolpace::cli

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "failure.h"
 #include "toolpace/nc/reader.h"
 
 namespace toolpace::cli {
@@ -26,7 +27,10 @@ struct ReadingFlags {
   ReadOptions options() const;
 
   /// Reads the program and prints its diagnostics to stderr.
-  Result<Reading> read() const;
+  tl::expected<Reading, Failure> read() const;
+
+  /// The same, for commands that make nothing of a program with errors: it is a Failure.
+  tl::expected<Reading, Failure> read_accepted() const;
 };
 
 }  // namespace toolpace::cli

@@ -36,7 +36,7 @@ ExitCode exit_code(ErrorKind kind) {
   return kBadInput;
 }
 
-int report(const Error& error) {
+ExitCode report(const Error& error) {
   fmt::print(stderr, "{}error: {} [{}]\n", place(error.where), error.message, error.code);
   if (!error.remedy.empty()) fmt::print(stderr, "  {}\n", error.remedy);
   return exit_code(error.kind);
@@ -50,6 +50,39 @@ void report(const Diagnostic& d) {
 
 void report(const Diagnostics& diagnostics) {
   for (const auto& d : diagnostics) report(d);
+}
+
+nlohmann::ordered_json to_json(const Failure& failure) {
+  const Error& e = failure.error;
+  nlohmann::ordered_json error = {{"code", e.code}, {"message", e.message}, {"remedy", e.remedy}};
+  error["file"] = nullptr;
+  if (!e.where.file.empty()) error["file"] = e.where.file;
+  error["line"] = e.where.line;
+  error["column"] = e.where.column;
+  error["attainable"] = nullptr;
+  if (e.attainable) error["attainable"] = *e.attainable;
+  return {{"error", std::move(error)},
+          {"exit_code", static_cast<int>(exit_code(e.kind))},
+          {"diagnostics", to_json(failure.diagnostics)}};
+}
+
+nlohmann::ordered_json to_json(const Diagnostics& diagnostics) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Diagnostic& d : diagnostics) {
+    list.push_back({{"severity", word(d.severity)},
+                    {"code", d.code},
+                    {"file", d.where.file},
+                    {"line", d.where.line},
+                    {"column", d.where.column},
+                    {"message", d.message},
+                    {"excerpt", d.excerpt},
+                    {"remedy", d.remedy}});
+  }
+  return list;
+}
+
+void print_json(const nlohmann::ordered_json& json) {
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 }  // namespace toolpace::cli

@@ -1,18 +1,28 @@
 #pragma once
-/// How the command line tells people what went wrong, and its exit codes.
+/// How the command line tells people, and scripts that asked for JSON, what went wrong.
 
-#include "toolpace/base/result.h"
+#include <nlohmann/json.hpp>
+
+#include "failure.h"
 
 namespace toolpace::cli {
-
-enum ExitCode : int { kFine = 0, kLimitBroken = 1, kBadUsage = 2, kBadInput = 3, kFileTrouble = 4, kInterrupted = 130 };
 
 ExitCode exit_code(ErrorKind kind);
 
 /// Prints "file:line:column: error: message [code]" and the remedy to stderr.
 /// @return the exit code that goes with the error
-int report(const Error& error);
+ExitCode report(const Error& error);
 void report(const Diagnostic& diagnostic);
 void report(const Diagnostics& diagnostics);
+
+/// {"error": {code, message, remedy, file, line, column, attainable}, "exit_code", "diagnostics": […]}: what --json
+/// prints instead of a result.
+nlohmann::ordered_json to_json(const Failure& failure);
+
+/// [{severity, code, file, line, column, message, excerpt, remedy}, …]
+nlohmann::ordered_json to_json(const Diagnostics& diagnostics);
+
+/// Prints one JSON value to stdout. File names and comments may hold any bytes; what is no UTF-8 becomes U+FFFD.
+void print_json(const nlohmann::ordered_json& json);
 
 }  // namespace toolpace::cli

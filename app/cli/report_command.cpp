@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "flags.h"
 #include "interrupt.h"
 #include "job_flags.h"
 #include "planned_program.h"
-#include "report.h"
 #include "toolpace/io/output_file.h"
 #include "toolpace/pipeline/report_page.h"
 
@@ -19,15 +19,15 @@ struct ReportFlags {
   std::string output = "report.html";
 };
 
-int run_report(const ReportFlags& flags) {
+Done run_report(const ReportFlags& flags) {
   const auto setup = flags.job.setup();
-  if (!setup) return report(setup.error());
+  if (!setup) return tl::unexpected(setup.error());
   const auto outcome = plan_program(flags.reading, *setup);
-  if (!outcome) return report(outcome.error());
+  if (!outcome) return tl::unexpected(outcome.error());
   const auto page = report_page(*outcome, terminal_monitor("reporting"));
   end_progress();
-  if (!page) return report(page.error());
-  if (auto written = write_whole_file(flags.output, *page); !written) return report(written.error());
+  if (!page) return tl::unexpected(page.error());
+  if (auto written = write_whole_file(flags.output, *page); !written) return tl::unexpected(written.error());
   if (flags.output != "-")
     fmt::print("{}: {:.4f} s -> {}\n", flags.reading.program, outcome->summary.cycle_time, flags.output);
   return kFine;
@@ -37,12 +37,15 @@ int run_report(const ReportFlags& flags) {
 
 void add_report_command(CLI::App& app, Action& action) {
   auto flags = std::make_shared<ReportFlags>();
-  CLI::App* const command =
-      app.add_subcommand("report", "Write a page (HTML) about a program: times, plots, contour, limits, proof");
-  flags->reading.add_to(*command);
-  flags->job.add_to(*command);
-  command->add_option("-o,--output", flags->output, "The page; - = standard output")->capture_default_str();
-  command->callback([flags, &action] { action = [flags] { return run_report(*flags); }; });
+  CLI::App& command = *app.add_subcommand("report", "Write a page (HTML) about a program: times, plots, limits, proof");
+  add_word(command, "-o,--output FILE", flags->output, "The page; default report.html, - = standard output");
+  flags->job.add_to(command);
+  flags->reading.add_to(command);
+  command.footer(
+      "The page stands alone: no other file, no script, no network.\n\n"
+      "Examples:\n"
+      "  toolpace report part.ngc --machine mill.toml -o part.html");
+  command.callback([flags, &action] { action = [flags] { return run_report(*flags); }; });
 }
 
 }  // namespace toolpace::cli

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "flags.h"
 #include "interrupt.h"
 #include "job_flags.h"
 #include "planned_program.h"
@@ -98,31 +99,26 @@ void print(const Outcome& outcome, const ServoSummary& s) {
   fmt::print("  settled         {:.3f} s after the last setpoint\n", s.settling_time);
 }
 
-int run_simulate(const SimulateFlags& flags) {
+Done run_simulate(const SimulateFlags& flags) {
   if (flags.json && flags.trace == "-") {
-    return report(Error{ErrorKind::usage,
-                        "two-outputs",
-                        "--json and --trace - both want standard output",
-                        "write the trace to a file",
-                        {},
-                        {}});
+    return tl::unexpected(
+        usage_error("two-outputs", "--json and --trace - both want standard output", "write the trace to a file"));
   }
   auto setup = flags.job.setup();
-  if (!setup) return report(setup.error());
+  if (!setup) return tl::unexpected(setup.error());
   set_all(setup->machine.servo, &ServoAxis::position_gain, flags.kv);
   set_all(setup->machine.servo, &ServoAxis::velocity_feed_forward, flags.velocity_feed_forward);
   set_all(setup->machine.servo, &ServoAxis::acceleration_feed_forward, flags.acceleration_feed_forward);
   const auto outcome = plan_program(flags.reading, *setup);
-  if (!outcome) return report(outcome.error());
+  if (!outcome) return tl::unexpected(outcome.error());
   const auto summary = simulate(*outcome, flags);
   end_progress();
-  if (!summary) return report(summary.error());
+  if (!summary) return tl::unexpected(summary.error());
   if (flags.json) {
-    const nlohmann::ordered_json json = {{"program", flags.reading.program},
-                                         {"cycle_time_s", outcome->summary.cycle_time},
-                                         {"period_ms", setup->machine.period * 1e3},
-                                         {"servo", servo_json(*summary, setup->machine)}};
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_json({{"program", flags.reading.program},
+                {"cycle_time_s", outcome->summary.cycle_time},
+                {"period_ms", setup->machine.period * 1e3},
+                {"servo", servo_json(*summary, setup->machine)}});
   } else if (flags.trace != "-") {
     print(*outcome, *summary);
   }
@@ -157,16 +153,25 @@ nlohmann::ordered_json servo_json(const ServoSummary& s, const Machine& machine)
 
 void add_simulate_command(CLI::App& app, Action& action) {
   auto flags = std::make_shared<SimulateFlags>();
-  CLI::App* const command = app.add_subcommand("simulate", "Simulate the drives: lag and contour error of a program");
-  flags->reading.add_to(*command);
-  flags->job.add_to(*command);
-  command->add_option("--kv-1-s", flags->kv, "Position gain of every axis [1/s]");
-  command->add_option("--velocity-feed-forward", flags->velocity_feed_forward, "Share of the speed fed forward, 0 … 1");
-  command->add_option("--acceleration-feed-forward", flags->acceleration_feed_forward,
-                      "Share of the drive's lag made up, 0 … 1");
-  command->add_option("--trace", flags->trace, "Write commanded and actual positions, lag, contour error (.csv)");
-  command->add_flag("--json", flags->json, "Print one JSON object");
-  command->callback([flags, &action] { action = [flags] { return run_simulate(*flags); }; });
+  CLI::App& command = *app.add_subcommand("simulate", "Simulate the drives: lag and contour error of a program");
+  add_word(command, "--trace FILE", flags->trace, "Write commanded and actual positions, lag, contour error (.csv)");
+  command.add_flag("--json", flags->json, "Print one JSON object");
+  constexpr char kDrives[] = "Drives (they override the machine file's [servo])";
+  add_number(command, "--kv-1-s KV", flags->kv, "Position gain of every axis [1/s]")->group(kDrives);
+  add_number(command, "--velocity-feed-forward SHARE", flags->velocity_feed_forward,
+             "Share of the speed fed forward, 0 … 1")
+      ->group(kDrives);
+  add_number(command, "--acceleration-feed-forward SHARE", flags->acceleration_feed_forward,
+             "Share of the drive's lag made up, 0 … 1")
+      ->group(kDrives);
+  flags->job.add_to(command);
+  flags->reading.add_to(command);
+  command.footer(
+      "Contour error: distance from the actual point to the commanded path. Lag: distance from the commanded point.\n\n"
+      "Examples:\n"
+      "  toolpace simulate part.ngc --machine mill.toml\n"
+      "  toolpace simulate part.ngc --kv-1-s 80 --velocity-feed-forward 0.9 --trace trace.csv");
+  command.callback([flags, &action] { action = [flags] { return run_simulate(*flags); }; });
 }
 
 }  // namespace toolpace::cli

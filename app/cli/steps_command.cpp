@@ -1,12 +1,11 @@
 /// toolpace steps: pulse tables of stepper moves.
 
-#include <map>
 #include <memory>
 #include <string>
 
 #include "commands.h"
+#include "flags.h"
 #include "interrupt.h"
-#include "report.h"
 #include "toolpace/io/pulse_writer.h"
 #include "toolpace/sample/pulse_table.h"
 
@@ -18,36 +17,47 @@ constexpr double kSecondsPerMillisecond = 1e-3;
 struct StepsFlags {
   StepperMove move;
   double tacc_ms = 0.0, tdec_ms = 0.0;
-  PulseFormat format = PulseFormat::csv;
+  std::string format = "csv";
   std::string output = "-";
 };
 
-int run_steps(const StepsFlags& flags) {
+Done run_steps(const StepsFlags& flags) {
+  if (flags.format != "csv" && flags.format != "c") {
+    return tl::unexpected(
+        usage_error("bad-flag", "--format does not know '" + flags.format + "'", "give one of csv, c"));
+  }
   StepperMove move = flags.move;
   move.t_acc = flags.tacc_ms * kSecondsPerMillisecond;
   move.t_dec = flags.tdec_ms * kSecondsPerMillisecond;
   const auto table = PulseTable::create(move);
-  if (!table) return report(table.error());
-  const auto written = write_pulses(flags.output, *table, flags.format, terminal_monitor("writing"));
+  if (!table) return tl::unexpected(table.error());
+  const PulseFormat format = flags.format == "c" ? PulseFormat::c_header : PulseFormat::csv;
+  const auto written = write_pulses(flags.output, *table, format, terminal_monitor("writing"));
   end_progress();
-  return written ? kFine : report(written.error());
+  if (!written) return tl::unexpected(written.error());
+  return kFine;
 }
 
 }  // namespace
 
 void add_steps_command(CLI::App& app, Action& action) {
   auto flags = std::make_shared<StepsFlags>();
-  CLI::App& command = *app.add_subcommand("steps", "Writes the timer intervals of a stepper move, from rest to rest.");
-  command.add_option("--steps", flags->move.steps, "number of pulses")->check(CLI::NonNegativeNumber)->required();
-  command.add_option("--speed", flags->move.speed, "top speed in step/s")->required();
-  command.add_option("--tacc-ms", flags->tacc_ms, "acceleration time in ms")->required();
-  command.add_option("--tdec-ms", flags->tdec_ms, "deceleration time in ms")->required();
-  command.add_option("--timer-hz", flags->move.timer_hz, "timer clock in Hz")->required();
-  const std::map<std::string, PulseFormat> formats{{"csv", PulseFormat::csv}, {"c", PulseFormat::c_header}};
-  command.add_option("--format", flags->format, "csv: rows pulse,ticks; c: a header with a uint32_t array")
-      ->transform(CLI::CheckedTransformer(formats))
-      ->default_str("csv");
-  command.add_option("-o,--output", flags->output, "file to write; - = standard output")->capture_default_str();
+  CLI::App& command = *app.add_subcommand("steps", "Write the timer intervals of a stepper move, from rest to rest");
+  add_count(command, "--steps N", flags->move.steps, "Number of pulses")->required();
+  add_number(command, "--speed STEP/S", flags->move.speed, "Top speed")->required();
+  add_number(command, "--tacc-ms MS", flags->tacc_ms, "Acceleration time")->required();
+  add_number(command, "--tdec-ms MS", flags->tdec_ms, "Deceleration time")->required();
+  add_number(command, "--timer-hz HZ", flags->move.timer_hz, "Clock of the timer")->required();
+  add_word(command, "--format NAME", flags->format,
+           "csv (default): rows pulse,ticks; c: a header with an array of uint32_t");
+  add_word(command, "-o,--output FILE", flags->output, "File to write; default - = standard output");
+  command.footer(
+      "Each interval is the number of timer ticks before that pulse, after which the motor has made one more step. No "
+      "pulse\n"
+      "is further than half a tick from its exact time, and the sum of all is the time of the move.\n\n"
+      "Examples:\n"
+      "  toolpace steps --steps 1000 --speed 2000 --tacc-ms 100 --tdec-ms 100 --timer-hz 1e6\n"
+      "  toolpace steps --steps 1000 --speed 2000 --tacc-ms 100 --tdec-ms 50 --timer-hz 1e6 --format c -o ramp.h");
   command.callback([flags, &action] { action = [flags] { return run_steps(*flags); }; });
 }
 

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "report.h"
+#include <algorithm>
+#include <optional>
+
+#include "failure.h"
 #include "toolpace/pipeline/setup_keys.h"
 
 namespace toolpace::cli {
@@ -22,43 +25,71 @@ std::vector<std::string> commands_of(const CLI::App& app) {
   return names;
 }
 
-/// The one that begins with the word, else the nearest.
-std::string meant(const std::string& word, const std::vector<std::string>& candidates) {
+/// The one that begins with the word, else the nearest one if it is near.
+std::optional<std::string> meant(const std::string& word, const std::vector<std::string>& candidates) {
   for (const std::string& candidate : candidates) {
     if (candidate.rfind(word, 0) == 0) return candidate;
   }
-  return nearest_word(word, candidates);
+  const std::size_t letters = std::count_if(word.begin(), word.end(), [](char c) { return c != '-'; });
+  std::string nearest = nearest_word(word, candidates);
+  if (edit_distance(word, nearest) > 1 + letters / 3) return std::nullopt;
+  return nearest;
 }
 
-Error usage_error(const char* code, std::string what, std::string remedy) {
-  return {ErrorKind::usage, code, std::move(what), std::move(remedy), {}, {}};
+std::string suggestion(const std::optional<std::string>& meant, const std::string& otherwise) {
+  return meant ? "did you mean " + *meant + "?" : otherwise;
+}
+
+/// The command that was being read, or the program itself.
+const CLI::App& running(const CLI::App& app) {
+  const auto commands = app.get_subcommands();
+  return commands.empty() ? app : *commands.front();
+}
+
+std::string help_of(const CLI::App& command) {
+  return fmt::format("{}{} --help lists {}", command.get_parent() ? "toolpace " : "", command.get_name(),
+                     command.get_parent() ? "what it takes" : "the commands");
 }
 
 Error unexpected(const CLI::App& app, const std::string& word) {
-  const auto running = app.get_subcommands();
-  const CLI::App& command = running.empty() ? app : *running.front();
+  const CLI::App& command = running(app);
   if (word.size() > 1 && word.front() == '-') {
     const std::string flag = word.substr(0, word.find('='));
     return usage_error("flag-unknown", fmt::format("there is no flag {}", flag),
-                       fmt::format("did you mean {}?", meant(flag, flags_of(command))));
+                       suggestion(meant(flag, flags_of(command)), help_of(command)));
   }
-  if (running.empty()) {
+  if (&command == &app) {
     return usage_error("command-unknown", fmt::format("there is no command '{}'", word),
-                       fmt::format("did you mean {}?", meant(word, commands_of(app))));
+                       suggestion(meant(word, commands_of(app)), help_of(command)));
   }
-  return usage_error("argument-unexpected", fmt::format("'{}' is one argument too many", word),
-                     fmt::format("toolpace {} --help tells which it takes", command.get_name()));
+  return usage_error("argument-unexpected", fmt::format("'{}' is one argument too many", word), help_of(command));
 }
+
+/// A flag that was given twice, or without its value.
+Error mismatch(const CLI::App& command, const std::string& otherwise) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() == 1 && option->results().size() > 1) {
+      return usage_error("flag-twice", option->get_name() + " is given more than once", "give it once");
+    }
+  }
+  return usage_error("flag-value", otherwise, help_of(command));
+}
+
+/// "--am: 1 required MM/S2 missing" -> "--am needs a value"
+std::string without_value(const std::string& what) { return what.substr(0, what.find(':')) + " needs a value"; }
 
 }  // namespace
 
-int report_usage(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error) == 0 ? kFine : kBadUsage;
+Error explain_usage(const CLI::App& app, const CLI::ParseError& error) {
   const auto extras = app.remaining(true);
-  const bool about_extras = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
-                            dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-  if (about_extras && !extras.empty()) return report(unexpected(app, extras.front()));
-  return report(usage_error("usage", error.what(), "run with --help for more information"));
+  const bool required = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  if ((required || dynamic_cast<const CLI::ExtrasError*>(&error)) && !extras.empty()) {
+    return unexpected(app, extras.front());
+  }
+  const CLI::App& command = running(app);
+  if (required && &command == &app) return usage_error("command-missing", "there is no command", help_of(app));
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return mismatch(command, without_value(error.what()));
+  return usage_error("usage", error.what(), help_of(command));
 }
 
 }  // namespace toolpace::cli

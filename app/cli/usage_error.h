@@ -3,10 +3,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "toolpace/base/result.h"
+
 namespace toolpace::cli {
 
-/// Prints help and version where they were asked for, else what is wrong with the arguments.
-/// @return the exit code
-int report_usage(const CLI::App& app, const CLI::ParseError& error);
+/// What is wrong with the arguments, where the parser stopped at them.
+Error explain_usage(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace toolpace::cli

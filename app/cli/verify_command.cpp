@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "flags.h"
 #include "interrupt.h"
 #include "reading_flags.h"
 #include "report.h"
@@ -23,45 +24,40 @@ struct VerifyFlags {
   bool json = false;
 };
 
-Result<VerifyReport> judge(const VerifyFlags& flags) {
-  auto setup = read_setup(flags.machine);
-  if (!setup) return tl::unexpected(setup.error());
-  if (flags.period_ms) setup->machine.period = *flags.period_ms * 1e-3;
+/// The tolerance is checked first: a proof may take minutes.
+tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
   if (flags.tolerance_mm && !(*flags.tolerance_mm >= 0)) {
-    return tl::unexpected(
-        Error{ErrorKind::usage, "bad-flag", "--tolerance-mm is negative", "give a distance in mm", {}, {}});
+    return tl::unexpected<Failure>(
+        usage_error("bad-flag", "--tolerance-mm is no distance of 0 or more", "give a distance in mm"));
   }
-  if (auto fine = check_setup(setup->machine, setup->options); !fine) return tl::unexpected(fine.error());
+  auto setup = read_setup(flags.machine);
+  if (!setup) return tl::unexpected<Failure>(setup.error());
+  if (flags.period_ms) setup->machine.period = *flags.period_ms * 1e-3;
+  if (auto fine = check_setup(setup->machine, setup->options); !fine) return tl::unexpected<Failure>(fine.error());
   auto file = open_setpoint_file(flags.setpoints);
-  if (!file) return tl::unexpected(file.error());
+  if (!file) return tl::unexpected<Failure>(file.error());
   const Machine machine = judged_machine(setup->machine, setup->options);
-  if (flags.reading.program.empty()) return verify(**file, machine, nullptr, terminal_monitor("verifying"));
-  const auto reading = flags.reading.read();
+  const auto prove = [&](const ProgrammedPath* program) -> tl::expected<VerifyReport, Failure> {
+    auto found = verify(**file, machine, program, terminal_monitor("verifying"));
+    end_progress();
+    if (found) return std::move(*found);
+    if (found.error().where.file.empty()) found.error().where.file = flags.setpoints;
+    return tl::unexpected<Failure>(std::move(found.error()));
+  };
+  if (flags.reading.program.empty()) return prove(nullptr);
+  const auto reading = flags.reading.read_accepted();
   if (!reading) return tl::unexpected(reading.error());
-  if (reading->refused) {
-    return tl::unexpected(Error{ErrorKind::input,
-                                "program-refused",
-                                "the program has errors, so there is no path to compare with",
-                                "correct it first",
-                                {flags.reading.program, 0, 0},
-                                {}});
-  }
   const auto path = build_path(reading->moves, machine.tool_change);
-  if (!path) return tl::unexpected(path.error());
+  if (!path) return tl::unexpected<Failure>(path.error());
   const ProgrammedPath program{*path, reading->moves, flags.tolerance_mm};
-  return verify(**file, machine, &program, terminal_monitor("verifying"));
+  return prove(&program);
 }
 
-int run_verify(const VerifyFlags& flags) {
+Done run_verify(const VerifyFlags& flags) {
   const auto found = judge(flags);
-  end_progress();
-  if (!found) {
-    Error error = found.error();
-    if (error.where.file.empty()) error.where.file = flags.setpoints;
-    return report(error);
-  }
+  if (!found) return tl::unexpected(found.error());
   if (flags.json) {
-    fmt::print("{}\n", verification_json(*found).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_json(verification_json(*found));
   } else {
     print_verification(*found);
   }
@@ -72,18 +68,28 @@ int run_verify(const VerifyFlags& flags) {
 
 void add_verify_command(CLI::App& app, Action& action) {
   auto flags = std::make_shared<VerifyFlags>();
-  CLI::App* const command = app.add_subcommand("verify", "Prove that a setpoint file keeps a machine's limits");
+  CLI::App& command = *app.add_subcommand("verify", "Prove that a setpoint file keeps a machine's limits");
   command
-      ->add_option("SETPOINTS", flags->setpoints, "Setpoint file: .csv, .npy, .npz or .halstream; - = standard input")
+      .add_option("SETPOINTS", flags->setpoints, "Setpoint file: .csv, .npy, .npz or .halstream; - = standard input")
+      ->type_name("")
       ->required();
-  command->add_option("--machine", flags->machine, "Machine file (TOML)")->required();
-  command->add_option("--program", flags->reading.program, "Program that the setpoints run: path, corners, lines, end");
-  flags->reading.add_options_to(*command);
-  command->add_option("--tolerance-mm", flags->tolerance_mm,
-                      "Largest deviation from the program [mm]; without it, reported only");
-  command->add_option("--period-ms", flags->period_ms, "Period of files without a time column [ms]");
-  command->add_flag("--json", flags->json, "Print one JSON object");
-  command->callback([flags, &action] { action = [flags] { return run_verify(*flags); }; });
+  add_word(command, "--machine FILE", flags->machine, "Machine file (TOML)")->required();
+  add_word(command, "--program FILE", flags->reading.program,
+           "Program that the setpoints run: path, corners, lines, end");
+  add_number(command, "--tolerance-mm MM", flags->tolerance_mm,
+             "Largest deviation from the program; without it, reported only");
+  add_number(command, "--period-ms MS", flags->period_ms,
+             "Period of files without a time column; default the machine's");
+  command.add_flag("--json", flags->json, "Print one JSON object");
+  flags->reading.add_options_to(command);
+  command.footer(
+      "Speed, acceleration and jerk come from differences of the positions, with bounds for their rounding: what "
+      "passes is\n"
+      "proven, what fails is real. Exit code 0: every limit holds; 1: a limit is broken.\n\n"
+      "Examples:\n"
+      "  toolpace verify part.csv --machine mill.toml\n"
+      "  toolpace verify part.npy --machine mill.toml --program part.ngc --tolerance-mm 0.01 --json");
+  command.callback([flags, &action] { action = [flags] { return run_verify(*flags); }; });
 }
 
 }  // namespace toolpace::cli

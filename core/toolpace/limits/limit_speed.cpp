@@ -135,11 +135,11 @@ class Limiter {
   SpeedLimits limits_;
 };
 
-Error unbounded(const char* code, const char* what) {
+Error unbounded(const char* code, const char* what, const char* flag) {
   return {ErrorKind::usage,
           code,
           std::string("nothing bounds the ") + what,
-          "give a limit for the path or for every axis that moves",
+          std::string("give ") + flag + ", or a limit for each axis that moves",
           {},
           {}};
 }
@@ -181,10 +181,10 @@ Result<SpeedLimits> limit_speed(const Path& path, const Moves& moves, const Mach
   }
   SpeedLimits limits = limiter.finish();
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    if (!(limits.block_cap[i] < kUnlimited)) return tl::unexpected(unbounded("no-speed-limit", "speed"));
+    if (!(limits.block_cap[i] < kUnlimited)) return tl::unexpected(unbounded("no-speed-limit", "speed", "--vmax"));
     const Dynamics& d = limits.dynamics_of(i);
     if (!(d.up.acceleration < kUnlimited) || !(d.down.acceleration < kUnlimited)) {
-      return tl::unexpected(unbounded("no-acceleration-limit", "acceleration"));
+      return tl::unexpected(unbounded("no-acceleration-limit", "acceleration", "--am"));
     }
   }
   return limits;

@@ -31,7 +31,7 @@ Result<void> check_setup(const Machine& machine, const PlanOptions& options) {
     }
   }
   if (!(std::isfinite(machine.period) && machine.period >= kShortestPeriod)) {
-    return tl::unexpected(bad_limit(fmt::format("a period of {} ms", to_text(machine.period * 1e3)),
+    return tl::unexpected(bad_limit(fmt::format("a period of {:.6g} ms makes no sense", machine.period * 1e3),
                                     "give 0.001 ms or more, such as 1 ms"));
   }
   if (options.lookahead && *options.lookahead < 1) {

@@ -35,21 +35,6 @@ SetupSection servo_section(ServoAxis& servo, std::size_t k) {
           {}};
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0u);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t above = row[j + 1];
-      row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0u : 1u)});
-      diagonal = above;
-    }
-  }
-  return row.back();
-}
-
 }  // namespace
 
 const std::vector<Named<Ramps>>& ramps_names() {
@@ -97,6 +82,21 @@ std::vector<SetupSection> setup_sections(Setup& s) {
   for (std::size_t k = 0; k < kAxisCount; ++k) sections.push_back(axis_section(s.machine.axes[k], k));
   for (std::size_t k = 0; k < kAxisCount; ++k) sections.push_back(servo_section(s.machine.servo[k], k));
   return sections;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0u);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t above = row[j + 1];
+      row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0u : 1u)});
+      diagonal = above;
+    }
+  }
+  return row.back();
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {

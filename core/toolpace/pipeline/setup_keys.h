@@ -43,6 +43,9 @@ struct SetupSection {
 };
 std::vector<SetupSection> setup_sections(Setup& setup);
 
+/// The least number of letters to insert, drop or change that makes one word the other.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
 /// The candidate with the least edit distance to `word`.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 

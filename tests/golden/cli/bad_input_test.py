@@ -77,6 +77,27 @@ class BadInput(CommandLineTest):
         run = self.run_toolpace("plan", name)
         self.expect_failure(run, BAD_INPUT, "many.ngc:2:", "many.ngc:3:", "many.ngc:4:")
 
+    def test_json_tells_every_problem_of_a_program(self):
+        name = self.file("many.ngc", "G21 G90 G94 F600\nG1 X10 Q\nG1 X[1 F2\nG999\nM2\n")
+        for command in ("plan", "simulate"):
+            run = self.run_toolpace(command, name, "--json")
+            self.expect_failure(run, BAD_INPUT, "many.ngc:2:")
+            self.assertEqual([d["line"] for d in run.json()["diagnostics"]], [2, 3, 4])
+            self.assertEqual(run.json()["error"]["code"], "program-refused")
+
+    def test_json_is_printed_for_files_and_flags_that_are_wrong_too(self):
+        name = self.file("a.ngc", "G21 G90 G94\nG1 X10 F3000\nM2\n")
+        run = self.run_toolpace("plan", "nowhere.ngc", "--json")
+        self.expect_failure(run, FILE_TROUBLE, "nowhere.ngc")
+        self.assertEqual(run.json()["error"]["file"], "nowhere.ngc")
+        self.expect_failure(self.run_toolpace("plan", name, "--jm", "x", "--json"), BAD_USAGE, "--jm")
+        self.expect_failure(self.run_toolpace("plan", name, "--json", "--setpoints", "-"), BAD_USAGE, "--setpoints")
+
+    def test_files_beside_a_program_that_are_not_there(self):
+        name = self.file("a.ngc", "G21 G90 G94\nG1 X10 F3000\nM2\n")
+        for flag in ("--tools", "--parameters", "--sub-path", "--machine"):
+            self.expect_failure(self.run_toolpace("plan", name, flag, "nowhere"), FILE_TROUBLE, "nowhere")
+
     def test_a_message_says_what_to_do(self):
         run = self.run_toolpace("plan", self.file("nofeed.ngc", "G21 G90 G94\nG1 X10\nM2\n"))
         self.expect_failure(run, BAD_INPUT, "error:")
@@ -103,6 +124,18 @@ class BadMachine(CommandLineTest):
 
     def test_an_unknown_key_names_the_nearest_known_one(self):
         self.refuse("[path]\nmax_sped_mm_s = 100.0\n", "max_sped_mm_s", "max_speed_mm_s", "machine.toml:2")
+
+    def test_a_key_outside_of_its_section_is_sent_there(self):
+        self.refuse("max_speed_mm_s = 100.0\n", "max_speed_mm_s", "[path]", "machine.toml:1")
+
+    def test_a_file_without_end(self):
+        self.refuse("# " + "x" * (1 << 20) + "\n", "1 MiB")
+
+    def test_a_machine_comes_from_standard_input_too(self):
+        program = self.file("a.ngc", "G21 G90 G94\nG1 X10 F3000\nM2\n")
+        toml = b"[path]\nmax_speed_mm_s = 10.0\nmax_acceleration_mm_s2 = 1000.0\nmax_jerk_mm_s3 = 1e5\n"
+        run = self.run_toolpace("plan", program, "--machine", "-", "--json", stdin=toml)
+        self.assertEqual((run.code, run.json()["max_speed_mm_s"]), (0, 10.0), run.err)
 
     def test_limits_that_make_no_sense(self):
         for value in ("0", "-5.0", "nan", '"fast"', "true"):

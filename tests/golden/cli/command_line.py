@@ -21,6 +21,7 @@ class Run:
     code: int
     out: bytes
     err: str
+    wants_json: bool
 
     def json(self):
         return json.loads(self.out)
@@ -44,11 +45,18 @@ class CommandLineTest(unittest.TestCase):
     def run_toolpace(self, *arguments, stdin=b"", **options):
         done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, input=stdin, capture_output=True, timeout=60,
                               **options)
-        return Run(done.returncode, done.stdout, done.stderr.decode("utf-8", "replace"))
+        return Run(done.returncode, done.stdout, done.stderr.decode("utf-8", "replace"), "--json" in arguments)
 
     def expect_failure(self, run, code, *said):
-        """The command ended with `code` and told the user each of `said`; it neither crashed nor printed a result."""
+        """The command ended with `code` and told the user each of `said`; it neither crashed nor printed a result. Where
+        JSON was asked for, it says the same."""
         self.assertEqual(run.code, code, run.err)
-        self.assertEqual(run.out, b"")
+        if run.wants_json:
+            told = run.json()
+            self.assertEqual(list(told), ["error", "exit_code", "diagnostics"])
+            self.assertEqual(told["exit_code"], code)
+            self.assertIn(f"[{told['error']['code']}]", run.err)
+        else:
+            self.assertEqual(run.out, b"")
         for text in said:
             self.assertIn(text, run.err)

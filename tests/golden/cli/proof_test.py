@@ -68,6 +68,12 @@ class Verify(CommandLineTest):
                                               "--tolerance-mm", "-1"), BAD_USAGE, "tolerance")
 
     @unittest.skipUnless(CHECKER.exists(), "the outside judge is not here")
+    def test_setpoints_that_no_file_keeps_are_proven_too(self):
+        self.file("line.ngc", "G21 G90 G94\nG1 X10 F3000\nM2\n")
+        for target in ([], ["--setpoints", "/dev/null"]):
+            run = self.run_toolpace("plan", "line.ngc", "--verify", "--json", *target)
+            self.assertEqual((run.code, run.json()["violations"]), (FINE, 0), run.err)
+
     def test_an_outside_judge_agrees(self):
         self.plan("a.csv", "--corner", "stop")
         corners = [(0, 0), (20, 0), (20, 20), (0, 20), (0, 0)]

@@ -35,7 +35,31 @@ class Usage(CommandLineTest):
             self.expect_failure(self.run_toolpace("blocks", program, flag, "-1"), BAD_USAGE, flag)
         self.expect_failure(self.run_toolpace("steps", "--steps", "-1", "--speed", "100", "--tacc-ms", "1", "--tdec-ms", "1",
                                               "--timer-hz", "1e6"), BAD_USAGE, "--steps")
-        self.expect_failure(self.run_toolpace("blocks", program, "--sub-path", "nowhere"), BAD_USAGE, "nowhere")
+        for flag, value in (("--max-blocks", "99999999999999999999"), ("--max-lines", "1e6"), ("--max-call-depth", "1.5")):
+            self.expect_failure(self.run_toolpace("blocks", program, flag, value), BAD_USAGE, flag, value)
+
+    def test_a_flag_given_twice_or_without_its_value_is_refused(self):
+        program = self.file("a.ngc", LINE)
+        self.expect_failure(self.run_toolpace("plan", program, "--am", "1", "--am", "2"), BAD_USAGE, "--am", "more than once")
+        self.expect_failure(self.run_toolpace("plan", program, "--am"), BAD_USAGE, "--am needs a value")
+
+    def test_an_empty_name_is_no_name(self):
+        program = self.file("a.ngc", LINE)
+        for flag in ("--machine", "--setpoints", "--law", "--corner", "--ramps", "--lookahead", "--dialect", "--tools"):
+            self.expect_failure(self.run_toolpace("plan", program, flag, ""), BAD_USAGE, flag)
+
+    def test_only_what_is_near_is_suggested(self):
+        program = self.file("a.ngc", LINE)
+        for arguments in (("xyzzy",), ("plan", program, "--frobnicate")):
+            run = self.run_toolpace(*arguments)
+            self.expect_failure(run, BAD_USAGE, "--help")
+            self.assertNotIn("did you mean", run.err)
+
+    def test_a_number_is_read_to_its_last_letter(self):
+        program = self.file("a.ngc", LINE)
+        for value in ("3e3x", "0x10", "1,5", "1 2", "--", "1e999"):
+            self.expect_failure(self.run_toolpace("plan", program, "--am=" + value), BAD_USAGE, "--am", value)
+        self.assertEqual(self.run_toolpace("plan", program, "--am=+3e3").code, FINE)
 
     def test_a_period_that_no_disk_could_hold_is_refused(self):
         self.expect_failure(self.run_toolpace("plan", self.file("a.ngc", LINE), "--period-ms", "1e-9"), BAD_USAGE, "period")
