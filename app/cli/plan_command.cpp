@@ -145,8 +145,11 @@ void print_summary(const Outcome& outcome, const SetpointPass& pass, const PlanF
   fmt::print("  cycle time   {:.4f} s  (feed {:.4f}, rapid {:.4f}, dwell {:.4f})\n", s.cycle_time, s.feed_time,
              s.rapid_time, s.dwell_time);
   if (s.bound) {
-    fmt::print("  lower bound  {:.4f} s  ({:.2f} % above it)\n", *s.bound,
-               *s.bound > 0 ? 100 * (s.cycle_time / *s.bound - 1) : 0.0);
+    const CornerOptions& corner = outcome.job->options.corner;
+    const bool through_tube = corner.rule == CornerRule::smooth && !corner.step;
+    fmt::print("  lower bound  {:.4f} s  ({:.2f} % above it{})\n", *s.bound,
+               *s.bound > 0 ? 100 * (s.cycle_time / *s.bound - 1) : 0.0,
+               through_tube ? "; it counts lengths, feeds and rests, not corners" : "");
   }
   fmt::print("  peaks        {:.3f} mm/s, {:.1f} mm/s², {}\n", s.max_speed, s.max_acceleration,
              s.max_jerk < kUnlimited ? fmt::format("{:.4g} mm/s³", s.max_jerk) : "jerk unbounded");
