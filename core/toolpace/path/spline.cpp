@@ -150,7 +150,9 @@ double parameter_at(const SplineCurve& c, const SplinePiece& piece, double lengt
     const double slope = evaluate(c, u).d[1].norm();
     double next = slope > 0 ? u - error / slope : (low + high) / 2;
     if (!(next >= low && next <= high)) next = (low + high) / 2;
-    if (std::abs(error) <= 1e-14 * length) break;
+    // No step that is lost in rounding comes any closer.
+    const double finest = std::max(1e-15 * (piece.end - piece.begin), 0x1p-52 * std::abs(u));
+    if (std::abs(error) <= 1e-14 * length || std::abs(next - u) <= finest) break;
     u = next;
   }
   return u;
