@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace toolpace::detail {
 namespace {
@@ -9,6 +10,35 @@ namespace {
 /// Where Newton's steps are smaller than this share of the unknown the next one would be below rounding.
 constexpr double kSettled = 1e-8;
 constexpr int kMaxSteps = 60;
+
+/// The accelerations at which two ramps to one speed peak.
+struct Peaks {
+  double low,
+      high;  ///< of the ramp from the lower bottom and from the higher one; high < 0: what a flank has left over
+};
+
+/// Bridge of two ramps neither of which holds its acceleration, under one jerk.
+///
+/// With p, w the peaks, p² − w² = K = J·(high − low), and s = p + w the lengths (low + vp)·p/J + (high + vp)·w/J = gap become
+///   s⁴/4J + (low + high)·s² − J·gap·s − K·(high − low)/4 = 0.
+/// Its signs change once: there is one positive root, and Newton's steps from above cannot miss, as the left side is convex.
+/// w < 0 where even the ramp to the higher bottom alone is longer than the gap; then |w| is the acceleration left over there.
+std::optional<Peaks> solve_sharp(const SpanRamp& ramp, double low_bottom, double high_bottom, double gap) {
+  const double step = high_bottom - low_bottom, both = low_bottom + high_bottom;
+  const double square = step * ramp.jerk, force = gap * ramp.jerk;
+  if (!(gap > 0) || square >= ramp.top * ramp.top) return {};
+  const double quarter = ramp.slack / 4, last = step * square / 4;
+  double s = (force + std::sqrt(force * force + 4 * both * last)) / (2 * both);
+  if (!(quarter * s * s <= both)) s = std::max(2 * std::cbrt(force * ramp.jerk), 1.2 * std::sqrt(square));
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const double rise = quarter * s * s;
+    const double change = (((rise + both) * s - force) * s - last) / ((4 * rise + 2 * both) * s - force);
+    s -= change;
+    if (!(std::abs(change) > kSettled * s)) break;
+  }
+  const double difference = square / s;
+  return Peaks{(s + difference) / 2, (s - difference) / 2};
+}
 
 /// What a peak has to fit over.
 struct Gap {
@@ -35,6 +65,12 @@ double bound_root(const Gap& g) {
 /// Peak over two bottoms, as the rise w²/J above the higher one [mm/s]: length(low side) + length(high side) = gap. In w
 /// the lengths are smooth and convex: Newton's steps from above cannot miss.
 double solve_peak(const Gap& g) {
+  if (g.low.jerk == g.high.jerk) {
+    const auto sharp = solve_sharp(g.low, g.low_bottom, g.high_bottom, g.length);
+    if (sharp && sharp->low <= g.low.top && sharp->high <= g.high.top) {
+      return sharp->high > 0 ? sharp->high * sharp->high * g.high.slack : 0.0;
+    }
+  }
   const double step = g.high_bottom - g.low_bottom;
   const double u = g.high.slack;
   double w = bound_root(g);
@@ -62,6 +98,8 @@ double solve_peak(const Gap& g) {
 /// Acceleration y left over when a ramp from `low_bottom` meets the kernel at `high_bottom`, which is too near to be met with
 /// none: in (0, top), negative where even the full acceleration does not get there.
 double solve_flank(const SpanRamp& ramp, double low_bottom, double high_bottom, double gap) {
+  const auto sharp = solve_sharp(ramp, low_bottom, high_bottom, gap);
+  if (sharp && sharp->low <= ramp.top) return std::max(0.0, -sharp->high);
   const double u = ramp.slack, step = high_bottom - low_bottom;
   const auto excess = [&](double y) {
     const double dv = y * y * u;
