@@ -153,5 +153,28 @@ TEST(SpanPlan, KeepsEveryLimitOnRandomChains) {
   }
 }
 
+// Chords whose limits change by a factor of ten from one to the next, without a stop: 40 rounds of them and 1200, which is
+// enough for the way of planning to be chosen by samples. The ends, where the chain starts and stops, are left out.
+TEST(SpanPlan, IsAsFastInLongChainsOfVeryDifferentLimits) {
+  constexpr std::size_t kRound = 50;
+  const auto chain = [&](std::size_t rounds) {
+    SpeedLimits limits;
+    limits.dynamics = {symmetric(3000, 5e4), symmetric(300, 5e3)};
+    for (std::size_t i = 0; i < rounds * kRound; ++i) {
+      const std::size_t k = i % kRound;
+      limits.length.push_back(0.1 + 0.02 * static_cast<double>(k % 7));
+      limits.block_cap.push_back(20 + static_cast<double>(k % 11));
+      limits.ramp.push_back(k % 5 == 0 ? 1 : 0);
+      limits.node_cap.push_back(i == 0 ? 0.0 : 1e9);
+    }
+    limits.node_cap.push_back(0);
+    limits.block_cause.assign(limits.size(), Cause::feed);
+    limits.node_cause.assign(limits.size() + 1, Cause::corner);
+    return limits;
+  };
+  const double ends = cycle_time(chain(40)), twice = cycle_time(chain(80));
+  EXPECT_LE(cycle_time(chain(1200)), (ends + 29 * (twice - ends)) * 1.001);
+}
+
 }  // namespace
 }  // namespace toolpace

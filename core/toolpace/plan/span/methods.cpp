@@ -1,6 +1,8 @@
 #include "toolpace/plan/span/methods.h"
 
 #include <algorithm>
+#include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "toolpace/plan/block/block_plan.h"
@@ -21,6 +23,9 @@ constexpr double kSeamRatio = 2.0;
 /// Chains with seams that are no longer than this are planned between anchors, too: that takes long and seldom gains much.
 constexpr std::size_t kShortChain = 1000;
 
+/// In longer chains the ways are compared on samples: so many of so many blocks, evenly spread.
+constexpr std::size_t kLongChain = 50000, kSamples = 8, kSampleBlocks = 500;
+
 bool is_jerk_hull(LawKind law) { return law == LawKind::seven_phase || law == LawKind::time_optimal; }
 
 bool has_seams(const SpeedLimits& limits) {
@@ -29,6 +34,29 @@ bool has_seams(const SpeedLimits& limits) {
     if (ratio_of(limits.dynamics_of(i - 1), limits.dynamics_of(i)) > kSeamRatio) return true;
   }
   return false;
+}
+
+/// Blocks first … last − 1 as a chain of their own.
+SpeedLimits part_of(const SpeedLimits& limits, std::size_t first, std::size_t last) {
+  const auto cut = [&](const auto& values, std::size_t end) {
+    return std::remove_cvref_t<decltype(values)>(values.begin() + static_cast<std::ptrdiff_t>(first),
+                                                 values.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  SpeedLimits part{cut(limits.length, last),
+                   cut(limits.block_cap, last),
+                   cut(limits.ramp, last),
+                   cut(limits.block_cause, last),
+                   cut(limits.node_cap, last + 1),
+                   cut(limits.node_cause, last + 1),
+                   {},
+                   {}};
+  for (std::uint32_t& ramp : part.ramp) {
+    const Dynamics& dynamics = limits.dynamics[ramp];
+    if (part.dynamics.empty() || !(part.dynamics.back() == dynamics)) part.dynamics.push_back(dynamics);
+    ramp = static_cast<std::uint32_t>(part.dynamics.size() - 1);
+  }
+  part.node_cap.front() = part.node_cap.back() = 0.0;
+  return part;
 }
 
 }  // namespace
@@ -70,8 +98,25 @@ MotionPlan SpanPlanner::plan_by(const SpanMethod& method, const std::vector<doub
   return plan_anchored_ramps(limits_, cap, {law_, method.seam_ratio, passes > 0}, monitor_);
 }
 
+/// The one way that is the fastest on samples of the chain.
+void SpanPlanner::choose_by_samples() {
+  std::vector<double> time(methods_.size(), 0.0);
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const std::size_t first = k * (limits_.size() - kSampleBlocks) / (kSamples - 1);
+    const SpeedLimits part = part_of(limits_, first, first + kSampleBlocks);
+    const SpanPlanner planner(part, law_, monitor_);
+    const std::vector<double> cap = joined_caps(part);
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      const MotionPlan plan = planner.plan_by(methods_[m], cap, usual_passes());
+      time[m] += plan.phases.empty() ? std::numeric_limits<double>::infinity() : plan.cycle_time();
+    }
+  }
+  methods_ = {methods_[static_cast<std::size_t>(std::min_element(time.begin(), time.end()) - time.begin())]};
+}
+
 MotionPlan SpanPlanner::plan_whole() {
   MotionPlan plan;
+  if (methods_.size() > 1 && limits_.size() > kLongChain) choose_by_samples();
   const std::vector<double> cap = joined_caps(limits_);
   for (std::size_t m = 0; m < methods_.size(); ++m) {
     MotionPlan other = plan_by(methods_[m], cap, usual_passes());

@@ -31,7 +31,8 @@ class SpanPlanner {
  public:
   SpanPlanner(const SpeedLimits& limits, LawKind law, const Monitor& monitor);
 
-  /// The fastest of all ways, block ramps among them. Remembers which one that was.
+  /// The fastest of all ways, block ramps among them; in long chains the way that is the fastest on samples of them, or block
+  /// ramps. Remembers which one that was.
   MotionPlan plan_whole();
 
   /// The way that came out best for the whole chain, and block ramps, under a window of `blocks` ≥ 1: the faster one. Never
@@ -45,6 +46,7 @@ class SpanPlanner {
 
  private:
   int usual_passes() const;
+  void choose_by_samples();
   /// @param passes  0: nodes that limit the speed are crossed with zero acceleration
   MotionPlan plan_by(const SpanMethod& method, const std::vector<double>& cap, int passes) const;
   MotionPlan plan_within(const SpanMethod& method, const StopWindow& window) const;
