@@ -108,7 +108,9 @@ class Blender {
   /// Nodes first … last as one cubic spline between the trimmed lines before and after them.
   void add_chain(std::size_t first, std::size_t last) {
     CornerChain chain(path_, first, last, trims_.trims());
-    for (std::size_t i = first; i <= last; ++i) note(i, chain.deviation(i));
+    for (std::size_t i = first; i <= last; ++i) {
+      if (!is_noted(i, chain.offset(i))) note(i, chain.pass(i).deviation);
+    }
     out_.count.corners += last - first + 1;
     Path& p = out_.path;
     const auto index = static_cast<std::uint32_t>(p.splines.size());
@@ -131,7 +133,7 @@ class Blender {
     double from = 0, told = path_.length[first - 1] - trims_.at(first), told_at = 0;
     std::size_t k = 0;
     for (std::size_t segment = first - 1; segment <= last; ++segment, told = 0) {
-      const double to = segment < last ? std::max(from, chain.passing(segment + 1)) : pieces.back().end;
+      const double to = segment < last ? std::max(from, chain.pass(segment + 1).parameter) : pieces.back().end;
       const double top = segment < last ? path_.length[segment] : trims_.at(last);
       for (const int parts = teller_.is_divided(segment) ? kTold : 1; from < to;) {
         const CornerChain::Piece& piece = pieces[k];
@@ -162,9 +164,13 @@ class Blender {
     return std::clamp(from.head<3>().dot(chord.head<3>()) / path_.length[segment], 0.0, path_.length[segment]);
   }
 
+  double noted(std::size_t i, double deviation) const {
+    return deviation + std::max(merge_error_[i - 1], merge_error_[i]);
+  }
+  /// Whether a deviation is no larger than what is known already.
+  bool is_noted(std::size_t i, double deviation) const { return noted(i, deviation) <= out_.count.deviation; }
   void note(std::size_t i, double deviation) {
-    const double merged = std::max(merge_error_[i - 1], merge_error_[i]);
-    out_.count.deviation = std::max(out_.count.deviation, deviation + merged);
+    out_.count.deviation = std::max(out_.count.deviation, noted(i, deviation));
   }
 
   /// What the blends leave of a segment.

@@ -66,6 +66,7 @@ class BlendTrims {
   static constexpr int kChainRounds = 12;
   static constexpr double kShorter = 0.95;
   static constexpr std::size_t kChainPart = 256, kChainMargin = 4;  // nodes fitted at a time, and looked at beside them
+  static constexpr std::size_t kTrimReach = 2;                      // nodes away to which a trim changes the curve
   static constexpr double kChainShare =
       0.98;  // of the tolerance at the nodes of a chain: between them it may be passed by a little
   static constexpr int kSearchSteps = 40;
@@ -175,18 +176,25 @@ class BlendTrims {
   /// @return whether it was good at once
   bool fit_part(std::size_t first, std::size_t last, std::size_t begin, std::size_t end) {
     const std::size_t from = begin - std::min(begin - first, kChainMargin), to = std::min(last, end + kChainMargin);
+    std::vector<bool> stays(end - begin + 1, false);  // good, and nothing around has changed since
     for (int round = 0; round < kChainRounds; ++round) {
       const CornerChain chain(path_, from, to, trim_);
-      bool good = true;
+      std::vector<std::size_t> shortened;
       for (std::size_t i = begin; i <= end; ++i) {
         const double tol = kChainShare * node_tolerance(i);
-        if (chain.offset(i) <= tol) continue;
-        const double off = chain.deviation(i);
+        if (stays[i - begin] || chain.offset(i) <= tol) continue;
+        const double off = chain.pass(i).deviation;
         if (off <= tol) continue;
-        good = false;
         trim_[i] *= std::min(kShorter, tol / off);
+        shortened.push_back(i);
       }
-      if (good) return round == 0;
+      if (shortened.empty()) return round == 0;
+      stays.assign(stays.size(), true);
+      for (const std::size_t i : shortened) {
+        for (std::size_t k = i - std::min(i - begin, kTrimReach); k <= std::min(end, i + kTrimReach); ++k) {
+          stays[k - begin] = false;
+        }
+      }
     }
     return false;
   }

@@ -7,7 +7,8 @@ namespace toolpace {
 namespace {
 
 constexpr double kLengthAccuracy = 1e-10;
-constexpr double kNearestPlace = 1e-5;       // of a span: changes a distance by its square
+constexpr double kNearestPlace = 1e-5;  // of a span: changes a distance by its square
+constexpr int kNearestSteps = 2;
 constexpr double kShortestPiece = 1.0 / 64;  // of a span
 constexpr double kNearEnough = 0.8;          // of a line: a trim longer than this needs no control point of its own
 
@@ -106,34 +107,33 @@ void CornerChain::cut_span(const Span& span, const Piece& piece, std::vector<Pie
   cut_span(span, {offset + middle, piece.end, 0, piece.segment}, pieces);
 }
 
-double CornerChain::passing(std::size_t node) const {
+CornerChain::Passing CornerChain::pass(std::size_t node) const {
   const std::size_t at = node_at_[node - first_];
   const Eigen::Vector3d& p = node_[node - first_];
-  const Span before = span(at), after = span(at + 1);
-  double x = 0, best = 0, least = 1e300;  // from the node's station
-  for (int k = 0; k < 3; ++k) {
-    const Span& s = x < 0 ? before : after;
-    const double y = x < 0 ? x + 1 : x;
-    const Eigen::Vector3d e = s.point(y) - p, slope = s.slope(y);
-    if (e.norm() < least) {
-      least = e.norm();
+  Span here = span(at + 1);                          // behind the node's station, at first
+  double x = 0, best = 0, least = 1e300, begin = 0;  // from there
+  for (int k = 0; k <= kNearestSteps; ++k) {
+    const double y = x - begin;
+    const Eigen::Vector3d e = here.point(y) - p, slope = here.slope(y);
+    if (const double square = e.squaredNorm(); square < least) {
+      least = square;
       best = x;
     }
-    const double change = slope.squaredNorm() + std::max(0.0, e.dot(s.bend(y)));
+    const double change = slope.squaredNorm() + std::max(0.0, e.dot(here.bend(y)));
     if (!(change > 0)) break;
     const double next = std::clamp(x - e.dot(slope) / change, -1.0, 1.0);
     if (std::abs(next - x) <= kNearestPlace) break;
     x = next;
+    if ((x < 0) != (begin < 0)) {
+      begin = x < 0 ? -1 : 0;
+      here = span(x < 0 ? at : at + 1);
+    }
   }
-  return stations_[at] + best;
+  return {stations_[at] + best, std::sqrt(least)};
 }
 
 double CornerChain::offset(std::size_t node) const {
   return (span(node_at_[node - first_] + 1).start - node_[node - first_]).norm();
-}
-
-double CornerChain::deviation(std::size_t node) const {
-  return (point(passing(node)).head<3>() - node_[node - first_]).norm();
 }
 
 }  // namespace toolpace

@@ -29,12 +29,14 @@ class CornerChain {
 
   AxisVector point(double parameter) const;
 
-  /// Parameter at which a node is passed: where the curve is nearest to it.
-  double passing(std::size_t node) const;
-  /// Distance of a node to its station on the curve [mm]: no less than deviation(), and quickly known.
+  /// Where a node is passed: the curve's place nearest to it.
+  struct Passing {
+    double parameter;
+    double deviation;  ///< distance of the node to it [mm]
+  };
+  Passing pass(std::size_t node) const;
+  /// Distance of a node to its station on the curve [mm]: no less than the deviation where it is passed, and quickly known.
   double offset(std::size_t node) const;
-  /// Distance of a node to the curve where it is passed [mm].
-  double deviation(std::size_t node) const;
 
  private:
   /// The polynomial between two stations.

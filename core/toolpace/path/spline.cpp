@@ -17,6 +17,10 @@ struct Homogeneous {
   std::array<Eigen::Vector4d, 4> d;  // point and three derivatives by the parameter
 };
 
+struct Cartesian {
+  std::array<Eigen::Vector3d, 4> d;
+};
+
 std::size_t find_span(const SplineCurve& c, double u) {
   const auto p = static_cast<std::size_t>(c.degree);
   const auto first = c.knots.begin() + static_cast<std::ptrdiff_t>(p + 1);
@@ -54,12 +58,29 @@ Homogeneous evaluate_homogeneous(const SplineCurve& c, double u, std::size_t spa
   return result;
 }
 
-struct Cartesian {
-  std::array<Eigen::Vector3d, 4> d;
-};
+/// Whether the knots that bear on a span of a cubic without weights are evenly spaced, as all but the outer ones of corner
+/// chains are.
+bool is_uniform_cubic(const SplineCurve& c, std::size_t span) {
+  if (c.degree != 3 || !c.is_polynomial) return false;
+  const double* knot = c.knots.data() + span;
+  const double width = knot[1] - knot[0];
+  return knot[-1] - knot[-2] == width && knot[0] - knot[-1] == width && knot[2] - knot[1] == width &&
+         knot[3] - knot[2] == width;
+}
+
+/// The same as a polynomial from the span's beginning on.
+Cartesian evaluate_uniform(const SplineCurve& c, double u, std::size_t span) {
+  const auto p = [&](std::size_t i) { return c.points[span - 3 + i].head<3>(); };
+  const double scale = 1 / (c.knots[span + 1] - c.knots[span]), x = (u - c.knots[span]) * scale;
+  const Eigen::Vector3d start = (p(0) + 4 * p(1) + p(2)) / 6, first = (p(2) - p(0)) / 2;
+  const Eigen::Vector3d second = p(0) - 2 * p(1) + p(2), third = p(3) - p(0) + 3 * (p(1) - p(2));
+  return {{start + x * (first + x * (second / 2 + x / 6 * third)), scale * (first + x * (second + x / 2 * third)),
+           scale * scale * (second + x * third), scale * scale * scale * third}};
+}
 
 /// Quotient rule: C = A/w, C' = (A' − w'C)/w, …
 Cartesian evaluate(const SplineCurve& c, double u, std::size_t span) {
+  if (is_uniform_cubic(c, span)) return evaluate_uniform(c, u, span);
   const Homogeneous h = evaluate_homogeneous(c, u, span);
   const double w = h.d[0][3], w1 = h.d[1][3], w2 = h.d[2][3], w3 = h.d[3][3];
   Cartesian r;
