@@ -86,12 +86,15 @@ class PeakSearch {
     return b;
   }
 
-  static Values values(const ParameterDerivatives& d) {
+  template <int all>
+  static Values values(const CurveDerivatives<all>& d) {
     Values v;
-    v << d.first.head<rows>(), d.second.head<rows>(), d.third.head<rows>();
+    v.col(0) = d.first.template head<rows>();
+    v.col(1) = d.second.template head<rows>();
+    v.col(2) = d.third.template head<rows>();
     return v;
   }
-  Values sample(double share) const { return values(curve_.at_share(share)); }
+  Values sample(double share) const { return values(curve_.at_share<rows>(share)); }
 
   void search(const Stretch& s, int halvings) {
     const Values left = sample(s.from + s.width / 4), right = sample(s.from + 3 * s.width / 4);

@@ -22,18 +22,22 @@ double integrate(const F& f, double a, double b) {
 }
 
 /// Derivatives of a curve by its own parameter.
-struct ParameterDerivatives {
-  AxisVector first, second, third;
+/// @tparam rows  axes: all, or X Y Z
+template <int rows>
+struct CurveDerivatives {
+  Eigen::Matrix<double, rows, 1> first, second, third;
 };
+using ParameterDerivatives = CurveDerivatives<static_cast<int>(kAxisCount)>;
 
 /// The same derivatives by arc length of the XYZ part (chain rule with g = |p'|, s' = g).
 /// @param p  first.head<3>() must not be zero
-inline ParameterDerivatives by_arc_length(const ParameterDerivatives& p) {
-  const auto p1 = p.first.head<3>(), p2 = p.second.head<3>(), p3 = p.third.head<3>();
+template <int rows>
+CurveDerivatives<rows> by_arc_length(const CurveDerivatives<rows>& p) {
+  const auto p1 = p.first.template head<3>(), p2 = p.second.template head<3>(), p3 = p.third.template head<3>();
   const double g = p1.norm();
-  const double g1 = p1.dot(p2) / g;
-  const double g2 = (p2.dot(p2) + p1.dot(p3) - g1 * g1) / g;
   const double w1 = 1 / g;
+  const double g1 = p1.dot(p2) * w1;
+  const double g2 = (p2.dot(p2) + p1.dot(p3) - g1 * g1) * w1;
   const double w2 = -g1 * w1 * w1 * w1;
   const double w3 = (3 * g1 * g1 * w1 - g2) * w1 * w1 * w1 * w1;
   return {p.first * w1, p.second * (w1 * w1) + p.first * w2,

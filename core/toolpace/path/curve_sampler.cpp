@@ -7,7 +7,8 @@ constexpr double kNoSpeed = 1e-6;  // of the mean: there the direction is not wh
 
 }  // namespace
 
-CurveSampler::CurveSampler(const Path& path, std::size_t segment) : path_(&path), segment_(segment) {
+CurveSampler::CurveSampler(const Path& path, std::size_t segment)
+    : path_(&path), segment_(segment), least_speed_(kNoSpeed * path.length[segment]) {
   const std::uint32_t detail = path.detail[segment];
   if (path.kind[segment] == SegmentKind::spline) {
     const SplinePiece& piece = path.spline_pieces[detail];
@@ -26,21 +27,8 @@ CurveSampler::CurveSampler(const Path& path, std::size_t segment) : path_(&path)
   is_cubic_ = true;
 }
 
-ParameterDerivatives CurveSampler::cubic(double share) const {
-  return {begin_.first + share * (begin_.second + share / 2 * begin_.third), begin_.second + share * begin_.third,
-          begin_.third};
-}
-
-ParameterDerivatives CurveSampler::at_share(double share) const {
-  if (is_cubic_) {
-    const ParameterDerivatives d = cubic(share);
-    if (d.first.head<3>().norm() > kNoSpeed * path_->length[segment_]) return by_arc_length(d);
-  }
-  return derivatives_at_share(*path_, segment_, share);
-}
-
 double CurveSampler::speed(double share) const {
-  return is_cubic_ ? cubic(share).first.head<3>().norm() : parameter_speed(*path_, segment_, share);
+  return is_cubic_ ? cubic<3>(share).first.norm() : parameter_speed(*path_, segment_, share);
 }
 
 }  // namespace toolpace
