@@ -583,6 +583,54 @@
             <translation>循环缺少暂停时间 P</translation>
         </message>
         <message>
+            <source>lathe-words</source>
+            <translation>车削循环的参数有误</translation>
+        </message>
+        <message>
+            <source>lathe-plane</source>
+            <translation>车削循环不在XZ平面</translation>
+        </message>
+        <message>
+            <source>lathe-compensation</source>
+            <translation>车削循环时刀补未取消</translation>
+        </message>
+        <message>
+            <source>g53-with-cycle</source>
+            <translation>G53与循环同用</translation>
+        </message>
+        <message>
+            <source>lathe-contour-motion</source>
+            <translation>轮廓中有不允许的运动代码</translation>
+        </message>
+        <message>
+            <source>lathe-contour-unused</source>
+            <translation>轮廓中的其他代码无效</translation>
+        </message>
+        <message>
+            <source>lathe-contour-words</source>
+            <translation>轮廓的参数有误</translation>
+        </message>
+        <message>
+            <source>lathe-corner-too-large</source>
+            <translation>倒角或圆角过大</translation>
+        </message>
+        <message>
+            <source>lathe-contour-turns-back</source>
+            <translation>轮廓折返</translation>
+        </message>
+        <message>
+            <source>lathe-contour-empty</source>
+            <translation>轮廓为空</translation>
+        </message>
+        <message>
+            <source>lathe-allowance</source>
+            <translation>余量过大，轮廓消失</translation>
+        </message>
+        <message>
+            <source>lathe-too-many-passes</source>
+            <translation>车削走刀次数过多</translation>
+        </message>
+        <message>
             <source>cycle-without-r</source>
             <translation>循环缺少 R</translation>
         </message>

@@ -42,20 +42,7 @@ bool find_centre_by_offset(Context& context, const Block& block, PlaneArc& arc) 
   }
   const double r1 = std::hypot(arc.start[0] - arc.centre[0], arc.start[1] - arc.centre[1]);
   const double r2 = std::hypot(arc.end[0] - arc.centre[0], arc.end[1] - arc.centre[1]);
-  const double tolerance = radius_tolerance(modal);
-  if (r1 < tolerance || r2 < tolerance) {
-    return context.faults.fail("arc-radius-zero", "an arc with its centre at its start or end",
-                               "check the centre words I J K", block.column_of(first));
-  }
-  const double difference = std::fabs(r1 - r2);
-  if (difference > kSpiralAbsolute || (difference > tolerance && difference > kSpiralRelative * r1)) {
-    return context.faults.fail(
-        "arc-radius-differs",
-        fmt::format("the end of the arc lies {:.4f} mm off its radius: {:.4f} mm at the start, {:.4f} mm at the end",
-                    difference, r1, r2),
-        "check the centre words I J K, G90.1/G91.1, and the plane");
-  }
-  return true;
+  return check_radii(context, r1, r2, block.column_of(first));
 }
 
 bool find_centre_by_radius(Context& context, const Block& block, bool clockwise, PlaneArc& arc) {
@@ -164,8 +151,25 @@ void write_arc(Context& context, const PlaneArc& arc, const Position& from, cons
   context.out.arc(offsets, end, detail, feed_mm_min);
 }
 
+bool check_radii(Context& context, double at_start, double at_end, std::size_t column) {
+  const double tolerance = radius_tolerance(context.state.modal);
+  if (at_start < tolerance || at_end < tolerance) {
+    return context.faults.fail("arc-radius-zero", "an arc with its centre at its start or end",
+                               "check the centre words I J K", column);
+  }
+  const double difference = std::fabs(at_start - at_end);
+  if (difference > kSpiralAbsolute || (difference > tolerance && difference > kSpiralRelative * at_start)) {
+    return context.faults.fail(
+        "arc-radius-differs",
+        fmt::format("the end of the arc lies {:.4f} mm off its radius: {:.4f} mm at the start, {:.4f} mm at the end",
+                    difference, at_start, at_end),
+        "check the centre words I J K, G90.1/G91.1, and the plane");
+  }
+  return true;
+}
+
 bool run_arc(Context& context, const Block& block, Code code) {
-  State& state = context.state;
+  const State& state = context.state;
   const PlaneAxes plane = plane_axes(state.modal.plane);
   if (!check_words(context, block, plane)) return false;
   if (block.code(GGroup::once) == 530) {
@@ -182,7 +186,13 @@ bool run_arc(Context& context, const Block& block, Code code) {
   if (!find_turns(context, block, clockwise, arc.turns)) return false;
   const bool found = block.has('r') ? find_centre_by_radius(context, block, clockwise, arc)
                                     : find_centre_by_offset(context, block, arc);
-  if (!found) return false;
+  return found && go_around(context, block, arc, end);
+}
+
+bool go_around(Context& context, const Block& block, const PlaneArc& arc, const Position& end) {
+  State& state = context.state;
+  const PlaneAxes plane = plane_axes(state.modal.plane);
+  const Position& from = programmed_position(state);
   if (!(std::hypot(arc.start[0] - arc.centre[0], arc.start[1] - arc.centre[1]) <= kFarthest)) {
     return context.faults.fail("arc-radius-too-large",
                                fmt::format("an arc with a radius of more than {:g} mm", kFarthest), "check I J K or R",

@@ -115,11 +115,6 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
   if (letter == 'o') {
     return faults_.fail("o-word-misplaced", "an O word inside a block", "an O word stands first in its line", column);
   }
-  if (letter == 'u' || letter == 'v' || letter == 'w') {
-    return faults_.fail("axis-absent",
-                        fmt::format("this machine has no axis {}", static_cast<char>(letter - 'a' + 'A')),
-                        "axes are X Y Z A B C", column);
-  }
   return store_word(word_index(letter), value, column, block);
 }
 

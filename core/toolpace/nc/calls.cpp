@@ -69,6 +69,12 @@ bool Flow::enter(const std::string& label, std::size_t column, int repeats, bool
   return true;
 }
 
+bool Flow::call_sub(int number, std::size_t column) {
+  if (!enter(label_of(number), column, 1, false)) return false;
+  parameters_.enter_call({});
+  return true;
+}
+
 bool Flow::call_number(double number, int repeats, std::size_t column,
                        const std::optional<std::vector<double>>& arguments) {
   if (repeats == 0) return true;

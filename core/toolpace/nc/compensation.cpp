@@ -7,8 +7,6 @@
 
 #include "toolpace/nc/motion.h"
 #include "toolpace/nc/offset_geometry.h"
-#include "toolpace/nc/tool_table.h"
-#include "toolpace/nc/whole_number.h"
 
 namespace toolpace::nc {
 namespace {
@@ -28,6 +26,24 @@ struct Frame {
     return p;
   }
 };
+
+// Where the controlled point of a lathe tool lies, as its centre goes to `p`.
+Position controlled(const State& state, Position p) {
+  p[0] += state.compensation.origin.x;
+  p[2] += state.compensation.origin.z;
+  return p;
+}
+
+void write_line(Context& context, MoveKind kind, const Position& centre, const Feedrate& feed) {
+  context.out.line(kind, context.state.offsets, controlled(context.state, centre), feed);
+}
+
+void write_round(Context& context, const Frame& frame, PlaneArc arc, const Position& centre, const Feedrate& feed) {
+  const State& state = context.state;
+  const Point shift = frame.of(controlled(state, Position{}));
+  for (auto* p : {&arc.start, &arc.end, &arc.centre}) *p = {(*p)[0] + shift.x, (*p)[1] + shift.y};
+  write_arc(context, arc, state.position, controlled(state, centre), feed.linear);
+}
 
 Frame frame_of(const State& state) {
   const bool left = state.modal.compensation == 410 || state.modal.compensation == 411;
@@ -60,7 +76,7 @@ bool move_open_end(Context& context, const Frame& frame, const Point& corner) {
   if (!c.open_row) return true;
   Moves& moves = context.out.moves();
   for (std::size_t row = *c.open_row; row < moves.size(); ++row) {
-    const AxisVector at = machine_vector(state.offsets, state.position);
+    const AxisVector at = machine_vector(state.offsets, controlled(state, state.position));
     for (const std::size_t axis : {frame.plane.first, frame.plane.second}) {
       const auto i = static_cast<Eigen::Index>(axis);
       moves.end[row][i] = at[i];
@@ -106,7 +122,7 @@ bool join(Context& context, const Frame& frame, OffsetElement& element, const Fe
     around.centre = {corner.x, corner.y};
     around.turns = frame.side > 0.0 ? -1 : 1;
     const Position end = frame.at(state.position, element.start);
-    write_arc(context, around, state.position, end, feed.linear);
+    write_round(context, frame, around, end, feed);
     state.position = end;
   } else if (element.turn != 0) {
     element.start = tool;  // nearly tangent: the arc begins where the tool stands
@@ -129,7 +145,7 @@ bool enter_by_line(Context& context, const Frame& frame, MoveKind kind, const Po
   const Point beside = turned((contour - from) * (c.radius / distance), frame.side);
   const Point tool = contour + beside;
   const Position target = frame.at(end, tool);
-  context.out.line(kind, state.offsets, target, feed);
+  write_line(context, kind, target, feed);
   // For the corner that follows, the entry counts as a row beside its programmed line.
   keep_open(state, context.out, OffsetElement{from + beside, tool, {}, 0});
   state.position = target;
@@ -169,7 +185,7 @@ bool enter_by_arc(Context& context, const Frame& frame, const PlaneArc& contour,
   arc.end = {tool.x, tool.y};
   arc.centre = {new_centre.x, new_centre.y};
   const Position target = frame.at(end, tool);
-  write_arc(context, arc, state.position, target, feed.linear);
+  write_round(context, frame, arc, target, feed);
   keep_open(state, context.out, OffsetElement{from, tool, new_centre, arc.turns});
   state.position = target;
   c.programmed = end;
@@ -177,83 +193,7 @@ bool enter_by_arc(Context& context, const Frame& frame, const PlaneArc& contour,
   return true;
 }
 
-bool find_radius(Context& context, const Block& block, double& radius, int& orientation) {
-  State& state = context.state;
-  const Code code = block.code(GGroup::compensation);
-  orientation = 0;
-  if (code == 411 || code == 421) {
-    if (!block.has('d')) {
-      return context.faults.fail("compensation-without-d", fmt::format("{} without a diameter", code_text('G', code)),
-                                 "give the diameter with D", block.column_of(GGroup::compensation));
-    }
-    if (block.of('l', 0.0) != 0.0 && state.modal.plane != 180) {
-      return context.faults.fail("compensation-orientation", "a tool orientation L outside the XZ plane", "use G18",
-                                 block.column_of('l'));
-    }
-    radius = length_of(state, block, 'd') / 2.0;
-    const auto side = whole_number(block.of('l', 0.0), 0, kHighestOrientation);
-    if (!side) {
-      return context.faults.fail("compensation-orientation", fmt::format("L{:g} is no tool orientation", block.of('l')),
-                                 "orientations go from 0 to 9", block.column_of('l'));
-    }
-    orientation = *side;
-    return true;
-  }
-  Tool tool = state.loaded;
-  if (block.has('d') && block.of('d') != 0.0) {
-    const double number = block.of('d');
-    const auto whole = whole_number(number, 0, kHighestTool);
-    if (!whole) {
-      return context.faults.fail("tool-number", fmt::format("D{:g} is no tool number", number), "D takes a tool number",
-                                 block.column_of('d'));
-    }
-    if (!find_tool(context, *whole, block.column_of('d'), tool)) return false;
-  }
-  radius = tool.diameter / 2.0;
-  orientation = tool.orientation;
-  return true;
-}
-
-void end_compensation(State& state) {
-  Compensation& c = state.compensation;
-  const bool moved = c.radius > 0.0 && !c.first_move_pending;
-  const Position programmed = c.programmed;
-  c = Compensation{};
-  if (!moved) return;
-  state.position = programmed;  // the next move starts beside it and ends on the contour
-  c.arc_forbidden = true;
-}
-
 }  // namespace
-
-bool set_compensation(Context& context, const Block& block) {
-  State& state = context.state;
-  const Code code = block.code(GGroup::compensation);
-  const std::size_t column = block.column_of(GGroup::compensation);
-  if (code == 400) {
-    end_compensation(state);
-    state.modal.compensation = 400;
-    return true;
-  }
-  if (state.modal.compensation != 400) {
-    return context.faults.fail("compensation-already-on", "cutter radius compensation is on already",
-                               "end it with G40 first", column);
-  }
-  if (state.modal.plane == 190) {
-    return context.faults.fail("compensation-plane", "cutter radius compensation in the YZ plane", "use G17 or G18",
-                               column);
-  }
-  double radius = 0.0;
-  int orientation = 0;
-  if (!find_radius(context, block, radius, orientation)) return false;
-  const bool left = code == 410 || code == 411;
-  const bool on_left = radius >= 0.0 ? left : !left;  // a negative radius changes sides
-  state.modal.compensation = on_left ? 410 : 420;
-  state.compensation = Compensation{};
-  state.compensation.radius = std::fabs(radius);
-  state.compensation.first_move_pending = state.compensation.radius > 0.0;
-  return true;
-}
 
 bool compensate_line(Context& context, MoveKind kind, const Position& end, const Feedrate& feed) {
   State& state = context.state;
@@ -265,7 +205,7 @@ bool compensate_line(Context& context, MoveKind kind, const Position& end, const
   const Point step = finish - start;
   if (norm(step) < kSamePoint) {  // outside the plane only
     const Position target = frame.at(end, frame.of(state.position));
-    context.out.line(kind, state.offsets, target, feed);
+    write_line(context, kind, target, feed);
     state.position = target;
     c.programmed = end;
     return true;
@@ -274,7 +214,7 @@ bool compensate_line(Context& context, MoveKind kind, const Position& end, const
   OffsetElement element{start + beside, finish + beside, {}, 0};
   if (!join(context, frame, element, feed)) return false;
   const Position target = frame.at(end, element.end);
-  context.out.line(kind, state.offsets, target, feed);
+  write_line(context, kind, target, feed);
   keep_open(state, context.out, element);
   state.position = target;
   c.programmed = end;
@@ -303,7 +243,7 @@ bool compensate_arc(Context& context, const PlaneArc& contour, const Position& e
   if (!join(context, frame, element, feed)) return false;
   const Position target = frame.at(end, element.end);
   const PlaneArc arc{{element.start.x, element.start.y}, {element.end.x, element.end.y}, contour.centre, contour.turns};
-  write_arc(context, arc, state.position, target, feed.linear);
+  write_round(context, frame, arc, target, feed);
   keep_open(state, context.out, element);
   state.position = target;
   c.programmed = end;

@@ -23,6 +23,7 @@ class DiagnosticLog {
   void finish(const std::string& file);
 
   bool has_errors() const { return errors_ > 0; }
+  std::size_t errors() const { return errors_; }
   bool is_full() const { return errors_ >= kMostErrors; }
 
  private:

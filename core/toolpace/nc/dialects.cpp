@@ -113,6 +113,8 @@ std::optional<GGroup> common_group(int code) {
   return std::nullopt;
 }
 
+bool is_turning(int code) { return is_one_of(code, {700, 710, 711, 712, 720, 721, 722}); }
+
 std::optional<GGroup> fanuc_group(int code) {
   if (is_one_of(code, {650, 660, 670})) return GGroup::macro;
   if (is_one_of(code, {680, 690})) return GGroup::turn_plane;
@@ -175,6 +177,7 @@ std::optional<CodeUse<GGroup>> g_code_use(Code tenths, Dialect dialect) {
   if (dialect == Dialect::fanuc) {
     if (const auto group = fanuc_group(tenths)) return CodeUse<GGroup>{*group, true};
   }
+  if (dialect == Dialect::linuxcnc && is_turning(tenths)) return CodeUse<GGroup>{GGroup::motion, true};
   if (const auto group = common_group(tenths)) {
     return CodeUse<GGroup>{*group, dialect != Dialect::grbl || grbl_has(tenths)};
   }
@@ -185,10 +188,12 @@ std::optional<CodeUse<GGroup>> g_code_use(Code tenths, Dialect dialect) {
 }
 
 const char* unfollowed_code(Code tenths, Dialect dialect) {
-  if (dialect == Dialect::linuxcnc && is_one_of(tenths, {700, 710, 711, 712, 720, 721, 722}))
-    return "turns a profile that a sub-program describes";
   if (dialect != Dialect::fanuc) return nullptr;
   switch (tenths) {
+    case 700:
+    case 710:
+    case 720:
+    case 750: return "turns a contour given by its line numbers";
     case 71: return "wraps the path around a cylinder";
     case 121:
     case 1120: return "interpolates in polar coordinates";

@@ -6,6 +6,7 @@
 #include "toolpace/nc/compensation.h"
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/interpreter.h"
+#include "toolpace/nc/lathe_cycles.h"
 #include "toolpace/nc/motion.h"
 #include "toolpace/nc/tool_table.h"
 
@@ -33,6 +34,13 @@ std::uint32_t words_of_motion(Code motion) {
     case 760:
       return kCentreBits | word_bit('p') | word_bit('q') | word_bit('r') | word_bit('h') | word_bit('e') |
              word_bit('l');
+    case 700: return word_bit('q') | word_bit('d') | word_bit('e') | word_bit('p');
+    case 710:
+    case 711:
+    case 712:
+    case 720:
+    case 721:
+    case 722: return word_bit('q') | word_bit('d') | word_bit('i') | word_bit('r') | word_bit('u') | word_bit('w');
     default: return is_cycle(motion) ? word_bit('r') | word_bit('l') | word_bit('p') | word_bit('q') | kCentreBits : 0;
   }
 }
@@ -112,6 +120,10 @@ bool Interpreter::check_words(const Block& block, Code motion) {
       }
       continue;
     }
+    if (i == word_index('u') || i == word_index('v') || i == word_index('w')) {
+      return faults_.fail("axis-absent", fmt::format("this machine has no axis {}", static_cast<char>('A' + i)),
+                          "axes are X Y Z A B C", block.column[i]);
+    }
     const std::string what = fmt::format("nothing in this block uses word {}", static_cast<char>('A' + i));
     if (dialect_ == Dialect::linuxcnc) {
       const char* const remedy = i == word_index('e') ? "remove it; numbers have no exponent here: write them out"
@@ -148,7 +160,7 @@ bool Interpreter::execute(const Block& block) {
   }
   if (motion != kNoCode) {
     if (!is_cycle(motion)) state_.cycle.initial_level.reset();
-    if (!run_motion(context_, block, motion)) return false;
+    if (!(is_lathe_cycle(motion) ? turn_contour(block, motion) : run_motion(context_, block, motion))) return false;
   }
   if (plain) return !modal_call_.active || run_macro_code(block);
   return run_macro_code(block) && run_stop(block);

@@ -46,6 +46,12 @@ class Flow {
   bool run_fanuc_statement(Scanner& text, bool& good);
   /// M98 and G65. `arguments` none: the caller's #1… are shared or copied as the dialect does.
   bool call_number(double number, int repeats, std::size_t column, const std::optional<std::vector<double>>& arguments);
+  /// Calls the sub O<number>, without arguments, as "O… call" does.
+  bool call_sub(int number, std::size_t column);
+  /// Faults are told at `place` from here to the next line taken.
+  void blame(const Place& place) { taken_ = place; }
+  /// Counts a calculation as so many lines run again.
+  void add_work(std::size_t lines) { work_ += lines; }
   /// M99 and the end of a sub-program file. @return false if no call is running
   bool return_from_call(std::optional<double> to_number = {});
 

@@ -33,27 +33,35 @@ Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, Dialec
 }
 
 bool Interpreter::run(const Monitor& monitor) {
-  const double size = static_cast<double>(std::max<std::size_t>(files_.at(0).text.size(), 1));
+  monitor_ = &monitor;
   log_modal();
-  std::string_view line;
-  while (end_ == End::running && !flow_.is_lost()) {
-    if (!flow_.next_line(line)) {
-      end_of_text();
-      continue;
-    }
-    if (++lines_run_ % kMonitorEvery == 0) {
-      if (monitor.is_cancelled()) return false;
-      if (flow_.depth() == 0 && flow_.turns() == 0) {
-        monitor.report(std::min(1.0, static_cast<double>(line.data() - files_.at(0).text.data()) / size));
-      }
-    }
-    if (!run_line(line) || !faults_.empty()) report_faults(line);
-    if (!check_bounds()) report_faults(line);
+  while (run_next_line()) {
   }
+  if (end_ == End::cancelled) return false;
   for (std::size_t i = reading_.moves.files.size(); i < files_.size(); ++i)
     reading_.moves.files.push_back(files_.at(i).name);
   log_.finish(files_.at(0).name);
   reading_.refused = log_.has_errors();
+  return true;
+}
+
+// @return false where there is nothing more to run
+bool Interpreter::run_next_line() {
+  if (end_ != End::running || flow_.is_lost()) return false;
+  std::string_view line;
+  if (!flow_.next_line(line)) {
+    end_of_text();
+    return true;
+  }
+  if (++lines_run_ % kMonitorEvery == 0) {
+    if (monitor_->is_cancelled()) end_ = End::cancelled;
+    if (flow_.depth() == 0 && flow_.turns() == 0) {
+      const std::string_view text = files_.at(0).text;
+      monitor_->report(static_cast<double>(line.data() - text.data()) / static_cast<double>(text.size()));
+    }
+  }
+  if (!run_line(line) || !faults_.empty()) report_faults(line);
+  if (!check_bounds()) report_faults(line);
   return true;
 }
 
@@ -176,6 +184,9 @@ bool Interpreter::run_line(std::string_view line) {
 }
 
 bool Interpreter::run_block(Scanner& text) {
+  if (contour_ != nullptr) {
+    return reader_.read(text, block_) && contour_->add(block_, static_cast<std::uint32_t>(flow_.line_number()));
+  }
   out_.set_place(flow_.line_number(), flow_.file());
   const bool read = reader_.read(text, block_);
   if (!read || !execute(block_)) return false;

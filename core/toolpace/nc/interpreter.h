@@ -8,6 +8,8 @@
 #include "toolpace/nc/context.h"
 #include "toolpace/nc/diagnostic_log.h"
 #include "toolpace/nc/flow.h"
+#include "toolpace/nc/lathe_contour.h"
+#include "toolpace/nc/lathe_cycles.h"
 #include "toolpace/nc/reader.h"
 
 namespace toolpace::nc {
@@ -28,8 +30,9 @@ class Interpreter {
   DiagnosticLog& log() { return log_; }
 
  private:
-  enum class End : std::uint8_t { running, ended };
+  enum class End : std::uint8_t { running, ended, cancelled };
 
+  bool run_next_line();
   bool run_line(std::string_view line);
   bool run_percent();
   bool run_sender_command(Scanner& text);
@@ -57,6 +60,10 @@ class Interpreter {
   bool run_subprogram_code(const Block& block);
   void restore(const Modal& modal);
 
+  // contour_calls.cpp: lathe cycles
+  bool turn_contour(const Block& block, Code code);
+  bool read_contour(const Block& block, const LatheCycle& cycle, std::vector<ContourElement>& contour);
+
   // macro_calls.cpp
   bool run_macro_code(const Block& block);
   bool run_alarm(const Block& block);
@@ -80,6 +87,8 @@ class Interpreter {
   Reading& reading_;
   Block block_;
   End end_ = End::running;
+  const Monitor* monitor_ = nullptr;
+  LatheContourReader* contour_ = nullptr;  ///< takes the blocks while the contour of a lathe cycle is read
   bool percent_seen_ = false;
   bool anything_read_ = false;
   bool at_percent_end_ = false;

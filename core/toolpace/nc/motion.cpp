@@ -69,25 +69,14 @@ bool find_machine_end(Context& context, const Block& block, Position& end) {
 }
 
 bool run_straight(Context& context, const Block& block, Code code) {
-  State& state = context.state;
+  const State& state = context.state;
   const bool machine_coordinates = block.code(GGroup::once) == 530;
   if (state.compensation.radius > 0.0 && machine_coordinates) {
     return context.faults.fail("g53-with-compensation", "G53 while cutter radius compensation is on",
                                "end it with G40 first", block.column_of(GGroup::once));
   }
   Position end;
-  if (!find_end(context, block, end)) return false;
-  Feedrate feed;
-  const Position& from = programmed_position(state);
-  if (code == 10 && !find_straight_feedrate(context, block, from, end, feed)) return false;
-  const MoveKind kind = code == 0 ? MoveKind::rapid : MoveKind::feed;
-  if (state.modal.compensation != 400 && state.compensation.radius > 0.0) {
-    return compensate_line(context, kind, end, feed);
-  }
-  context.out.line(kind, state.offsets, end, feed);
-  state.position = end;
-  state.compensation.arc_forbidden = false;
-  return true;
+  return find_end(context, block, end) && go_straight(context, block, code, end);
 }
 
 bool run_probe(Context& context, const Block& block, Code code) {
@@ -196,6 +185,21 @@ bool find_straight_feedrate(Context& context, const Block& block, const Position
     if (linear < kNoLength) linear = 0.0;
   }
   return find_feedrate(context, block, {linear, angular, from[0], to[0]}, feed);
+}
+
+bool go_straight(Context& context, const Block& block, Code code, const Position& end) {
+  State& state = context.state;
+  Feedrate feed;
+  const Position& from = programmed_position(state);
+  if (code == 10 && !find_straight_feedrate(context, block, from, end, feed)) return false;
+  const MoveKind kind = code == 0 ? MoveKind::rapid : MoveKind::feed;
+  if (state.modal.compensation != 400 && state.compensation.radius > 0.0) {
+    return compensate_line(context, kind, end, feed);
+  }
+  context.out.line(kind, state.offsets, end, feed);
+  state.position = end;
+  state.compensation.arc_forbidden = false;
+  return true;
 }
 
 bool run_motion(Context& context, const Block& block, Code code) {

@@ -31,6 +31,9 @@ bool find_feedrate(Context& context, const Block& block, const Way& way, Feedrat
 bool find_straight_feedrate(Context& context, const Block& block, const Position& from, const Position& to,
                             Feedrate& feed);
 
+/// Goes straight to `end`, by G0 or G1, with cutter compensation where it is on.
+bool go_straight(Context& context, const Block& block, Code code, const Position& end);
+
 /// Runs the block's motion in the active motion mode `code`.
 bool run_motion(Context& context, const Block& block, Code code);
 

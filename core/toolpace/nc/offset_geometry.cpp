@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kTouching = 1e-7;  // of the radius: nearer than this, elements touch
+constexpr double kAlike = 0.1;      // distances that differ by less decide nothing
 
 using Candidates = std::array<std::optional<Point>, 2>;
 
@@ -23,7 +24,7 @@ Candidates line_with_line(const OffsetElement& a, const OffsetElement& b) {
 Candidates line_with_circle(const OffsetElement& line, const OffsetElement& arc) {
   const double radius = norm(arc.end - arc.centre);
   const Point along = (line.end - line.start) * (1.0 / norm(line.end - line.start));
-  const Point foot = line.start + along * dot(arc.centre - line.start, along);
+  const Point foot = foot_on_line(line, arc.centre);
   const double off = norm(foot - arc.centre);
   if (off > radius * (1.0 + kTouching)) return {};
   const double half = std::sqrt(std::max(0.0, radius * radius - off * off));
@@ -43,6 +44,17 @@ Candidates circle_with_circle(const OffsetElement& a, const OffsetElement& b) {
   return {foot + turned(unit, 1.0) * beside, foot + turned(unit, -1.0) * beside};
 }
 
+Candidates meetings(const OffsetElement& a, const OffsetElement& b) {
+  if (a.turn == 0 && b.turn == 0) return line_with_line(a, b);
+  if (a.turn == 0) return line_with_circle(a, b);
+  if (b.turn == 0) return line_with_circle(b, a);
+  return circle_with_circle(a, b);
+}
+
+Point nearer(const Candidates& found, Point near) {
+  return norm(*found[0] - near) <= norm(*found[1] - near) ? *found[0] : *found[1];
+}
+
 // Angle from `from` to `to` about the centre, in the arc's sense, 0 … 2π.
 double swept(const OffsetElement& arc, Point from, Point to) {
   const double angle = angle_between(from - arc.centre, to - arc.centre) * (arc.turn > 0 ? 1.0 : -1.0);
@@ -60,21 +72,31 @@ Point direction_at_start(const OffsetElement& element) {
   return turned(element.start - element.centre, element.turn > 0 ? 1.0 : -1.0);
 }
 
+Point direction_at_end(const OffsetElement& element) {
+  if (element.turn == 0) return element.end - element.start;
+  return turned(element.end - element.centre, element.turn > 0 ? 1.0 : -1.0);
+}
+
+Point foot_on_line(const OffsetElement& line, Point p) {
+  const Point along = (line.end - line.start) * (1.0 / norm(line.end - line.start));
+  return line.start + along * dot(p - line.start, along);
+}
+
 std::optional<Point> intersect(const OffsetElement& a, const OffsetElement& b, Point near) {
-  Candidates found;
-  if (a.turn == 0 && b.turn == 0) {
-    found = line_with_line(a, b);
-  } else if (a.turn == 0) {
-    found = line_with_circle(a, b);
-  } else if (b.turn == 0) {
-    found = line_with_circle(b, a);
-  } else {
-    found = circle_with_circle(a, b);
-  }
+  const Candidates found = meetings(a, b);
   if (!found[0] || !found[1]) return found[0];
   const bool first_on = lies_on(a, *found[0]), second_on = lies_on(a, *found[1]);
   if (first_on != second_on) return first_on ? found[0] : found[1];
-  return norm(*found[0] - near) <= norm(*found[1] - near) ? found[0] : found[1];
+  return nearer(found, near);
+}
+
+std::optional<Point> meeting_of(const OffsetElement& a, const OffsetElement& b, Point near) {
+  const Candidates found = meetings(a, b);
+  if (!found[0] || !found[1]) return found[0];
+  const double first = norm(*found[0] - near), second = norm(*found[1] - near);
+  if (std::fabs(first - second) > kAlike * std::max(first, second)) return nearer(found, near);
+  const auto on = [&](Point p) { return (lies_on(a, p) ? 1 : 0) + (lies_on(b, p) ? 1 : 0); };
+  return on(*found[0]) >= on(*found[1]) ? found[0] : found[1];
 }
 
 bool lies_on(const OffsetElement& element, Point p) {

@@ -26,9 +26,16 @@ struct OffsetElement {
 };
 
 Point direction_at_start(const OffsetElement& element);
+Point direction_at_end(const OffsetElement& element);
 
 /// Where two elements, each prolonged, meet: on `a` itself if they do so at one place there, else nearest to `near`.
 std::optional<Point> intersect(const OffsetElement& a, const OffsetElement& b, Point near);
+
+/// The point of a prolonged line nearest to `p`.
+Point foot_on_line(const OffsetElement& line, Point p);
+
+/// Where two elements, each prolonged, meet nearest to `near`; of two places as near, the one on the elements themselves.
+std::optional<Point> meeting_of(const OffsetElement& a, const OffsetElement& b, Point near);
 
 /// True if the element passes through `p`, a point on its prolongation, after its start.
 bool lies_on(const OffsetElement& element, Point p);

@@ -86,8 +86,11 @@ struct CycleMemory {
 
 /// Cutter radius compensation in progress.
 struct Compensation {
+  struct Origin {
+    double x = 0.0, z = 0.0;
+  };
   double radius = 0.0;  ///< [mm] > 0 while active
-  int orientation = 0;
+  Origin origin;        ///< [mm] from the centre of a lathe tool's nose to its controlled point
   bool first_move_pending = false;
   bool arc_forbidden = false;  ///< the move after G40 must be straight
   Position programmed{};       ///< end of the contour as programmed (work coordinates); position holds the tool's

@@ -1,0 +1,50 @@
+/// Lathe cycles call a sub-program that describes a contour: its blocks are read, and not executed.
+
+#include <utility>
+
+#include "toolpace/nc/interpreter.h"
+
+namespace toolpace::nc {
+namespace {
+
+constexpr std::size_t kMostSteps = 20'000'000;  // of one cycle's calculation
+constexpr std::size_t kStepsOfALine = 8;        // counted as one line run again
+
+}  // namespace
+
+bool Interpreter::turn_contour(const Block& called, Code code) {
+  const Block block = called;  // reading the contour needs the interpreter's own
+  const Place place = flow_.place_of_fault();
+  LatheCycle cycle;
+  std::vector<ContourElement> contour;
+  if (!begin_lathe_cycle(context_, block, code, cycle)) return false;
+  const bool read = read_contour(block, cycle, contour);
+  flow_.blame(place);
+  if (!read) return false;
+  WorkBudget budget(kMostSteps);
+  const bool turned = run_lathe_cycle(context_, block, cycle, std::move(contour), budget);
+  flow_.add_work((kMostSteps - budget.left()) / kStepsOfALine);
+  return turned;
+}
+
+bool Interpreter::read_contour(const Block& block, const LatheCycle& cycle, std::vector<ContourElement>& contour) {
+  if (contour_ != nullptr) {
+    return faults_.fail("lathe-contour-motion", "a lathe cycle in the contour of another", "call it outside",
+                        block.column_of(GGroup::motion));
+  }
+  const std::size_t depth = flow_.depth(), errors = log_.errors();
+  const Position position = state_.position, programmed = state_.compensation.programmed;
+  if (!flow_.call_sub(cycle.contour, block.column_of('q'))) return false;
+  LatheContourReader reader(context_, cycle.start);
+  contour_ = &reader;
+  while (flow_.depth() > depth && run_next_line()) {
+  }
+  contour_ = nullptr;
+  state_.position = position;
+  state_.compensation.programmed = programmed;
+  flow_.take_jumped();
+  state_.modal.motion = reader.motion();
+  return log_.errors() == errors && flow_.depth() == depth && reader.finish(contour);
+}
+
+}  // namespace toolpace::nc
