@@ -23,18 +23,6 @@ bool turns(const Path& path) {
                      [&](const AxisVector& p) { return p.tail<3>() != path.node.front().tail<3>(); });
 }
 
-/// Tolerance in force on a row of the program [mm].
-double tolerance_of(const Moves& moves, std::uint32_t row, const CornerOptions& corner) {
-  const MoveMode& mode = moves.modes[moves.mode[row]];
-  switch (mode.control) {
-    case PathControl::exact_path:
-    case PathControl::exact_stop: return 0.0;
-    case PathControl::blend: return mode.tolerance;
-    case PathControl::job_default: break;
-  }
-  return rounds(corner) ? corner.tolerance : 0.0;
-}
-
 /// Setpoint after setpoint against the programmed path.
 class TubeFollower {
  public:
@@ -52,20 +40,18 @@ class TubeFollower {
       if (!chunk.position[axis].empty()) at[static_cast<Eigen::Index>(axis)] = chunk.position[axis][k];
     }
     const AxisVector point = weighted(at);
-    const bool follows = trace.size() == 0 ? follower_.start(point) : follower_.advance(last_, point, reach_);
+    const bool follows = trace.size() == 0 ? follower_.start(point) : follower_.advance(last_, point, {reach_, reach_});
     last_ = point;
     if (!follows) return false;
     const PathMatch& match = follower_.match();
-    const AxisVector a = vertices_.at(match.cell)->point;
-    const PathVertex* end = vertices_.at(match.cell + 1);
-    const AxisVector b = end ? end->point : a;
-    const AxisVector foot = a + match.t * (b - a);
+    const PathVertex* const end = vertices_.at(match.cell + 1);
+    const AxisVector foot = end ? vertices_.point(match.cell, match.t) : vertices_.at(match.cell)->point;
     const std::uint32_t row = path_.move[end ? end->segment : path_.size() - 1];
     trace.time.push_back(chunk.time(k));
     trace.programmed.push_back(foot.head<3>().cast<float>());
     trace.offset.push_back((point - foot).head<3>().cast<float>());
     trace.tolerance.push_back(
-        static_cast<float>(tolerance_of(outcome_.job->program->moves, row, outcome_.job->options.corner)));
+        static_cast<float>(corner_tolerance(outcome_.job->program->moves, row, outcome_.job->options.corner)));
     return true;
   }
 

@@ -63,7 +63,10 @@ Result<VerifyReport> judge(SetpointFile& file, const Outcome& outcome, const Mon
   const Moves& moves = job.program->moves;
   const auto path = build_path(moves, job.machine.tool_change);  // as programmed: the outcome's may be smoothed
   if (!path) return tl::unexpected(path.error());
-  const ProgrammedPath program{*path, moves, judged_tolerance(moves, job.options.corner)};
+  ProgrammedPath program{*path, moves, judged_tolerance(moves, job.options.corner)};
+  for (const std::uint32_t row : path->move) {
+    program.segment_tolerance.push_back(corner_tolerance(moves, row, job.options.corner) + kExact);
+  }
   return verify(file, judged_machine(job.machine, job.options), &program, monitor);
 }
 
@@ -77,11 +80,22 @@ Machine judged_machine(const Machine& machine, const PlanOptions& options) {
   return judged;
 }
 
-double judged_tolerance(const Moves& moves, const CornerOptions& corner) {
+double corner_tolerance(const Moves& moves, std::uint32_t row, const CornerOptions& corner) {
+  const MoveMode& mode = moves.modes[moves.mode[row]];
   const bool smooths = !corner.step && (corner.rule == CornerRule::blend || corner.rule == CornerRule::smooth);
-  double tolerance = smooths ? corner.tolerance : 0.0;
-  for (const MoveMode& mode : moves.modes) {
-    if (mode.control == PathControl::blend) tolerance = std::max(tolerance, mode.tolerance + mode.naive_tolerance);
+  switch (mode.control) {
+    case PathControl::exact_path:
+    case PathControl::exact_stop: return 0.0;
+    case PathControl::blend: return mode.tolerance > 0 ? mode.tolerance : corner.tolerance;
+    case PathControl::job_default: break;
+  }
+  return smooths ? corner.tolerance : 0.0;
+}
+
+double judged_tolerance(const Moves& moves, const CornerOptions& corner) {
+  double tolerance = 0.0;
+  for (std::uint32_t row = 0; row < moves.size(); ++row) {
+    tolerance = std::max(tolerance, corner_tolerance(moves, row, corner));
   }
   return tolerance + kExact;
 }

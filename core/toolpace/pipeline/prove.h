@@ -11,8 +11,12 @@ namespace toolpace {
 /// The machine as its setpoints are judged: a law that does not bound jerk is not judged by jerk.
 Machine judged_machine(const Machine& machine, const PlanOptions& options);
 
-/// How far from the programmed path a job's setpoints may be [mm]: what rounding leaves for the corner rules that stay on
-/// the path, the tolerance (of the job and of any G64 P or Q in the program) for those that smooth corners.
+/// How far a job may round the corners of a row of Moves [mm]: its own tolerance, or that of G64 P in the program; 0 under
+/// G61 and G61.1, and where the job's corner rule stays on the path.
+double corner_tolerance(const Moves& moves, std::uint32_t row, const CornerOptions& corner);
+
+/// How far from the programmed path a job's setpoints may be anywhere [mm]: what rounding leaves for the corner rules that stay on
+/// the path, the largest corner_tolerance() of the program for those that smooth corners.
 double judged_tolerance(const Moves& moves, const CornerOptions& corner);
 
 /// Reads the file back and judges it by machine, options and program. Errors: of verify().

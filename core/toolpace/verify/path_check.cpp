@@ -9,8 +9,8 @@ namespace {
 constexpr double kFinest = 2e-7, kCoarsest = 1e-5;  // [mm] sagitta of the chords that stand for curves
 constexpr double kNegligibleStep = 1e-9;            // change of a direction that is rounding
 constexpr double kSmoothing = 2 * kOnPath;          // a tolerance that lets corners be smoothed
+constexpr double kSame = 1e-9;                      // relative difference of chord errors that is rounding
 constexpr double kNearNode = 1e-3;  // of the chord: a node this near to a row counts on both sides of it
-constexpr double kCircular = 1e-4;  // relative change of radius up to which its square does not matter
 constexpr int kNewtonSteps = 3;     // from a chord that is within 1e-5 mm of the curve
 
 bool has_rotary(const RowStream& stream) {
@@ -18,25 +18,53 @@ bool has_rotary(const RowStream& stream) {
                      [](const auto& p) { return !p.empty(); });
 }
 
+/// Weighted.
 AxisVector point_of(const RowStream& stream, std::size_t local) {
   AxisVector point = AxisVector::Zero();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const auto& p = stream.rows().position[axis];
-    if (!p.empty()) point[static_cast<Eigen::Index>(axis)] = p[local];
+    if (!p.empty()) point[static_cast<Eigen::Index>(axis)] = is_rotary(axis) ? p[local] / kRadiansPerDegree : p[local];
   }
-  return weighted(point);
+  return point;
 }
 
 bool path_has_rotary(const Path& path) {
   return std::any_of(path.node.begin(), path.node.end(), [](const AxisVector& n) { return !n.tail<3>().isZero(0); });
 }
 
-/// Which part of its sweep an arc has made after a part u of its length. The length grows with √(r² + (rise/sweep)²) a
-/// radian, by κ over the whole arc: u = (p + κp²/2)/(1 + κ/2), so p = u + κ/2·u(1 − u) up to κ².
-double part_of_sweep(const ArcCurve& arc, double u) {
-  const double r = arc.start_radius, slope = arc.rise / arc.sweep;
-  const double kappa = r * (arc.end_radius - r) / (r * r + slope * slope);
-  return u + kappa / 2 * u * (1 - u);
+/// A limit of the axes, of all those together that move; infinite where one of them is not limited.
+double together(const Path& path, const Machine& machine, double AxisLimits::*limit) {
+  double square = 0;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    const bool moves = (!is_rotary(axis) && path.arcs.size() + path.splines.size() > 0) ||
+                       std::any_of(path.node.begin(), path.node.end(),
+                                   [&](const AxisVector& n) { return n[i] != path.node.front()[i]; });
+    const double most = machine.axes[axis].*limit / (is_rotary(axis) ? kRadiansPerDegree : 1.0);
+    if (moves) square += most * most;
+  }
+  return std::sqrt(square);
+}
+
+bool is_exact(const Moves& moves, std::uint32_t row) {
+  const PathControl control = moves.modes[moves.mode[row]].control;
+  return control == PathControl::exact_path || control == PathControl::exact_stop;
+}
+
+std::vector<SegmentRule> rules_of(const ProgrammedPath& program) {
+  std::vector<SegmentRule> rules(program.path.size());
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    rules[i].is_exact = is_exact(program.moves, program.path.move[i]);
+    if (!program.segment_tolerance.empty()) rules[i].tolerance = program.segment_tolerance[i];
+  }
+  return rules;
+}
+
+double distance_to_line(const AxisVector& point, const AxisVector& from, const AxisVector& to) {
+  const AxisVector along = to - from, off = point - from;
+  const double square = along.squaredNorm();
+  const double t = square > 0 ? std::clamp(off.dot(along) / square, 0.0, 1.0) : 0.0;
+  return (off - t * along).norm();
 }
 
 void place(Check& check, const RowStream& stream, std::size_t local) {
@@ -47,17 +75,25 @@ void place(Check& check, const RowStream& stream, std::size_t local) {
 
 }  // namespace
 
-PathCheck::PathCheck(const Path& path, const Moves& moves, std::optional<double> tolerance, double reach, double period)
-    : path_(path),
-      moves_(moves),
+PathCheck::PathCheck(const ProgrammedPath& program, const Machine& machine, double reach, double period)
+    : path_(program.path),
+      moves_(program.moves),
       period_(period),
       reach_(reach),
       sagitta_(std::clamp(reach / 5, kFinest, kCoarsest)),
-      rotary_(path_has_rotary(path)),
-      tolerance_(tolerance),
-      vertices_(path, sagitta_),
-      follower_(vertices_, reach + sagitta_, rotary_),
-      deviation_(tolerance.value_or(std::numeric_limits<double>::infinity())) {
+      rotary_(path_has_rotary(program.path)),
+      speed_(together(program.path, machine, &AxisLimits::speed)),
+      acceleration_(together(program.path, machine, &AxisLimits::acceleration)),
+      tolerance_(program.tolerance),
+      vertices_(program.path, sagitta_, rules_of(program)),
+      follower_(vertices_, reach + kFinest, rotary_),
+      deviation_(tolerance_.value_or(std::numeric_limits<double>::infinity())) {
+  if (!rotary_) {
+    const PathLimits& p = machine.path;
+    speed_ = std::min(speed_, p.speed);
+    // Along the path, and as much again where it turns.
+    acceleration_ = std::min(acceleration_, std::sqrt(2.0) * std::max(p.acceleration, p.deceleration));
+  }
   left_.kind = CheckKind::follows_path;
   end_.kind = CheckKind::end_point;
   line_.kind = CheckKind::line_column;
@@ -85,9 +121,13 @@ bool PathCheck::take(const RowStream& stream) {
   return true;
 }
 
-/// The path may bulge from the chord between two setpoints by what acceleration does within a period: a vertex passed
-/// in between is at most a second difference away.
-double PathCheck::slack(const RowStream& stream, std::size_t local) const {
+/// An acceleration of A carries a motion off the chord between two setpoints by up to A·Ts²/8. Second differences beyond A·Ts²
+/// say that the limit is broken there: then an eighth of them, and what they change by, unless speed is broken too, as where
+/// rows are missing.
+/// Around a corner that is passed with a step of speed it is no farther than a whole one, or than half the minor axis of the
+/// ellipse about the chord whose paths are as long as the way that the columns tell; and never than that of the ellipse for
+/// the way that the machine's speed allows.
+Slack PathCheck::slack(const RowStream& stream, std::size_t local) const {
   double square[2] = {0, 0}, chord = 0;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const auto& p = stream.rows().position[axis];
@@ -107,7 +147,16 @@ double PathCheck::slack(const RowStream& stream, std::size_t local) const {
     const double way = period_ / 2 * (rows.speed[local - 1] + rows.speed[local]) + period_ * period_ / 6 * change;
     ellipse = std::max(0.0, way * way - chord);
   }
-  return std::max(std::sqrt(std::max(square[0], square[1])), std::sqrt(ellipse) / 2);
+  const double difference = std::sqrt(std::max(square[0], square[1])), most = acceleration_ * period_ * period_;
+  const double fastest = speed_ * period_ * (1 + kLimitSlack) + kOnPath;
+  Slack slack;
+  slack.at_corner =
+      std::min(std::max(difference, std::sqrt(ellipse) / 2), std::sqrt(std::max(0.0, fastest * fastest - chord)) / 2);
+  const bool is_bounded = difference <= most * (1 + kLimitSlack) + kFinest || chord > fastest * fastest;
+  slack.between = is_bounded ? most / 8 : difference / 7;
+  if (!std::isfinite(slack.between)) slack.between = slack.at_corner;
+  slack.from_path = last_distance_ <= kOnPath;
+  return slack;
 }
 
 bool PathCheck::take_row(const RowStream& stream, std::size_t local) {
@@ -115,49 +164,34 @@ bool PathCheck::take_row(const RowStream& stream, std::size_t local) {
   if (path_.size() == 0) {  // a program without motion: everything stays where it is
     const double off = path_.node.empty() ? 0.0 : (to - weighted(path_.node.front())).norm();
     deviation_.take(off, 0.0, stream, local);
+    last_ = to;
     return off <= reach_;
   }
   const PathMatch before = follower_.match();
   if (stream.row(local) == 0) {
     if (!follower_.start(to)) return false;
-  } else if (!follower_.advance(point_of(stream, local - 1), to, slack(stream, local))) {
+  } else if (!follower_.advance(last_, to, slack(stream, local))) {
     return false;
   }
   const double distance = exact_distance(to);
-  deviation_.take(distance, 0.0, stream, local);
-  const bool on_path = distance <= kOnPath;
-  if (stream.row(local) > 0) take_crossings(stream, local, before, on_path && was_on_path_);
-  was_on_path_ = on_path;
+  if (deviation_.would_take(distance, 0.0) || stream.row(local) == 0) deviation_.take(distance, 0.0, stream, local);
+  if (stream.row(local) > 0) take_crossings(stream, local, to, before, std::max(distance, last_distance_) <= kOnPath);
+  last_ = to;
+  last_distance_ = distance;
   if (!stream.rows().line.empty()) take_line(stream, local);
-  end_.value = (to - weighted(path_.node.back())).norm();
-  end_.limit = kOnPath;
   place(end_, stream, local);
   return true;
 }
 
-/// @source for circles: distance in the plane to the circle and along the normal to the height due at that angle
 double PathCheck::exact_distance(const AxisVector& point) {
   const PathMatch& match = follower_.match();
   if (vertices_.at(match.cell + 1) == nullptr) return match.distance;
+  if (vertices_.at(match.cell + 1)->sagitta == 0.0) return match.distance;  // lines and sectors of arcs are exact
   const PathVertex end = *vertices_.at(match.cell + 1), begin = *vertices_.at(match.cell);
   const std::uint32_t segment = end.segment;
-  if (path_.kind[segment] == SegmentKind::line) return match.distance;
   const double s0 = begin.is_node ? 0.0 : begin.s;
   double s = s0 + match.t * (end.s - s0);
   if (s <= 0 || s >= path_.length[segment]) return match.distance;  // to the node itself
-  if (path_.kind[segment] == SegmentKind::arc && !rotary_) {
-    const ArcCurve& arc = path_.arcs[path_.detail[segment]];
-    const double widening = arc.end_radius - arc.start_radius;
-    if (std::abs(widening) <= kCircular * arc.start_radius) {
-      const double part = part_of_sweep(arc, s / path_.length[segment]);
-      const Eigen::Vector3d from = point.head<3>() - arc.centre;
-      const double height = from.dot(arc.normal);
-      const double radius = (from - height * arc.normal).norm();
-      const double sine = arc.rise / path_.length[segment];  // of the helix' slope
-      const double across = (height - arc.rise * part) * std::sqrt(std::max(0.0, 1 - sine * sine));
-      return std::hypot(radius - (arc.start_radius + widening * part), across);
-    }
-  }
   // Other curves: exact arc lengths cost more than they tell while the chord says that the setpoint is on the path.
   if (match.distance + sagitta_ <= kOnPath / 2) return match.distance + sagitta_;
   double distance = match.distance + sagitta_;
@@ -172,29 +206,34 @@ double PathCheck::exact_distance(const AxisVector& point) {
   return distance;
 }
 
-void PathCheck::take_crossings(const RowStream& stream, std::size_t local, const PathMatch& before, bool on_path) {
-  const AxisVector from = point_of(stream, local - 1), to = point_of(stream, local);
-  const AxisVector chord = to - from;
-  const double square = chord.squaredNorm();
-  for (std::size_t v = before.cell + 1; v <= follower_.match().cell; ++v) {
+/// Distance of the middle of a stretch of an arc, where it stands out farthest, to the straight line between two setpoints.
+double PathCheck::chord_error(std::size_t cell, double low, double high, const AxisVector& to) {
+  const ArcSector* const sector = vertices_.sector(*vertices_.at(cell + 1));
+  if (sector == nullptr || high <= low) return 0.0;
+  const double most = sector->bulge(low, high) + std::max(last_distance_, follower_.match().distance);
+  if (!chord_.would_take(most * (1 - kSame), 0.0)) return 0.0;
+  return distance_to_line(vertices_.point(cell, (low + high) / 2), last_, to);
+}
+
+void PathCheck::take_crossings(const RowStream& stream, std::size_t local, const AxisVector& to,
+                               const PathMatch& before, bool on_path) {
+  const PathMatch& match = follower_.match();
+  double off = chord_error(before.cell, before.t, match.cell > before.cell ? 1.0 : match.t, to);
+  for (std::size_t v = before.cell + 1; v <= match.cell; ++v) {
     const PathVertex vertex = *vertices_.at(v);
-    const double t = square > 0 ? std::clamp((vertex.point - from).dot(chord) / square, 0.0, 1.0) : 0.0;
-    const double off = (vertex.point - from - t * chord).norm();
-    if (chord_.would_take(off, 0.0)) chord_.take(off, 0.0, stream, local);
+    off = std::max(
+        {off, distance_to_line(vertex.point, last_, to), chord_error(v, 0.0, v < match.cell ? 1.0 : match.t, to)});
     // Where a path runs back over itself, the row before may have been past the node already, or this one not yet.
-    const Doubt doubt{before.last_cell >= v, follower_.match().first_cell < v};
+    const Doubt doubt{before.last_cell >= v, match.first_cell < v};
     if (!vertex.is_node || vertex.segment + 1 >= path_.size()) continue;
     if (on_path || is_passed_exactly(vertex.segment)) log_corner(stream, local, vertex, doubt);
   }
+  if (chord_.would_take(off, 0.0)) chord_.take(off, 0.0, stream, local);
 }
 
 /// Nothing smooths a corner at which G61 or G61.1 begins or ends, however near beside it a blend may lie.
 bool PathCheck::is_passed_exactly(std::size_t left) const {
-  const auto is_exact = [this](std::size_t segment) {
-    const PathControl control = moves_.modes[moves_.mode[path_.move[segment]]].control;
-    return control == PathControl::exact_path || control == PathControl::exact_stop;
-  };
-  return is_exact(left) || is_exact(left + 1);
+  return is_exact(moves_, path_.move[left]) || is_exact(moves_, path_.move[left + 1]);
 }
 
 void PathCheck::log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt) {
@@ -249,7 +288,11 @@ void PathCheck::take_line(const RowStream& stream, std::size_t local) {
   if (line_mismatches_++ == 0) place(line_, stream, local);
 }
 
-bool PathCheck::has_followed() { return path_.size() == 0 || follower_.reaches_end(); }
+bool PathCheck::has_followed() {
+  end_.value = path_.node.empty() ? 0.0 : (last_ - weighted(path_.node.back())).norm();
+  end_.limit = kOnPath;
+  return path_.size() == 0 || follower_.reaches_end();
+}
 
 void PathCheck::report(VerifyReport& report, bool followed) const {
   Check follows = left_;

@@ -4,19 +4,16 @@
 #include <cstdint>
 #include <optional>
 
-#include "toolpace/nc/moves.h"
-#include "toolpace/path/path.h"
+#include "toolpace/limits/machine.h"
 #include "toolpace/verify/corner_log.h"
 #include "toolpace/verify/path_follower.h"
 #include "toolpace/verify/path_vertices.h"
+#include "toolpace/verify/programmed_path.h"
 #include "toolpace/verify/report.h"
 #include "toolpace/verify/row_stream.h"
 #include "toolpace/verify/worst.h"
 
 namespace toolpace {
-
-/// A setpoint this close to the path is on it: what exact geometry and rounding leave [mm].
-inline constexpr double kOnPath = 1e-6;
 
 /// Follows the path with the setpoints within `reach` of it and, while it does:
 /// - measures the distance of each setpoint to the exact curve that it is matched to;
@@ -27,9 +24,9 @@ inline constexpr double kOnPath = 1e-6;
 /// Setpoints that cut a corner, as smoothing does, are off the path there and get no such exemption.
 class PathCheck {
  public:
-  /// @param tolerance  [mm] judged; none = reported
-  /// @param reach      [mm] how far setpoints are looked for beside the path
-  PathCheck(const Path& path, const Moves& moves, std::optional<double> tolerance, double reach, double period);
+  /// @param reach   [mm] how far setpoints are looked for beside the path
+  /// @param period  [s]
+  PathCheck(const ProgrammedPath& program, const Machine& machine, double reach, double period);
 
   /// Goes through the rows up to two beyond the window's end. @return false once the setpoints have left the path
   bool take(const RowStream& stream);
@@ -51,12 +48,14 @@ class PathCheck {
     bool earlier, later;
   };
   bool take_row(const RowStream& stream, std::size_t local);
-  void take_crossings(const RowStream& stream, std::size_t local, const PathMatch& before, bool on_path);
+  void take_crossings(const RowStream& stream, std::size_t local, const AxisVector& to, const PathMatch& before,
+                      bool on_path);
   bool is_passed_exactly(std::size_t left) const;
   void log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt);
   void take_line(const RowStream& stream, std::size_t local);
   double exact_distance(const AxisVector& point);
-  double slack(const RowStream& stream, std::size_t local) const;
+  double chord_error(std::size_t cell, double low, double high, const AxisVector& to);
+  Slack slack(const RowStream& stream, std::size_t local) const;
 
   const Path& path_;
   const Moves& moves_;
@@ -64,12 +63,14 @@ class PathCheck {
   double reach_;
   double sagitta_;
   bool rotary_;
+  double speed_, acceleration_;  ///< [mm/s, mm/s²; deg] of all axes together
   std::optional<double> tolerance_;
   PathVertices vertices_;
   PathFollower follower_;
   CornerLog corners_;
+  AxisVector last_ = AxisVector::Zero();  ///< weighted point of the row before
+  double last_distance_ = 0.0;            ///< [mm] of it to the path
   std::int64_t next_row_ = 0;
-  bool was_on_path_ = false;
   Worst deviation_, chord_;
   Check end_;
   Check left_;

@@ -11,6 +11,7 @@ constexpr double kMostChords = 1e6;  // of one segment: a circle of 300 km at a 
 constexpr double kCurvatureMargin =
     1.5;                         // pieces of splines change their curvature by at most a third of the larger value
 constexpr int kNewtonSteps = 4;  // from a chord that is within 1e-5 mm of the curve
+constexpr double kMostWidening = 0.1;  // of the radius, of arcs in sectors
 constexpr std::size_t kForgetAtOnce = 4096;
 
 double curvature(const Path& path, std::size_t segment) {
@@ -29,32 +30,60 @@ std::size_t chords_of(const Path& path, std::size_t segment, double sagitta) {
   return static_cast<std::size_t>(std::clamp(chords, 1.0, kMostChords));
 }
 
+std::size_t sectors_of(const ArcCurve& arc) {
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(arc.sweep / ArcSector::kWidest)));
+}
+
 }  // namespace
 
 AxisVector weighted(const AxisVector& point) {
   AxisVector w = point;
-  w.tail<3>() /= kRadiansPerDegree;
+  if (!w.tail<3>().isZero(0)) w.tail<3>() /= kRadiansPerDegree;
   return w;
 }
 
-PathVertices::PathVertices(const Path& path, double sagitta) : path_(path), sagitta_(sagitta) {
+PathVertices::PathVertices(const Path& path, double sagitta, std::vector<SegmentRule> rules)
+    : path_(path), sagitta_(sagitta), rules_(std::move(rules)) {
   if (path.node.empty()) return;
-  vertices_.push_back({weighted(path.node.front()), 0, 0.0, true, 0.0});
+  vertices_.push_back({weighted(path.node.front()), 0, PathVertex::kNoSector, 0.0, true, 0.0});
+}
+
+/// While rotary axes rest, and the radius stays about the same.
+bool PathVertices::has_sectors(std::size_t segment) const {
+  if (path_.kind[segment] != SegmentKind::arc) return false;
+  const ArcCurve& arc = path_.arcs[path_.detail[segment]];
+  return std::abs(arc.end_radius - arc.start_radius) <= kMostWidening * arc.start_radius &&
+         path_.node[segment].tail<3>() == path_.node[segment + 1].tail<3>();
 }
 
 bool PathVertices::make_next() {
   if (segment_ >= path_.size()) return false;
-  if (chords_ == 0) chords_ = chords_of(path_, segment_, sagitta_);
-  ++chord_;
-  const bool ends = chord_ == chords_;
-  const double length = path_.length[segment_];
-  const double s = ends ? length : length * static_cast<double>(chord_) / static_cast<double>(chords_);
-  const AxisVector point = ends ? path_.node[segment_ + 1] : point_at(path_, segment_, s);
-  const double sagitta = path_.kind[segment_] == SegmentKind::line ? 0.0 : sagitta_;
-  vertices_.push_back({weighted(point), static_cast<std::uint32_t>(segment_), s, ends, sagitta});
+  const bool in_sectors = has_sectors(segment_);
+  if (parts_ == 0) {
+    parts_ = in_sectors ? sectors_of(path_.arcs[path_.detail[segment_]]) : chords_of(path_, segment_, sagitta_);
+  }
+  ++part_;
+  const bool ends = part_ == parts_;
+  const double length = path_.length[segment_], parts = static_cast<double>(parts_);
+  const double s = ends ? length : length * static_cast<double>(part_) / parts;
+  PathVertex vertex{{}, static_cast<std::uint32_t>(segment_), PathVertex::kNoSector, s, ends, 0.0};
+  if (in_sectors) {
+    const ArcCurve& arc = path_.arcs[path_.detail[segment_]];
+    const double begin = arc.sweep * (static_cast<double>(part_ - 1) / parts);
+    sectors_.emplace_back(arc, begin, ends ? arc.sweep : arc.sweep * (static_cast<double>(part_) / parts));
+    vertex.sector = static_cast<std::uint32_t>(first_sector_ + sectors_.size() - 1);
+    vertex.point = path_.node[segment_];
+    vertex.point.head<3>() = sectors_.back().point(1.0);
+  } else {
+    vertex.point = point_at(path_, segment_, s);
+    if (path_.kind[segment_] != SegmentKind::line) vertex.sagitta = sagitta_;
+  }
+  if (ends) vertex.point = path_.node[segment_ + 1];
+  vertex.point = weighted(vertex.point);
+  vertices_.push_back(vertex);
   if (ends) {
     ++segment_;
-    chord_ = chords_ = 0;
+    part_ = parts_ = 0;
   }
   return true;
 }
@@ -86,9 +115,22 @@ void PathVertices::measure(std::size_t cell, double& t, double& distance, const 
   }
 }
 
+AxisVector PathVertices::point(std::size_t cell, double t) {
+  const PathVertex& end = *at(cell + 1);
+  const AxisVector begin = at(cell)->point;  // made before its end, which stays where it is
+  AxisVector point = begin + t * (end.point - begin);
+  if (const ArcSector* arc = sector(end)) point.head<3>() = arc->point(t);
+  return point;
+}
+
 void PathVertices::forget_before(std::size_t index) {
   if (index < first_ + kForgetAtOnce) return;
-  vertices_.erase(vertices_.begin(), vertices_.begin() + static_cast<std::ptrdiff_t>(index - first_));
+  const auto kept = vertices_.begin() + static_cast<std::ptrdiff_t>(index - first_);
+  const auto gone = static_cast<std::size_t>(
+      std::count_if(vertices_.begin(), kept, [](const PathVertex& v) { return v.sector != PathVertex::kNoSector; }));
+  sectors_.erase(sectors_.begin(), sectors_.begin() + static_cast<std::ptrdiff_t>(gone));
+  first_sector_ += gone;
+  vertices_.erase(vertices_.begin(), kept);
   first_ = index;
 }
 

@@ -97,7 +97,7 @@ Result<VerifyReport> verify_on_path(SetpointFile& file, const Machine& machine, 
   const auto all = reaches(program.tolerance);
   std::optional<Check> lost;
   for (const double reach : all) {
-    PathCheck path(program.path, program.moves, program.tolerance, reach, period);
+    PathCheck path(program, machine, reach, period);
     auto pass = run_pass(file, machine, period, &path, monitor);
     if (!pass) return tl::unexpected(pass.error());
     if (!pass->followed && reach < all.back()) {

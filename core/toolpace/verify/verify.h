@@ -1,24 +1,13 @@
 #pragma once
 /// An independent proof of a setpoint file: nothing of it comes from planning.
 
-#include <filesystem>
-#include <optional>
-
 #include "toolpace/base/monitor.h"
 #include "toolpace/limits/machine.h"
-#include "toolpace/nc/moves.h"
-#include "toolpace/path/path.h"
+#include "toolpace/verify/programmed_path.h"
 #include "toolpace/verify/report.h"
 #include "toolpace/verify/setpoint_file.h"
 
 namespace toolpace {
-
-/// The program that the setpoints are said to run.
-struct ProgrammedPath {
-  const Path& path;  ///< as programmed, corners not smoothed
-  const Moves& moves;
-  std::optional<double> tolerance = {};  ///< [mm] judged; none = the deviation is measured only
-};
 
 /// Checks the file against the machine and, if given, the program. Reads the file once, or several times where it is
 /// not on the path to 1e-6 mm. Bounded memory, whatever the file's length.

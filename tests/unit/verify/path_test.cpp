@@ -74,7 +74,7 @@ TEST(PathCheck, TellsAnArcFromTheLineThatItTurnsRoundInto) {
 TEST(PathCheck, MeasuresFromHelicesWhoseRadiiDifferByRounding) {
   const TemporaryDirectory dir;
   Program program;
-  program.start(0.8002, -0.8078).arc(0.7862, -1.1026, -3.6356, -30.0);
+  program.start(0.8002, -0.8078).arc(0.7862, -1.1026, -3.635604007745175, -30.0);
   Reading reading = *program.reading();
   reading.moves.end.back().head<2>() << 0.6341, -1.3555;
   auto job = std::make_shared<Job>();
