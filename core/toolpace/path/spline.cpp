@@ -103,18 +103,49 @@ ParameterDerivatives derivatives(const SplineCurve& c, double u, std::size_t spa
   return d;
 }
 
-double curvature(const SplineCurve& c, double u) {
-  const Cartesian r = evaluate(c, u);
+/// |C'| inside a span and at its ends.
+class SpanSpeed {
+ public:
+  SpanSpeed(const SplineCurve& curve, std::size_t span) : curve_(curve), span_(span), begin_(curve.knots[span]) {
+    is_uniform_ = is_uniform_cubic(curve, span);
+    if (!is_uniform_) return;
+    const Cartesian start = evaluate_uniform(curve, begin_, span);
+    first_ = start.d[1];
+    second_ = start.d[2];
+    half_third_ = start.d[3] / 2;
+  }
+
+  double operator()(double u) const {
+    if (!is_uniform_) return evaluate(curve_, u, span_).d[1].norm();
+    const double x = u - begin_;
+    return (first_ + x * (second_ + x * half_third_)).norm();
+  }
+
+ private:
+  const SplineCurve& curve_;
+  std::size_t span_;
+  double begin_;
+  bool is_uniform_;
+  Eigen::Vector3d first_, second_, half_third_;
+};
+
+/// The span of which a stretch between two neighbouring knots is a part.
+std::size_t span_of(const SplineCurve& c, double a, double b) { return find_span(c, (a + b) / 2); }
+
+double curvature(const SplineCurve& c, double u, std::size_t span) {
+  const Cartesian r = evaluate(c, u, span);
   const double g = r.d[1].norm();
   return g > 0 ? r.d[1].cross(r.d[2]).norm() / (g * g * g) : 0.0;
 }
 
 bool is_fine(const SplineCurve& c, double a, double b) {
   const double middle = (a + b) / 2;
-  const double whole = integrate([&](double u) { return evaluate(c, u).d[1].norm(); }, a, b);
-  const double halves = piece_length(c, a, middle) + piece_length(c, middle, b);
+  const std::size_t span = span_of(c, a, b);
+  const SpanSpeed speed(c, span);
+  const double whole = integrate(speed, a, b);
+  const double halves = integrate(speed, a, middle) + integrate(speed, middle, b);
   if (std::abs(whole - halves) > kLengthAccuracy * halves) return false;
-  const double ka = curvature(c, a), km = curvature(c, middle), kb = curvature(c, b);
+  const double ka = curvature(c, a, span), km = curvature(c, middle, span), kb = curvature(c, b, span);
   const double high = std::max({ka, km, kb}), low = std::min({ka, km, kb});
   // A curve that turns by less than a milliradian inside the piece needs no finer cap.
   return high * halves < 1e-3 || high - low <= kCurvatureChange * high;
@@ -133,7 +164,7 @@ SplineCurve make_spline(const AxisVector& begin, const AxisVector& end, const Sp
 }
 
 double piece_length(const SplineCurve& c, double a, double b) {
-  return integrate([&](double u) { return evaluate(c, u).d[1].norm(); }, a, b);
+  return integrate(SpanSpeed(c, span_of(c, a, b)), a, b);
 }
 
 std::vector<SplinePiece> cut_spline(const SplineCurve& c, std::uint32_t index) {
@@ -163,12 +194,13 @@ std::vector<SplinePiece> cut_spline(const SplineCurve& c, std::uint32_t index) {
 }
 
 double parameter_at(const SplineCurve& c, const SplinePiece& piece, double length, double s) {
+  const SpanSpeed speed(c, span_of(c, piece.begin, piece.end));
   double low = piece.begin, high = piece.end;
   double u = low + (high - low) * std::clamp(s / length, 0.0, 1.0);
   for (int i = 0; i < 30; ++i) {  // Newton, bracketed
-    const double error = piece_length(c, piece.begin, u) - s;
+    const double error = integrate(speed, piece.begin, u) - s;
     (error > 0 ? high : low) = u;
-    const double slope = evaluate(c, u).d[1].norm();
+    const double slope = speed(u);
     double next = slope > 0 ? u - error / slope : (low + high) / 2;
     if (!(next >= low && next <= high)) next = (low + high) / 2;
     // No step that is lost in rounding comes any closer.

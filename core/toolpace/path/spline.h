@@ -30,7 +30,7 @@ SplineCurve make_spline(const AxisVector& begin, const AxisVector& end, const Sp
 /// changes by at most a third of its larger value. Bounded: at most 4096 pieces. Pieces without length are left out.
 std::vector<SplinePiece> cut_spline(const SplineCurve& curve, std::uint32_t index);
 
-/// Length of a stretch of the curve [mm].
+/// Length of a stretch of the curve between two neighbouring knots [mm].
 double piece_length(const SplineCurve& curve, double begin, double end);
 
 /// Parameter at path length `s` from the piece's begin. `length` = piece_length of the piece.
