@@ -89,6 +89,8 @@ class Limiter {
       limits_.node_cap[pause.node] = 0.0;
       limits_.node_cause[pause.node] = Cause::stop;
     }
+    limits_.dynamics.shrink_to_fit();
+    limits_.dynamics_cause.shrink_to_fit();
     return std::move(limits_);
   }
 

@@ -47,16 +47,22 @@ class Blender {
 
  private:
   void reserve() {
-    const auto blends = static_cast<std::size_t>(
-        std::count_if(trims_.trims().begin(), trims_.trims().end(), [](double d) { return d > 0; }));
-    const std::size_t n = path_.size() + blends;
+    std::size_t corners = 0, chained = 0;
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      const bool is_chained = trims_.is_chained(i) || trims_.is_chained(i - 1);
+      chained += is_chained;
+      corners += !is_chained && trims_.at(i) > 0;
+    }
+    const std::size_t n = path_.size() + corners + chained / 2;
     Path& p = out_.path;
     p.kind.reserve(n);
     p.length.reserve(n);
     p.move.reserve(n);
     p.detail.reserve(n);
     p.node.reserve(n + 1);
-    p.corner_blends.reserve(blends);
+    p.corner_blends.reserve(corners);
+    p.spline_pieces.reserve(path_.spline_pieces.size() + chained + chained / 2);
+    p.handovers.reserve(path_.handovers.size() + chained);
   }
 
   void push(SegmentKind kind, std::uint32_t move, double length, std::uint32_t detail, const AxisVector& end) {

@@ -1,6 +1,7 @@
 #include "toolpace/path/corner_chain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace toolpace {
@@ -20,46 +21,57 @@ Eigen::Vector3d direction(const Path& path, std::size_t segment) {
 
 }  // namespace
 
+/// Control points inside a line of a chain, where a node wants one nearer than the next node.
+struct CornerChain::Inner {
+  std::size_t count = 0;
+  std::array<double, 2> at;  // from the line's start
+
+  Inner(double length, double left, double right) {
+    // A point next to a node would make a tiny span of high curvature change; a little more distance is mended by the fit.
+    const bool from_left = left < kNearEnough * length, from_right = right < kNearEnough * length;
+    if (from_left && from_right && left + right > kNearEnough * length) {
+      at[count++] = length * left / (left + right);
+      return;
+    }
+    if (from_left) at[count++] = left;
+    if (from_right) at[count++] = length - right;
+  }
+};
+
 CornerChain::CornerChain(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& trim)
-    : first_(first), last_(last), curve_{3, {}, {}, path.node[first], path.node[first], true} {
+    : path_(path), first_(first), last_(last), curve_{3, {}, {}, path.node[first], path.node[first], true} {
+  const auto inner = [&](std::size_t segment) { return Inner(path.length[segment], trim[segment], trim[segment + 1]); };
+  std::size_t stations = last - first + 1;
+  for (std::size_t i = first; i < last; ++i) stations += inner(i).count;
+  curve_.points.reserve(stations + 4);
+  curve_.knots.reserve(stations + 8);
+  segment_of_.reserve(stations);
+  node_at_.reserve(last - first + 1);
+
   const Eigen::Vector3d begin = path.node[first].head<3>(), end = path.node[last].head<3>();
   const Eigen::Vector3d before = trim[first] * direction(path, first - 1), after = trim[last] * direction(path, last);
-  curve_.points = {homogeneous(begin - before), homogeneous(begin - before * (2.0 / 3))};
+  curve_.points.push_back(homogeneous(begin - before));
+  curve_.points.push_back(homogeneous(begin - before * (2.0 / 3)));
   for (std::size_t i = first; i <= last; ++i) {
-    if (i > first) add_inner(path, i - 1, trim);
-    const Eigen::Vector3d p = path.node[i].head<3>();
-    add_control(p, i - 1);
-    node_at_.push_back(stations_.size() - 1);
-    node_.push_back(p);
+    if (i > first) {
+      const Inner points = inner(i - 1);
+      const Eigen::Vector3d a = path.node[i - 1].head<3>(), u = direction(path, i - 1);
+      for (std::size_t k = 0; k < points.count; ++k) add_control(a + points.at[k] * u, i - 1);
+    }
+    node_at_.push_back(static_cast<std::uint32_t>(segment_of_.size()));
+    add_control(path.node[i].head<3>(), i - 1);
   }
   curve_.points.push_back(homogeneous(end + after * (2.0 / 3)));
   curve_.points.push_back(homogeneous(end + after));
-  const double top = stations_.back() + 1;
-  curve_.knots.assign(4, 0.0);
-  curve_.knots.insert(curve_.knots.end(), stations_.begin(), stations_.end());
-  curve_.knots.insert(curve_.knots.end(), 4, top);
+  // Equal knot intervals: a node is then missed by a third of its height over its neighbours, whatever their distances.
+  curve_.knots.assign(3, 0.0);
+  for (std::size_t k = 0; k <= stations + 1; ++k) curve_.knots.push_back(static_cast<double>(k));
+  curve_.knots.insert(curve_.knots.end(), 3, static_cast<double>(stations + 1));
 }
 
-/// Equal knot intervals: a node is then missed by a third of its height over its neighbours, whatever their distances.
 void CornerChain::add_control(const Eigen::Vector3d& point, std::size_t segment_before) {
-  stations_.push_back(stations_.empty() ? 1.0 : stations_.back() + 1);
-  segment_of_.push_back(segment_before);
+  segment_of_.push_back(static_cast<std::uint32_t>(segment_before));
   curve_.points.push_back(homogeneous(point));
-}
-
-/// Control points inside a line of the chain, where a node wants one nearer than the next node.
-void CornerChain::add_inner(const Path& path, std::size_t segment, const std::vector<double>& trim) {
-  const double length = path.length[segment], left = trim[segment], right = trim[segment + 1];
-  const Eigen::Vector3d a = path.node[segment].head<3>(), u = direction(path, segment);
-  const auto add = [&](double at) { add_control(a + at * u, segment); };
-  // A point next to a node would make a tiny span of high curvature change; a little more distance is mended by the fit.
-  const bool from_left = left < kNearEnough * length, from_right = right < kNearEnough * length;
-  if (from_left && from_right && left + right > kNearEnough * length) {
-    add(length * left / (left + right));
-    return;
-  }
-  if (from_left) add(left);
-  if (from_right) add(length - right);
 }
 
 double CornerChain::Span::length(double from, double to) const {
@@ -68,7 +80,7 @@ double CornerChain::Span::length(double from, double to) const {
 
 /// Away from the ends all knots around are evenly spaced.
 CornerChain::Span CornerChain::span(std::size_t k) const {
-  if (k >= 2 && k + 2 <= stations_.size()) {
+  if (k >= 2 && k + 2 <= stations()) {
     const auto c = [&](std::size_t i) { return curve_.points[k + i].head<3>(); };
     return {(c(0) + 4 * c(1) + c(2)) / 6, (c(2) - c(0)) / 2, c(0) - 2 * c(1) + c(2), c(3) - c(0) + 3 * (c(1) - c(2))};
   }
@@ -89,7 +101,8 @@ std::vector<CornerChain::Piece> CornerChain::cut() const {
   pieces.reserve(spans());
   for (std::size_t k = 0; k < spans(); ++k) {
     const auto begin = static_cast<double>(k);
-    cut_span(span(k), {begin, begin + 1, 0, k < stations_.size() ? segment_of_[k] : last_}, pieces);
+    cut_span(span(k), {begin, begin + 1, 0, k < stations() ? segment_of_[k] : static_cast<std::uint32_t>(last_)},
+             pieces);
   }
   return pieces;
 }
@@ -109,7 +122,7 @@ void CornerChain::cut_span(const Span& span, const Piece& piece, std::vector<Pie
 
 CornerChain::Passing CornerChain::pass(std::size_t node) const {
   const std::size_t at = node_at_[node - first_];
-  const Eigen::Vector3d& p = node_[node - first_];
+  const Eigen::Vector3d p = path_.node[node].head<3>();
   Span here = span(at + 1);                          // behind the node's station, at first
   double x = 0, best = 0, least = 1e300, begin = 0;  // from there
   for (int k = 0; k <= kNearestSteps; ++k) {
@@ -129,11 +142,11 @@ CornerChain::Passing CornerChain::pass(std::size_t node) const {
       here = span(x < 0 ? at : at + 1);
     }
   }
-  return {stations_[at] + best, std::sqrt(least)};
+  return {static_cast<double>(at + 1) + best, std::sqrt(least)};
 }
 
 double CornerChain::offset(std::size_t node) const {
-  return (span(node_at_[node - first_] + 1).start - node_[node - first_]).norm();
+  return (span(node_at_[node - first_] + 1).start - path_.node[node].head<3>()).norm();
 }
 
 }  // namespace toolpace

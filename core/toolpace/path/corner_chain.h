@@ -14,11 +14,12 @@ namespace toolpace {
 class CornerChain {
  public:
   struct Piece {
-    double begin, end;    ///< parameters
-    double length;        ///< [mm], relative accuracy 1e-10
-    std::size_t segment;  ///< of the path, that it replaces
+    double begin, end;      ///< parameters
+    double length;          ///< [mm], relative accuracy 1e-10
+    std::uint32_t segment;  ///< of the path, that it replaces
   };
 
+  /// @param path  kept by reference
   /// @param trim  of each node of the path [mm] > 0 for first … last
   CornerChain(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& trim);
 
@@ -49,18 +50,20 @@ class CornerChain {
     double length(double from, double to) const;
   };
 
+  struct Inner;
+
   Span span(std::size_t k) const;
-  std::size_t spans() const { return stations_.size() + 1; }
+  /// Of all control points but two at each end; their parameters are 1, 2, …
+  std::size_t stations() const { return segment_of_.size(); }
+  std::size_t spans() const { return stations() + 1; }
   static void cut_span(const Span& span, const Piece& piece, std::vector<Piece>& pieces);
   void add_control(const Eigen::Vector3d& point, std::size_t segment_before);
-  void add_inner(const Path& path, std::size_t segment, const std::vector<double>& trim);
 
+  const Path& path_;
   std::size_t first_, last_;
   SplineCurve curve_;
-  std::vector<double> stations_;         // parameter of each inner control point: 1, 2, …
-  std::vector<std::size_t> segment_of_;  // segment that ends at each of them
-  std::vector<std::size_t> node_at_;     // index into stations_ of each node
-  std::vector<Eigen::Vector3d> node_;
+  std::vector<std::uint32_t> segment_of_;  // segment that ends at each station
+  std::vector<std::uint32_t> node_at_;     // index of each node's station
 };
 
 }  // namespace toolpace
