@@ -16,6 +16,7 @@ class Selector {
 
   void run() {
     out_.clear();
+    out_.reserve(chain_.last - chain_.first + 2);
     push_node(chain_.first);
     for (std::size_t i = chain_.first; i < chain_.last; ++i) {
       if (i > chain_.first && (is_touched_node(i) || is_border(i))) push_node(i);

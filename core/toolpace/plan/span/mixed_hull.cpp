@@ -147,11 +147,11 @@ class MixedHullBuilder {
   bool feasible_ = true;
 };
 
-bool has_one_limit(const SpeedLimits& limits, const Kernel& k) {
-  for (std::uint32_t i = k.first_node + 1; i < k.last_node; ++i) {
-    if (limits.ramp[i] != limits.ramp[i - 1]) return false;
-  }
-  return true;
+/// Stretches of one set of limits in a plateau; 1 for points.
+std::size_t count_parts(const SpeedLimits& limits, const Kernel& k) {
+  std::size_t parts = 1;
+  for (std::uint32_t i = k.first_node + 1; i < k.last_node; ++i) parts += limits.ramp[i] != limits.ramp[i - 1];
+  return parts;
 }
 
 /// Appends the parts of a plateau.
@@ -177,20 +177,23 @@ double rising_time(double from, double to, const SpanLimits& limits) {
 
 }  // namespace
 
-std::vector<SpanBounds> part_by_limits(const SpanChain& chain, std::vector<Kernel>& kernels) {
-  const auto is_mixed = [&](const Kernel& k) { return k.is_plateau() && !has_one_limit(chain.limits, k); };
-  if (std::any_of(kernels.begin(), kernels.end(), is_mixed)) {
-    std::vector<Kernel> parted;
-    parted.reserve(kernels.size());
-    for (const Kernel& k : kernels) {
-      if (k.is_plateau()) {
-        part_plateau(chain, k, parted);
-      } else {
-        parted.push_back(k);
-      }
+void part_by_limits(const SpanChain& chain, std::vector<Kernel>& kernels) {
+  std::size_t parts = 0;
+  for (const Kernel& k : kernels) parts += count_parts(chain.limits, k);
+  if (parts == kernels.size()) return;
+  std::vector<Kernel> parted;
+  parted.reserve(parts);
+  for (const Kernel& k : kernels) {
+    if (k.is_plateau()) {
+      part_plateau(chain, k, parted);
+    } else {
+      parted.push_back(k);
     }
-    kernels.swap(parted);
   }
+  kernels.swap(parted);
+}
+
+std::vector<SpanBounds> limits_before(const SpanChain& chain, const std::vector<Kernel>& kernels) {
   std::vector<SpanBounds> before(kernels.size());
   std::size_t block = chain.first;
   for (std::size_t k = 0; k < kernels.size(); ++k) {

@@ -39,8 +39,10 @@ inline SpanBounds smaller(SpanBounds a, const SpanBounds& b) {
 }
 
 /// Parts plateaus where their limits change.
-/// @return for each kernel the limits of the blocks between it and the one before it
-std::vector<SpanBounds> part_by_limits(const SpanChain& chain, std::vector<Kernel>& kernels);
+void part_by_limits(const SpanChain& chain, std::vector<Kernel>& kernels);
+
+/// For each kernel the limits of the blocks between it and the one before it.
+std::vector<SpanBounds> limits_before(const SpanChain& chain, const std::vector<Kernel>& kernels);
 
 /// A hull and the limits of each of its bridges.
 struct MixedHull {
@@ -59,7 +61,7 @@ inline Kernel kernel_under(const Kernel& k, const SpanLimits& limits) {
 /// know nothing of each other. Where the motion meets it already speeding up beyond the tilt, or leaves it slowing down
 /// already, both bridges lie on one of its sides and share one set of limits, the smaller one of each: then everything is as
 /// in the hull under one set of limits. Tilts that would put bottoms out of order are taken away.
-/// @param kernels,before  of part_by_limits
+/// @param kernels,before  of part_by_limits() and limits_before()
 /// @return false where the start cannot be left fast enough, the end not be reached, or limits change so that most
 ///         bridges would have to be made again and again
 bool build_mixed_hull(const SpeedLimits& limits, const std::vector<SpanBounds>& before, std::vector<Kernel>& kernels,

@@ -39,8 +39,9 @@ bool is_sound(const SpanChain& chain, const std::vector<Kernel>& kernels, const 
 
 }  // namespace
 
+/// The limits before the kernels are found anew each time: kept, they would stand beside the phases.
 bool MixedPlanner::build(const SpanChain& chain, std::vector<Kernel>& kernels) {
-  return build_mixed_hull(chain.limits, before_, kernels, hull_) && meets_caps(hull_);
+  return build_mixed_hull(chain.limits, limits_before(chain, kernels), kernels, hull_) && meets_caps(hull_);
 }
 
 /// Towards the middle of the accelerations with which each touched node is met and left.
@@ -73,7 +74,7 @@ bool MixedPlanner::emit_within_caps(const SpanChain& chain, std::vector<Kernel>&
 }
 
 bool MixedPlanner::plan(const SpanChain& chain, std::vector<Kernel>& kernels, std::vector<Phase>& phases) {
-  before_ = part_by_limits(chain, kernels);
+  part_by_limits(chain, kernels);
   if (!build(chain, kernels)) return false;
   double best = hull_time(kernels, hull_);
   bool has_plan = false;

@@ -26,7 +26,6 @@ class MixedPlanner {
   bool emit_within_caps(const SpanChain& chain, std::vector<Kernel>& kernels, double at_most);
 
   int passes_;
-  std::vector<SpanBounds> before_;
   MixedHull hull_;
   std::vector<Phase> trial_;
 };
