@@ -1,9 +1,14 @@
 /// What rounding corners and planning through the tolerance tube cost.
 
 #include <benchmark/benchmark.h>
+#include <malloc.h>
+
+#include <fstream>
+#include <string>
 
 #include "smooth_moves.h"
 #include "toolpace/limits/limit_speed.h"
+#include "toolpace/nc/reader.h"
 #include "toolpace/path/blend_path.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/plan/plan.h"
@@ -25,6 +30,26 @@ Machine test_machine() {
   return machine;
 }
 
+/// A line of /proc/self/status, in bytes; 0 where there is none.
+double status_bytes(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    double kibibytes = 0;
+    if (word == key + ":" && status >> kibibytes) return kibibytes * 1024;
+  }
+  return 0;
+}
+
+/// By how much the work's memory in use rises at its peak; 0 where the system does not tell.
+template <class Work>
+double peak_bytes(const Work& work) {
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5";  // the peak counts from here
+  const double before = status_bytes("VmRSS");
+  work();
+  return status_bytes("VmHWM") - before;
+}
+
 void blend_blocks(benchmark::State& state) {
   const Moves moves = bench::smooth_moves(static_cast<std::size_t>(state.range(0)));
   const Path path = *build_path(moves, 0.0);
@@ -34,8 +59,8 @@ void blend_blocks(benchmark::State& state) {
 }
 BENCHMARK(blend_blocks)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
-void blend_and_plan_blocks(benchmark::State& state) {
-  const Moves moves = bench::smooth_moves(static_cast<std::size_t>(state.range(0)));
+/// Corners, limits and plan, as for `--corner blend`.
+void blend_and_plan(benchmark::State& state, const Moves& moves) {
   const Path path = *build_path(moves, 0.0);
   PlanOptions options;
   options.law = LawKind::seven_phase;
@@ -44,15 +69,42 @@ void blend_and_plan_blocks(benchmark::State& state) {
   LimitOptions limit_options;
   limit_options.corner = options.corner;
   const Machine machine = test_machine();
-  for (auto _ : state) {
+  const auto work = [&] {
     const auto blended = blend_path(path, moves, {});
     const auto limits = limit_speed(blended->path, moves, machine, limit_options);
     benchmark::DoNotOptimize(plan_motion(*limits, options));
-  }
-  state.SetItemsProcessed(state.iterations() * state.range(0));
+  };
+  for (auto _ : state) work();
+  const auto blocks = static_cast<std::int64_t>(moves.size());
+  state.counters["bytes_an_item"] = peak_bytes(work) / static_cast<double>(blocks);
+  state.SetItemsProcessed(state.iterations() * blocks);
   state.SetLabel("blocks");
 }
+
+void blend_and_plan_blocks(benchmark::State& state) {
+  blend_and_plan(state, bench::smooth_moves(static_cast<std::size_t>(state.range(0))));
+}
 BENCHMARK(blend_and_plan_blocks)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+
+/// Copies of a shared path, one behind the other.
+void blend_and_plan_shared(benchmark::State& state, const std::string& name) {
+  const auto reading = read_file(TOOLPACE_SHARED_DIR "/paths/" + name + ".csv");
+  if (!reading) return state.SkipWithError("the shared paths are not here");
+  Moves moves = reading->moves;
+  const std::size_t blocks = moves.size();
+  const AxisVector step = moves.end.back() - moves.start;
+  const auto repeat = [&](auto& column) {
+    column.reserve(blocks * static_cast<std::size_t>(state.range(0)));
+    for (std::int64_t k = 1; k < state.range(0); ++k) {
+      for (std::size_t i = 0; i < blocks; ++i) column.push_back(column[i]);
+    }
+  };
+  repeat(moves.kind), repeat(moves.line), repeat(moves.file), repeat(moves.mode), repeat(moves.detail);
+  repeat(moves.end), repeat(moves.feed);
+  for (std::size_t i = blocks; i < moves.size(); ++i) moves.end[i] += static_cast<double>(i / blocks) * step;
+  blend_and_plan(state, moves);
+}
+BENCHMARK_CAPTURE(blend_and_plan_shared, smooth, "smooth")->Arg(20)->Arg(200)->Unit(benchmark::kMillisecond);
 
 /// The same path, timed anew under the axes' limits.
 void retime_blocks(benchmark::State& state) {
