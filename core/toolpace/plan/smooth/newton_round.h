@@ -1,26 +1,25 @@
 #pragma once
-/// One Newton step of the barrier problem: how to bend and how to hurry a motion.
+/// One Newton step towards the fastest motion: how to bend and how to hurry the present one.
 ///
 /// Unknown at each control point: a displacement (D numbers) and the logarithm g of the local pace u̇ = e^g. To first order
 ///   speed' = speed·(1+g) + δ′,  acceleration' = a(1+2g) + v·g′ + δ″,  jerk' = j(1+3g) + 3a·g′ + v·g″ + δ‴,
-/// all differences of control points, so limits on them hold for all t. The sum of e^−g (the duration) plus barriers of
-/// every limit is minimised: one step of a joint retiming and recentring (METHODS: they alternate there).
+/// all differences of control points, so limits on them hold for all t. The sum of e^−g (the duration) is minimised under
+/// every limit by a primal-dual interior-point method (multipliers.h): one step of a joint retiming and recentring.
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
-#include "toolpace/plan/smooth/barrier.h"
 #include "toolpace/plan/smooth/block_band.h"
 #include "toolpace/plan/smooth/motion_window.h"
+#include "toolpace/plan/smooth/multipliers.h"
 #include "toolpace/plan/smooth/smooth_minimum.h"
 #include "toolpace/plan/smooth/step_limits.h"
 
 namespace toolpace::tube {
 
 struct RoundOptions {
-  double weight = 0.01;            ///< of the barrier against time
-  double edge = 0.98;              ///< where the barrier becomes a parabola
+  double weight = 0.01;            ///< slack·price of every limit that is aimed at: small = close to the limits
   bool hurry = true;               ///< may change the pace; otherwise only the shape, at fixed duration
   double share[4] = {1, 1, 1, 1};  ///< of the limits of speed, acceleration, jerk and of the tolerance that may be used
 };
@@ -33,24 +32,20 @@ class NewtonRound {
 
   NewtonRound(const TubePath& path, const StepLimits& limits) : path_(path), limits_(limits) {}
 
-  /// Fills bend and pace, shortened locally so that no limit is newly broken.
+  /// Forgets the multipliers.
+  void begin(const MotionWindow<D>& m) { multipliers.reset(m.size(), m.pass.size(), limits_.samples); }
+
+  /// Fills bend and pace, shortened locally so that no slack is used up, and steps the multipliers.
   bool solve(const MotionWindow<D>& m, const RoundOptions& options);
 
-  /// Mean of |g|: how much the last step still changed the pace.
-  double mean_pace() const {
-    double sum = 0;
-    for (const double g : pace) sum += std::abs(g);
-    return sum / static_cast<double>(pace.size());
-  }
-
-  std::vector<Vec> bend;     ///< displacement of each control point
-  std::vector<double> pace;  ///< g at each control point
-  double worst = 0;          ///< largest use of a limit before the step
+  std::vector<Vec> bend;       ///< displacement of each control point
+  std::vector<double> pace;    ///< g at each control point
+  Multipliers<D> multipliers;  ///< of all limits; moved by who changes the number of points
 
  private:
   static constexpr int kBlock = D + 1;
-  // Control points to either side over which a shortened step is felt.
-  static constexpr std::size_t kHurriedReach = 30, kSettlingReach = 240;
+  static constexpr std::size_t kReach = 30;    // control points to either side over which a shortened step is felt
+  static constexpr double kPaceWeight = 0.02;  // least, against alternating paces
   /// A linear vector quantity: value + Σ w_i·δ_i + Σ pace_i·g_i over `count` control points from `k`.
   struct Row {
     std::size_t k;
@@ -70,15 +65,17 @@ class NewtonRound {
   template <class Visit>
   void visit_limits(Visit&& visit) const;
   template <class Visit>
-  void visit_tube(Visit&& visit) const;
+  void visit_tube(Visit&& visit);
   template <class Visit>
   void visit_pace(Visit&& visit) const;
-  void box(const Vec& z, const double* limit, double share, Quadratic& q);
-  void ball(const Vec& z, double limit, double share, int count, Quadratic& q);
+  void pull_box(const Vec& z, const double* limit, double share, Multiplier* at, Quadratic& q);
+  void pull_ball(const Vec& z, double limit, double share, int count, Multiplier& at, Quadratic& q);
+  double aim_box(const Vec& z, const Vec& dz, const double* limit, double share, Multiplier* at);
+  double aim_ball(const Vec& z, const Vec& dz, double limit, double share, int count, Multiplier& at);
   void add(const Row& r, const Quadratic& q);
   void add_regular();
-  double box_step(const Vec& z, const Vec& dz, const double* limit, double share) const;
-  double ball_step(const Vec& z, const Vec& dz, double limit, double share, int count) const;
+  void add_pace();
+  double pace_step(const Row& r, const double* limit, double norm, int count) const;
   Vec change(const Row& r) const;
   void shorten();
   double move_length(std::size_t k, double tol) const;
@@ -92,37 +89,34 @@ class NewtonRound {
   const StepLimits& limits_;
   const MotionWindow<D>* m_ = nullptr;
   RoundOptions options_;
-  Barrier barrier_{0.98};
   BlockBand<kBlock> system_;
   std::vector<double> feed_, tolerance_, length_, scratch_;
 };
 
 template <int D>
-void NewtonRound<D>::box(const Vec& z, const double* limit, double share, Quadratic& q) {
+void NewtonRound<D>::pull_box(const Vec& z, const double* limit, double share, Multiplier* at, Quadratic& q) {
   for (int a = 0; a < D; ++a) {
     const double l = limit[a] * share;
     if (!(l < 1e300)) continue;
-    const double use = std::abs(z[a]) / l;
-    if (use > worst) worst = use;
-    const double w = options_.weight / (l * l);
-    q.gradient[a] += w * barrier_.slope_by_use(use) * z[a];
-    q.hessian(a, a) += w * barrier_.curvature(use);
+    const double use = z[a] / l;
+    const auto up = at[2 * a].pull(use, options_.weight), down = at[2 * a + 1].pull(-use, options_.weight);
+    q.gradient[a] += (up.slope - down.slope) / l;
+    q.hessian(a, a) += (up.curvature + down.curvature) / (l * l);
   }
 }
 
 template <int D>
-void NewtonRound<D>::ball(const Vec& z, double limit, double share, int count, Quadratic& q) {
+void NewtonRound<D>::pull_ball(const Vec& z, double limit, double share, int count, Multiplier& at, Quadratic& q) {
   if (!(limit < 1e300)) return;
   const double l = limit * share;
   Vec y = z;
   for (int a = count; a < D; ++a) y[a] = 0;
-  const double size = y.norm(), use = size / l;
-  if (use > worst) worst = use;
-  const double w = options_.weight / (l * l);
-  const double side = w * barrier_.slope_by_use(use);
-  q.gradient += side * y;
-  for (int a = 0; a < count; ++a) q.hessian(a, a) += side;
-  if (size > 0) q.hessian += (w * barrier_.curvature(use) - side) / (size * size) * y * y.transpose();
+  const double square = y.squaredNorm() / (l * l);
+  // As (use² + 1)/2, smooth everywhere and 1 where the use is 1.
+  const auto pull = at.pull((square + 1) / 2, options_.weight);
+  q.gradient += pull.slope / (l * l) * y;
+  for (int a = 0; a < count; ++a) q.hessian(a, a) += at.price / (l * l);
+  q.hessian += pull.curvature / (l * l * l * l) * y * y.transpose();
 }
 
 template <int D>
@@ -150,6 +144,19 @@ void NewtonRound<D>::add(const Row& r, const Quadratic& q) {
       if (run[i] && run[j]) block(D, D) += r.pace[i].dot(hp[j]);
     }
   }
+}
+
+/// Keeps what visit_pace() names small.
+template <int D>
+void NewtonRound<D>::add_pace() {
+  const double weight = std::max(kPaceWeight, 2 * options_.weight);
+  visit_pace([&](const Row& r, const double* limit, double norm, int count) {
+    Quadratic q;
+    for (int a = 0; a < D; ++a) {
+      q.hessian(a, a) = weight / (limit[a] * limit[a]) + (a < count ? weight / (norm * norm) : 0.0);
+    }
+    add(r, q);
+  });
 }
 
 template <int D>
@@ -182,8 +189,6 @@ template <int D>
 bool NewtonRound<D>::solve(const MotionWindow<D>& m, const RoundOptions& options) {
   m_ = &m;
   options_ = options;
-  barrier_ = Barrier(options.edge);
-  worst = 0;
   read_path();
   const std::size_t n = m.size();
   system_.reset(n);
@@ -191,20 +196,15 @@ bool NewtonRound<D>::solve(const MotionWindow<D>& m, const RoundOptions& options
   visit_limits([&](const Row& r, const double* limit, double norm, int count) {
     Quadratic q;
     const double share = options_.share[r.count - 2];
-    box(r.value, limit, share, q);
-    ball(r.value, norm, share, count, q);
+    Multiplier* at = multipliers.row(r.k, static_cast<std::size_t>(r.count) - 2);
+    pull_box(r.value, limit, share, at, q);
+    pull_ball(r.value, norm, share, count, at[2 * D], q);
     add(r, q);
   });
-  visit_pace([&](const Row& r, const double* limit, double norm, int count) {
+  add_pace();
+  visit_tube([&](const Row& r, double tol, const Mat& project, Multiplier* at) {
     Quadratic q;
-    const double share = options_.share[r.count - 2];
-    box(r.value, limit, share, q);
-    ball(r.value, norm, share, count, q);
-    add(r, q);
-  });
-  visit_tube([&](const Row& r, double tol, const Mat& project) {
-    Quadratic q;
-    ball(r.value, tol, options_.share[3], D, q);
+    pull_ball(r.value, tol, options_.share[3], D, *at, q);
     q.gradient = project * q.gradient;
     q.hessian = project * q.hessian * project.transpose();
     add(r, q);

@@ -95,7 +95,7 @@ void NewtonRound<D>::visit_pace(Visit&& visit) const {
 /// visit(row of the distance, tolerance, projector onto what counts)
 template <int D>
 template <class Visit>
-void NewtonRound<D>::visit_tube(Visit&& visit) const {
+void NewtonRound<D>::visit_tube(Visit&& visit) {
   const auto& m = *m_;
   Row r;
   r.count = 4;
@@ -123,7 +123,7 @@ void NewtonRound<D>::visit_tube(Visit&& visit) const {
         const bool held = ev * ev > 0.01 * vv * r.value.squaredNorm();
         Mat project = Mat::Identity();
         if (vv > 0 && !held) project -= v * v.transpose() / (vv + ea);
-        visit(r, std::min(path_.tolerance[s], path_.tolerance[s + 1]), project);
+        visit(r, std::min(path_.tolerance[s], path_.tolerance[s + 1]), project, multipliers.vertex(next, k));
         ++s;
         ++next;
       }
@@ -135,7 +135,7 @@ void NewtonRound<D>::visit_tube(Visit&& visit) const {
       Mat project = Mat::Identity();
       if (along > 0 && along < 1) project -= d * d.transpose() / ll;
       r.value -= p + std::clamp(along, 0.0, 1.0) * d;
-      visit(r, path_.tolerance[s], project);
+      visit(r, path_.tolerance[s], project, multipliers.station(k, static_cast<std::size_t>(i)));
     }
   }
 }

@@ -15,38 +15,42 @@ typename NewtonRound<D>::Vec NewtonRound<D>::change(const Row& r) const {
   return dz;
 }
 
-/// How far a step may take the use of a share of a limit. While the pace changes, a little beyond the limit is a way
-/// through; at the end beyond the share, but nothing may be broken anew.
-inline double room(double use, double share, bool hurry) {
-  const double most = hurry ? 1.02 : 0.9998 / share;
-  return use < most ? most : hurry ? use * 1.02 : use;
+/// Share of the step at which the change of pace alone takes a whole limit.
+template <int D>
+double NewtonRound<D>::pace_step(const Row& r, const double* limit, double norm, int count) const {
+  const Vec dz = change(r);
+  double most = 0, square = 0;
+  for (int a = 0; a < D; ++a) {
+    most = std::max(most, std::abs(dz[a]) / limit[a]);
+    square += a < count ? dz[a] * dz[a] : 0.0;
+  }
+  most = std::max(most, std::sqrt(square) / norm);
+  return most > 1 ? 1 / most : 1;
 }
 
 template <int D>
-double NewtonRound<D>::box_step(const Vec& z, const Vec& dz, const double* limit, double share) const {
+double NewtonRound<D>::aim_box(const Vec& z, const Vec& dz, const double* limit, double share, Multiplier* at) {
   double step = 1;
   for (int a = 0; a < D; ++a) {
     const double l = limit[a] * share;
     if (!(l < 1e300)) continue;
-    const double use = std::abs(z[a]) / l, after = std::abs(z[a] + dz[a]) / l, most = room(use, share, options_.hurry);
-    if (after <= most) continue;
-    const double to = (dz[a] > 0 ? most * l - z[a] : -most * l - z[a]) / dz[a];
-    step = std::min(step, std::max(to, 0.0));
+    const double use = z[a] / l, d = dz[a] / l;
+    step =
+        std::min(step, std::min(at[2 * a].aim(use, d, options_.weight), at[2 * a + 1].aim(-use, -d, options_.weight)));
   }
   return step;
 }
 
 template <int D>
-double NewtonRound<D>::ball_step(const Vec& z_, const Vec& dz_, double limit, double share, int count) const {
+double NewtonRound<D>::aim_ball(const Vec& z, const Vec& dz, double limit, double share, int count, Multiplier& at) {
   if (!(limit < 1e300)) return 1;
-  Vec z = z_, dz = dz_;
-  for (int a = count; a < D; ++a) z[a] = dz[a] = 0;
   const double l = limit * share;
-  const double most = room(z.norm() / l, share, options_.hurry) * l;
-  if ((z + dz).norm() <= most) return 1;
-  const double a = dz.squaredNorm(), b = z.dot(dz), c = z.squaredNorm() - most * most;
-  const double root = std::sqrt(std::max(b * b - a * c, 0.0));
-  return a > 0 ? std::clamp((root - b) / a, 0.0, 1.0) : 1;
+  double square = 0, change = 0;
+  for (int a = 0; a < count; ++a) {
+    square += z[a] * z[a];
+    change += z[a] * dz[a];
+  }
+  return at.aim((square / (l * l) + 1) / 2, change / (l * l), options_.weight);
 }
 
 /// Share of a displacement that the straight-line model bears: sideways two tolerances, forwards so far that the path's
@@ -77,15 +81,13 @@ void NewtonRound<D>::shorten() {
   visit_limits([&](const Row& r, const double* limit, double norm, int count) {
     const Vec dz = change(r);
     const double share = options_.share[r.count - 2];
-    lower(r, std::min(box_step(r.value, dz, limit, share), ball_step(r.value, dz, norm, share, count)));
+    Multiplier* at = multipliers.row(r.k, static_cast<std::size_t>(r.count) - 2);
+    lower(r, std::min(aim_box(r.value, dz, limit, share, at), aim_ball(r.value, dz, norm, share, count, at[2 * D])));
   });
-  visit_pace([&](const Row& r, const double* limit, double norm, int count) {
-    const Vec dz = change(r);
-    const double share = options_.share[r.count - 2];
-    lower(r, std::min(box_step(r.value, dz, limit, share), ball_step(r.value, dz, norm, share, count)));
-  });
-  visit_tube([&](const Row& r, double tol, const Mat& project) {
-    lower(r, ball_step(r.value, project * change(r), tol, options_.share[3], D));
+  visit_pace(
+      [&](const Row& r, const double* limit, double norm, int count) { lower(r, pace_step(r, limit, norm, count)); });
+  visit_tube([&](const Row& r, double tol, const Mat& project, Multiplier* at) {
+    lower(r, aim_ball(r.value, project * change(r), tol, options_.share[3], D, *at));
   });
   for (std::size_t k = 0; k < n; ++k) {
     if (std::abs(pace[k]) > 0.25) length_[k] = std::min(length_[k], 0.25 / std::abs(pace[k]));
@@ -93,11 +95,12 @@ void NewtonRound<D>::shorten() {
     length_[k] = std::min(length_[k], move_length(k, tol));
   }
   // A length that changes along the way breaks what each row kept: by little where it changes slowly.
-  smooth_minimum(length_, options_.hurry ? kHurriedReach : kSettlingReach, scratch_);
+  smooth_minimum(length_, kReach, scratch_);
   for (std::size_t k = 0; k < n; ++k) {
     bend[k] *= length_[k];
     pace[k] *= length_[k];
   }
+  multipliers.step(length_, options_.weight);
 }
 
 }  // namespace toolpace::tube

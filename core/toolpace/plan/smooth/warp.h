@@ -34,11 +34,15 @@ class Warp {
       slow_[k] = std::exp(-pace[k]);
       any |= pace[k] != 0;
     }
+    was_.clear();
     if (!any) return;
     const std::size_t count = fit(m);
     resample(m, count);
     for (double& u : m.pass) u = time_of(u);
   }
+
+  /// The old control point nearest to each new one; none if the pace has not changed.
+  const std::vector<std::size_t>& was() const { return was_; }
 
  private:
   /// Scales the slowness up so that the duration is a whole number of steps.
@@ -81,6 +85,7 @@ class Warp {
     for (std::size_t j = 0; j < count; ++j) {
       const double target = static_cast<double>(j);
       while (k + 2 < n && time_[k + 1] <= target) ++k;
+      was_.push_back(target - time_[k] > time_[k + 1] - target ? k + 1 : k);
       const double q0 = slow_[k], dq = slow_[k + 1] - q0, rest = target - time_[k];
       const double root = std::sqrt(std::max(q0 * q0 + 2 * dq * rest, 0.0));
       const double t = std::clamp(2 * rest / (q0 + root), 0.0, 1.0);
@@ -104,6 +109,7 @@ class Warp {
   }
 
   std::vector<double> slow_, time_;
+  std::vector<std::size_t> was_;
   std::vector<Vec> out_;
 };
 

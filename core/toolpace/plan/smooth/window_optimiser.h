@@ -12,6 +12,7 @@ namespace toolpace::tube {
 template <int D>
 class WindowOptimiser {
  public:
+  using Vec = Eigen::Matrix<double, D, 1>;
   WindowOptimiser(const TubePath& path, const StepLimits& limits)
       : path_(path), limits_(limits), round_(path, limits), check_(path, limits) {}
 
@@ -19,12 +20,9 @@ class WindowOptimiser {
   /// @return true if the result keeps them all; otherwise the window is of no use
   bool improve(MotionWindow<D>& m, const Monitor& monitor) {
     passes_.apply(path_, m);
+    round_.begin(m);
     for (const Level& level : kLevels) {
-      for (int i = 0; i < level.rounds; ++i) {
-        if (monitor.is_cancelled()) return false;
-        if (!step(m, level)) return false;
-        if (i > 0 && round_.mean_pace() < 5e-4 && round_.worst < 1.01) break;
-      }
+      if (!hurry(m, level, monitor)) return false;
     }
     if (!settle(m, kAttempts, monitor)) return false;
     press(m, monitor);
@@ -34,32 +32,41 @@ class WindowOptimiser {
   const TubeCheck<D>& check() const { return check_; }
 
  private:
-  /// The barrier's weight falls level by level; with it the motion comes closer to its limits.
+  /// The weight of the limits against time falls level by level; with it the motion comes closer to its limits.
   struct Level {
-    double weight, edge;
-    int rounds;
+    double weight;
+    int rounds;  ///< at most: a level is left once a round gains too little
   };
-  static constexpr Level kLevels[] = {{0.1, 0.9, 5}, {0.02, 0.97, 4}, {0.004, 0.995, 4}, {0.0005, 0.999, 5}};
-  static constexpr double kShares[] = {0.9999, 0.9995, 0.995, 0.995};  ///< left free for the settling at the end
-
-  /// Aimed at while settling; what lies between them and the limits is room for the steps.
-  static constexpr double kSettled[] = {0.9999, 0.9995, 0.997, 0.997};
-  static constexpr double kSettledEdge = 0.9998;
+  static constexpr Level kLevels[] = {{0.1, 3}, {0.03, 2}, {0.01, 2}, {0.003, 2}, {0.001, 20}, {0.0003, 5}};
+  static constexpr double kGain = 0.003;  ///< share of the duration
+  static constexpr double kSettlingWeight = 0.0005;
 
   static constexpr int kAttempts = 10, kRounds = 8;  // of settling, a little slower each time; of steps in each
   static constexpr double kSlower = 0.0025;          // first share of slowing down, doubled each time
   static constexpr int kPresses = 2;
   static constexpr double kFaster = 0.001;  // share of pressing
 
-  bool step(MotionWindow<D>& m, const Level& level) {
-    RoundOptions o;
-    o.weight = level.weight;
-    o.edge = level.edge;
-    std::copy(std::begin(kShares), std::end(kShares), o.share);
-    if (!round_.solve(m, o)) return false;
-    warp_.apply(m, round_.bend, round_.pace);
-    passes_.apply(path_, m);
+  /// Rounds of bending and retiming.
+  bool hurry(MotionWindow<D>& m, const Level& level, const Monitor& monitor) {
+    for (int i = 0; i < level.rounds; ++i) {
+      if (monitor.is_cancelled()) return false;
+      const auto before = static_cast<double>(m.size());
+      if (!step(m, {level.weight, true, {0.9999, 0.9995, 0.995, 0.995}})) return false;
+      if (i > 0 && before - static_cast<double>(m.size()) < kGain * before) break;
+    }
     return true;
+  }
+
+  bool step(MotionWindow<D>& m, const RoundOptions& options) {
+    if (!round_.solve(m, options)) return false;
+    apply(m, round_.bend, round_.pace);
+    return true;
+  }
+
+  void apply(MotionWindow<D>& m, const std::vector<Vec>& bend, const std::vector<double>& pace) {
+    warp_.apply(m, bend, pace);
+    if (!warp_.was().empty()) round_.multipliers.move(warp_.was());
+    passes_.apply(path_, m);
   }
 
   /// At fixed duration, to a motion that keeps every limit; where that fails, a little slower there, and again.
@@ -70,45 +77,34 @@ class WindowOptimiser {
         use = check_.measure(m);
         if (use.is_good()) return true;
         if (monitor.is_cancelled()) return false;
-        if (i < kRounds && !settling_step(m)) return false;
+        if (i < kRounds && !step(m, {kSettlingWeight, false, {0.9999, 0.9995, 0.997, 0.997}})) return false;
       }
       if (attempt + 1 < attempts) slow_down(m, use, kSlower * (1 << attempt));
     }
     return false;
   }
 
-  bool settling_step(MotionWindow<D>& m) {
-    RoundOptions o;
-    o.weight = 1;
-    o.edge = kSettledEdge;
-    o.hurry = false;
-    std::copy(std::begin(kSettled), std::end(kSettled), o.share);
-    if (!round_.solve(m, o)) return false;
-    warp_.apply(m, round_.bend, round_.pace);
-    passes_.apply(path_, m);
-    return true;
-  }
-
-  /// Tries whether a slightly shorter duration can be settled too: the barrier stops a little before the limits.
+  /// Tries whether a slightly shorter duration can be settled too: the weight of the limits keeps a little away from them.
   void press(MotionWindow<D>& m, const Monitor& monitor) {
     double by = kFaster;
     for (int i = 0; i < kPresses && by * static_cast<double>(m.size()) >= 1; ++i) {
       MotionWindow<D> faster = m;
+      const Multipliers<D> before = round_.multipliers;
       std::vector<double> pace(m.size());
       for (std::size_t k = 3; k + 3 < m.size(); ++k) pace[k] = by * ease(m, k);
       change_pace(faster, pace);
       if (faster.size() < m.size() && settle(faster, 1, monitor)) {
         m = std::move(faster);
       } else {
+        round_.multipliers = before;
         by /= 2;
       }
     }
   }
 
   void change_pace(MotionWindow<D>& m, const std::vector<double>& pace) {
-    const std::vector<typename MotionWindow<D>::Vec> bend(m.size(), MotionWindow<D>::Vec::Zero());
-    warp_.apply(m, bend, pace);
-    passes_.apply(path_, m);
+    const std::vector<Vec> bend(m.size(), Vec::Zero());
+    apply(m, bend, pace);
   }
 
   /// Slows down by the share `by` around what is over, fading out smoothly.
