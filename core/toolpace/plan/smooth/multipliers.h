@@ -16,7 +16,7 @@ namespace toolpace::tube {
 /// @source Wright 1997, "Primal-Dual Interior-Point Methods", chapter 6 (infeasible start)
 struct Multiplier {
   double slack = 0, price = 0;  ///< price 0: not met yet
-  double slack_step = 0, price_step = 0;
+  double slack_step = 0;
 
   static constexpr double kFirstSlack = 0.3;  // of a limit that is broken when it is first met
   static constexpr double kBack = 0.98;       // share of the way to slack 0 that a step may go
@@ -33,18 +33,18 @@ struct Multiplier {
       price = weight / slack;
     }
     slack = std::max({slack, 1 - use, kLeastSlack * (use - 1)});
-    const double curvature = price / slack;
-    return {weight / slack + curvature * (use - 1 + slack), curvature};
+    const double by = 1 / slack, curvature = price * by;
+    return {weight * by + curvature * (use - 1 + slack), curvature};
   }
   /// @return share of the step that keeps the slack positive
-  double aim(double use, double change, double weight) {
+  double aim(double use, double change) {
     slack_step = 1 - use - slack - change;
-    price_step = (weight - price * (slack + slack_step)) / slack;
-    return slack_step < 0 ? std::min(1.0, -kBack * slack / slack_step) : 1.0;
+    return slack_step < -kBack * slack ? -kBack * slack / slack_step : 1.0;
   }
   void step(double share, double weight) {
+    const double to = (weight - price * slack_step) / slack;
     slack += share * slack_step;
-    price = std::max(price + price_step, (1 - kBack) * price);
+    price = std::max(to, (1 - kBack) * price);
     price = std::clamp(price, weight / (kSpread * slack), weight * kSpread / slack);
   }
 };

@@ -54,9 +54,21 @@ class NewtonRound {
     Vec value;
     Vec pace[4];
   };
+  /// Of a row's vector: most limits are of the axes, and their Hessian is diagonal.
   struct Quadratic {
-    Vec gradient = Vec::Zero();
-    Mat hessian = Mat::Zero();
+    Vec gradient = Vec::Zero(), diagonal = Vec::Zero();
+    Mat rest;  ///< of the Hessian
+    bool has_rest = false;
+
+    void add_to(Eigen::Block<typename BlockBand<kBlock>::Block, D, D> block, double factor) const {
+      if (has_rest) block += factor * rest;
+      block.diagonal() += factor * diagonal;
+    }
+    Vec times(const Vec& v) const {
+      Vec product = diagonal.cwiseProduct(v);
+      if (has_rest) product += rest * v;
+      return product;
+    }
   };
 
   void speed_row(std::size_t k, Row& r) const;
@@ -73,6 +85,7 @@ class NewtonRound {
   double aim_box(const Vec& z, const Vec& dz, const double* limit, double share, Multiplier* at);
   double aim_ball(const Vec& z, const Vec& dz, double limit, double share, int count, Multiplier& at);
   void add(const Row& r, const Quadratic& q);
+  void add_to_pace(const Row& r, const Quadratic& q);
   void add_regular();
   void add_pace();
   double pace_step(const Row& r, const double* limit, double norm, int count) const;
@@ -98,50 +111,55 @@ void NewtonRound<D>::pull_box(const Vec& z, const double* limit, double share, M
   for (int a = 0; a < D; ++a) {
     const double l = limit[a] * share;
     if (!(l < 1e300)) continue;
-    const double use = z[a] / l;
+    const double by = 1 / l, use = z[a] * by;
     const auto up = at[2 * a].pull(use, options_.weight), down = at[2 * a + 1].pull(-use, options_.weight);
-    q.gradient[a] += (up.slope - down.slope) / l;
-    q.hessian(a, a) += (up.curvature + down.curvature) / (l * l);
+    q.gradient[a] += (up.slope - down.slope) * by;
+    q.diagonal[a] += (up.curvature + down.curvature) * by * by;
   }
 }
 
 template <int D>
 void NewtonRound<D>::pull_ball(const Vec& z, double limit, double share, int count, Multiplier& at, Quadratic& q) {
   if (!(limit < 1e300)) return;
-  const double l = limit * share;
-  Vec y = z;
+  const double by = 1 / (limit * share);
+  Vec y = by * z;
   for (int a = count; a < D; ++a) y[a] = 0;
-  const double square = y.squaredNorm() / (l * l);
   // As (use² + 1)/2, smooth everywhere and 1 where the use is 1.
-  const auto pull = at.pull((square + 1) / 2, options_.weight);
-  q.gradient += pull.slope / (l * l) * y;
-  for (int a = 0; a < count; ++a) q.hessian(a, a) += at.price / (l * l);
-  q.hessian += pull.curvature / (l * l * l * l) * y * y.transpose();
+  const auto pull = at.pull((y.squaredNorm() + 1) / 2, options_.weight);
+  q.gradient += pull.slope * by * y;
+  for (int a = 0; a < count; ++a) q.diagonal[a] += at.price * by * by;
+  q.rest = pull.curvature * by * by * y * y.transpose();
+  q.has_rest = true;
 }
 
 template <int D>
 void NewtonRound<D>::add(const Row& r, const Quadratic& q) {
-  Vec hp[4];
-  double gp[4];
-  bool free[4], run[4];
   for (int i = 0; i < r.count; ++i) {
     const std::size_t k = r.k + static_cast<std::size_t>(i);
-    free[i] = !pinned(k);
-    run[i] = paced(k);
-    hp[i].noalias() = q.hessian * r.pace[i];
-    gp[i] = q.gradient.dot(r.pace[i]);
-  }
-  for (int i = 0; i < r.count; ++i) {
-    const std::size_t k = r.k + static_cast<std::size_t>(i);
-    auto& rhs = system_.right(k);
-    if (free[i]) rhs.template head<D>() -= r.w[i] * q.gradient;
-    if (run[i]) rhs[D] -= gp[i];
+    if (pinned(k)) continue;
+    system_.right(k).template head<D>() -= r.w[i] * q.gradient;
     for (int j = 0; j <= i; ++j) {
-      auto& block = system_.at(k, static_cast<std::size_t>(i - j));
-      if (free[i] && free[j]) block.template topLeftCorner<D, D>() += (r.w[i] * r.w[j]) * q.hessian;
-      if (free[i] && run[j]) block.template topRightCorner<D, 1>() += r.w[i] * hp[j];
-      if (run[i] && free[j]) block.template bottomLeftCorner<1, D>() += r.w[j] * hp[i].transpose();
-      if (run[i] && run[j]) block(D, D) += r.pace[i].dot(hp[j]);
+      if (pinned(r.k + static_cast<std::size_t>(j))) continue;
+      q.add_to(system_.at(k, static_cast<std::size_t>(i - j)).template topLeftCorner<D, D>(), r.w[i] * r.w[j]);
+    }
+  }
+}
+
+/// What the pace has to do with a row.
+template <int D>
+void NewtonRound<D>::add_to_pace(const Row& r, const Quadratic& q) {
+  if (!options_.hurry) return;
+  for (int j = 0; j < r.count; ++j) {
+    const std::size_t l = r.k + static_cast<std::size_t>(j);
+    if (!paced(l)) continue;
+    const Vec pull = q.times(r.pace[j]);
+    system_.right(l)[D] -= q.gradient.dot(r.pace[j]);
+    for (int i = 0; i < r.count; ++i) {
+      const std::size_t k = r.k + static_cast<std::size_t>(i);
+      auto& block = system_.at(std::max(k, l), k > l ? k - l : l - k);
+      if (i >= j && paced(k)) block(D, D) += r.pace[i].dot(pull);
+      if (i >= j && !pinned(k)) block.template topRightCorner<D, 1>() += r.w[i] * pull;
+      if (i <= j && !pinned(k)) block.template bottomLeftCorner<1, D>() += r.w[i] * pull.transpose();
     }
   }
 }
@@ -153,9 +171,9 @@ void NewtonRound<D>::add_pace() {
   visit_pace([&](const Row& r, const double* limit, double norm, int count) {
     Quadratic q;
     for (int a = 0; a < D; ++a) {
-      q.hessian(a, a) = weight / (limit[a] * limit[a]) + (a < count ? weight / (norm * norm) : 0.0);
+      q.diagonal[a] = weight / (limit[a] * limit[a]) + (a < count ? weight / (norm * norm) : 0.0);
     }
-    add(r, q);
+    add_to_pace(r, q);
   });
 }
 
@@ -200,13 +218,17 @@ bool NewtonRound<D>::solve(const MotionWindow<D>& m, const RoundOptions& options
     pull_box(r.value, limit, share, at, q);
     pull_ball(r.value, norm, share, count, at[2 * D], q);
     add(r, q);
+    add_to_pace(r, q);
   });
   add_pace();
   visit_tube([&](const Row& r, double tol, const Mat& project, Multiplier* at) {
     Quadratic q;
     pull_ball(r.value, tol, options_.share[3], D, *at, q);
+    // The diagonal is the same for all coordinates.
     q.gradient = project * q.gradient;
-    q.hessian = project * q.hessian * project.transpose();
+    const Mat half = project * q.rest;
+    q.rest.noalias() = (half + q.diagonal[0] * project) * project.transpose();
+    q.diagonal.setZero();
     add(r, q);
   });
   if (!system_.solve()) return false;

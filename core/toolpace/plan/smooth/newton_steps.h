@@ -35,8 +35,7 @@ double NewtonRound<D>::aim_box(const Vec& z, const Vec& dz, const double* limit,
     const double l = limit[a] * share;
     if (!(l < 1e300)) continue;
     const double use = z[a] / l, d = dz[a] / l;
-    step =
-        std::min(step, std::min(at[2 * a].aim(use, d, options_.weight), at[2 * a + 1].aim(-use, -d, options_.weight)));
+    step = std::min(step, std::min(at[2 * a].aim(use, d), at[2 * a + 1].aim(-use, -d)));
   }
   return step;
 }
@@ -50,7 +49,7 @@ double NewtonRound<D>::aim_ball(const Vec& z, const Vec& dz, double limit, doubl
     square += z[a] * z[a];
     change += z[a] * dz[a];
   }
-  return at.aim((square / (l * l) + 1) / 2, change / (l * l), options_.weight);
+  return at.aim((square / (l * l) + 1) / 2, change / (l * l));
 }
 
 /// Share of a displacement that the straight-line model bears: sideways two tolerances, forwards so far that the path's
