@@ -35,22 +35,26 @@ std::string_view between(std::string_view text, std::string_view after, char ope
   return end == std::string_view::npos ? std::string_view{} : text.substr(begin + 1, end - begin - 1);
 }
 
+/// The array, or what is wrong with it.
 /// @source NumPy Enhancement Proposal 1, versions 1.0 to 3.0
-std::optional<Array> parse_array(std::string_view bytes) {
-  if (!bytes.starts_with("\x93NUMPY") || bytes.size() < 12) return {};
+tl::expected<Array, std::string> parse_array(std::string_view bytes) {
+  const auto fault = [](std::string what) { return tl::unexpected(std::move(what)); };
+  if (!bytes.starts_with("\x93NUMPY") || bytes.size() < 12) return fault("there is no whole header of an array");
   const bool first_version = bytes[6] == 1;
   const std::size_t begin = first_version ? 10 : 12;
   const std::size_t length =
       first_version ? little_endian<std::uint16_t>(bytes, 8) : little_endian<std::uint32_t>(bytes, 8);
-  if (begin + length > bytes.size()) return {};
+  if (begin + length > bytes.size()) return fault("there is no whole header of an array");
   const std::string_view header = bytes.substr(begin, length);
-  if (header.find("'fortran_order': False") == std::string_view::npos) return {};
+  if (header.find("'fortran_order': True") != std::string_view::npos) return fault("the array is in Fortran order");
+  if (header.find("'fortran_order': False") == std::string_view::npos) return fault("the header says no order");
+  if (header.find("'descr': [") != std::string_view::npos) return fault("it is an array of records");
   Array array{between(header, "'descr':", '\'', '\''), {}, bytes.substr(begin + length)};
   std::string_view shape = between(header, "'shape':", '(', ')');
   while (!shape.empty()) {
     std::uint64_t extent = 0;
     const auto [stop, error] = std::from_chars(shape.data(), shape.data() + shape.size(), extent);
-    if (error != std::errc{}) return {};
+    if (error != std::errc{}) return fault("the header says no shape");
     array.shape.push_back(extent);
     shape.remove_prefix(static_cast<std::size_t>(stop - shape.data()));
     shape.remove_prefix(std::min(shape.find_first_not_of(", "), shape.size()));
@@ -64,17 +68,28 @@ bool holds(const Array& array, std::uint64_t rows, std::uint64_t columns) {
   return columns == 0 ? rows == 0 : rows <= values / columns;
 }
 
+/// Why it is no table of float64, or nothing.
+std::string table_fault(const Array& array) {
+  if (array.type != "<f8") {
+    return "its numbers are of type \"" + std::string(array.type) + "\", not little-endian float64 (\"<f8\")";
+  }
+  if (array.shape.size() != 2)
+    return "it has " + std::to_string(array.shape.size()) + " dimensions, not rows and columns";
+  if (holds(array, array.shape[0], array.shape[1])) return "";
+  return "it is cut short: " + std::to_string(array.shape[0]) + " rows of " + std::to_string(array.shape[1]) +
+         " columns are due, and there are " +
+         std::to_string(array.data.size() / sizeof(double) / std::max<std::uint64_t>(1, array.shape[1]));
+}
+
 class NumpySetpoints final : public SetpointFile {
  public:
   NumpySetpoints(MappedFile file, std::string name) : file_(std::move(file)), name_(std::move(name)) {}
 
   std::string_view bytes() const { return file_.bytes(); }
 
-  Result<void> take(const std::optional<Array>& table) {
-    if (!table || table->type != "<f8" || table->shape.size() != 2 ||
-        !holds(*table, table->shape[0], table->shape[1])) {
-      return tl::unexpected(shape_error("the array is not a whole float64 table in C order"));
-    }
+  Result<void> take(const tl::expected<Array, std::string>& table) {
+    const std::string fault = table ? table_fault(*table) : table.error();
+    if (!fault.empty()) return tl::unexpected(shape_error(fault));
     width_ = table->shape[1];
     rows_ = table->shape[0];
     data_ = table->data;
@@ -84,14 +99,15 @@ class NumpySetpoints final : public SetpointFile {
     if (!linear && !rotary)
       return tl::unexpected(shape_error("7 or 10 columns are due, or 16 or 28 with axis derivatives"));
     axes_ = rotary ? kAxisCount : 3;
+    if (width_ > 10) columns_.ignored = {"speed, acceleration and jerk of each axis"};
     std::fill_n(columns_.axis.begin(), axes_, true);
     columns_.time = columns_.profile = true;
     return {};
   }
 
-  Result<void> take_lines(const std::optional<Array>& lines) {
-    if (!lines) return {};
-    if (lines->type != "<i8" || lines->shape.size() != 1 || lines->shape[0] != rows_ || !holds(*lines, rows_, 1)) {
+  Result<void> take_lines(const tl::expected<Array, std::string>& lines) {
+    if (!lines || lines->type != "<i8" || lines->shape.size() != 1 || lines->shape[0] != rows_ ||
+        !holds(*lines, rows_, 1)) {
       return tl::unexpected(shape_error("\"line\" is not one int64 a row"));
     }
     lines_ = lines->data;
@@ -112,7 +128,9 @@ class NumpySetpoints final : public SetpointFile {
       return tl::unexpected(
           setpoints_error("setpoints-broken", "a number is not finite", {name_, first_bad_row(n) + 1, 0}));
     }
-    append_lines(rows, n);
+    if (const auto bad = append_lines(rows, n)) {
+      return tl::unexpected(setpoints_error("setpoints-broken", "a line number is out of range", {name_, *bad + 1, 0}));
+    }
     at_ += n;
     if (at_ >= next_release_) {
       const char* const begin = bytes().data();
@@ -129,7 +147,8 @@ class NumpySetpoints final : public SetpointFile {
   void rewind() override { at_ = next_release_ = 0; }
   double progress() const override { return rows_ == 0 ? 1.0 : static_cast<double>(at_) / static_cast<double>(rows_); }
   Error shape_error(std::string what) const {
-    return setpoints_error("setpoints-shape", std::move(what), {name_, 0, 0});
+    return setpoints_error("setpoints-shape", std::move(what), {name_, 0, 0},
+                           "save it with numpy.save(FILE, numpy.ascontiguousarray(TABLE, dtype='<f8'))");
   }
 
  private:
@@ -157,12 +176,14 @@ class NumpySetpoints final : public SetpointFile {
     return at_;
   }
 
-  void append_lines(SetpointRows& rows, std::size_t n) const {
+  /// @return the first row whose line is none
+  std::optional<std::uint64_t> append_lines(SetpointRows& rows, std::size_t n) const {
     for (std::uint64_t row = at_; columns_.line && row < at_ + n; ++row) {
       const auto line = little_endian<std::int64_t>(lines_, row * sizeof(std::int64_t));
-      rows.line.push_back(
-          line >= 0 && line <= std::numeric_limits<std::uint32_t>::max() ? static_cast<std::uint32_t>(line) : 0);
+      if (line < 0 || line > std::numeric_limits<std::uint32_t>::max()) return row;
+      rows.line.push_back(static_cast<std::uint32_t>(line));
     }
+    return {};
   }
 
   MappedFile file_;
@@ -198,6 +219,7 @@ ZipEntry find_entry(std::string_view zip, std::string_view name) {
       at = next;
       continue;
     }
+    if (little_endian<std::uint16_t>(zip, at + 10) != 0) return {true, false, {}};
     std::uint64_t size = little_endian<std::uint32_t>(zip, at + 24);
     std::uint64_t offset = little_endian<std::uint32_t>(zip, at + 42);
     // The zip64 field holds, in this order, those of size, packed size and offset that do not fit above.
@@ -209,7 +231,7 @@ ZipEntry find_entry(std::string_view zip, std::string_view name) {
     const std::uint64_t data =
         offset + 30 + little_endian<std::uint16_t>(zip, offset + 26) + little_endian<std::uint16_t>(zip, offset + 28);
     if (data > zip.size() || zip.size() - data < size) return {};
-    return {true, little_endian<std::uint16_t>(zip, at + 10) == 0, zip.substr(data, size)};
+    return {true, true, zip.substr(data, size)};
   }
   return {};
 }
@@ -233,9 +255,7 @@ Result<std::unique_ptr<SetpointFile>> open_npz(MappedFile file, const std::strin
   }
   if (auto fine = numpy->take(parse_array(table.data)); !fine) return tl::unexpected(fine.error());
   if (lines.found) {
-    const auto array = parse_array(lines.data);
-    if (!array) return tl::unexpected(numpy->shape_error("\"line\" is not one int64 a row"));
-    if (auto fine = numpy->take_lines(array); !fine) return tl::unexpected(fine.error());
+    if (auto fine = numpy->take_lines(parse_array(lines.data)); !fine) return tl::unexpected(fine.error());
   }
   return numpy;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "toolpace/base/axes.h"
@@ -18,6 +19,7 @@ struct SetpointColumns {
   bool time = false;
   bool profile = false;  ///< speed, acceleration, jerk along the path
   bool line = false;
+  std::vector<std::string> ignored = {};  ///< names of columns that mean nothing here
 };
 
 /// Some consecutive rows, column by column; columns that the file lacks are empty.

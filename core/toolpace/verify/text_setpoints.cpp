@@ -20,6 +20,7 @@ struct Column {
 };
 
 constexpr std::size_t kBytesBetweenReleases = std::size_t{1} << 24;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kLongestNumber = 64;  // no double that reads back needs more
 
 Column meaning_of(std::string_view name) {
@@ -34,16 +35,26 @@ Column meaning_of(std::string_view name) {
   return {};
 }
 
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
+  return begin == std::string_view::npos ? std::string_view{} : text.substr(begin, end - begin + 1);
+}
+
 class TextSetpoints final : public SetpointFile {
  public:
   TextSetpoints(MappedFile file, std::string name, char separator)
-      : file_(std::move(file)), name_(std::move(name)), separator_(separator), text_(file_.bytes()) {}
+      : file_(std::move(file)), name_(std::move(name)), separator_(separator), text_(file_.bytes()) {
+    while (!text_.empty() && (text_.back() == '\n' || text_.back() == '\r')) text_.remove_suffix(1);
+    if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
+  }
 
   Result<void> read_header() {
     const std::string_view header = take_line();
     for (std::size_t at = 0; at <= header.size();) {
       const std::size_t end = std::min(header.find(separator_, at), header.size());
-      add(meaning_of(header.substr(at, end - at)));
+      const std::string_view name = trimmed(header.substr(at, end - at));
+      add(meaning_of(name));
+      if (order_.back().meaning == Meaning::ignored) columns_.ignored.emplace_back(name);
       at = end + 1;
     }
     return finish_header();
@@ -51,7 +62,7 @@ class TextSetpoints final : public SetpointFile {
 
   /// No header: as many positions as the first line has numbers.
   Result<void> assume_positions() {
-    const std::string_view line = text_.substr(0, text_.find('\n'));
+    const std::string_view line = text_.substr(at_, text_.find('\n') - at_);
     const auto count = static_cast<std::size_t>(std::count(line.begin(), line.end(), ' ')) + 1;
     for (std::size_t axis = 0; axis < std::min(count, kAxisCount); ++axis) add({Meaning::position, axis});
     return finish_header();
@@ -136,9 +147,10 @@ class TextSetpoints final : public SetpointFile {
         if (at == end || *at != separator_) return tl::unexpected(number_error(line, at));
         ++at;
       }
+      while (separator_ != ' ' && at != end && *at == ' ') ++at;
+      const char* const begin = at;
       const auto value = take_number(at, end);
-      if (!value) return tl::unexpected(number_error(line, at));
-      put(rows, order_[c], *value);
+      if (!value || !put(rows, order_[c], *value)) return tl::unexpected(number_error(line, begin));
     }
     if (at != end) return tl::unexpected(number_error(line, at));
     return {};
@@ -162,7 +174,8 @@ class TextSetpoints final : public SetpointFile {
     return value;
   }
 
-  static void put(SetpointRows& rows, const Column& column, double value) {
+  /// @return false for a line that is no whole number from 0 on
+  static bool put(SetpointRows& rows, const Column& column, double value) {
     switch (column.meaning) {
       case Meaning::time: rows.time.push_back(value); break;
       case Meaning::position:
@@ -172,15 +185,17 @@ class TextSetpoints final : public SetpointFile {
       case Meaning::acceleration: rows.acceleration.push_back(value); break;
       case Meaning::jerk: rows.jerk.push_back(value); break;
       case Meaning::line:
-        rows.line.push_back(value >= 0 && value < 4294967296.0 ? static_cast<std::uint32_t>(value) : 0);
+        if (!(value >= 0 && value < 4294967296.0) || value != std::floor(value)) return false;
+        rows.line.push_back(static_cast<std::uint32_t>(value));
         break;
       case Meaning::ignored: break;
     }
+    return true;
   }
 
   Error number_error(std::string_view line, const char* at) const {
     const auto column = static_cast<std::size_t>(at - line.data()) + 1;
-    return setpoints_error("setpoints-broken", "there is no finite number where one is due", {name_, line_, column},
+    return setpoints_error("setpoints-broken", "there is no fitting number where one is due", {name_, line_, column},
                            std::to_string(order_.size()) + " numbers are due in each line");
   }
 

@@ -56,6 +56,13 @@ Result<void> check_axes(const SetpointFile& file, const ProgrammedPath& program)
   return {};
 }
 
+/// Columns that are passed over, such as the derivatives of each axis.
+std::string not_judged(const std::vector<std::string>& columns) {
+  std::string names;
+  for (const std::string& name : columns) names += (names.empty() ? "" : ", ") + (name.empty() ? "(no name)" : name);
+  return "columns that are not judged: " + names;
+}
+
 Result<Pass> run_pass(SetpointFile& file, const Machine& machine, double period, PathCheck* path,
                       const Monitor& monitor) {
   file.rewind();
@@ -132,6 +139,7 @@ Result<VerifyReport> verify(SetpointFile& file, const Machine& machine, const Pr
     if (!pass) return tl::unexpected(pass.error());
     report = std::move(pass->report);
   }
+  if (report && !file.columns().ignored.empty()) report->notes.push_back(not_judged(file.columns().ignored));
   if (report && std::abs(*period - machine.period) > 1e-9 * machine.period) {
     report->notes.push_back("the file's period is " + std::to_string(*period * 1e3) + " ms, the machine's " +
                             std::to_string(machine.period * 1e3) + " ms");

@@ -65,6 +65,47 @@ TEST(SetpointFile, TakesColumnsInAnyOrderAndIgnoresOthers) {
   EXPECT_TRUE(rows.position[2].empty());
 }
 
+TEST(SetpointFile, TakesWhatSpreadsheetsAndHandsLeaveInText) {
+  const TemporaryDirectory dir;
+  std::ofstream(dir / "a.csv") << "\xEF\xBB\xBF"
+                               << "t_s, x_mm, note, line\r\n0, 1, 5, 7\r\n0.001, 2, 6, 8\r\n\r\n\r\n";
+  auto opened = open_setpoint_file(dir / "a.csv");
+  ASSERT_TRUE(opened);
+  EXPECT_TRUE((*opened)->columns().time);
+  EXPECT_EQ((*opened)->columns().ignored, std::vector<std::string>{"note"});
+  SetpointRows rows;
+  ASSERT_EQ((*opened)->read(rows, 10), 2U);
+  EXPECT_EQ(rows.position[0], (std::vector<double>{1, 2}));
+  EXPECT_EQ(rows.line, (std::vector<std::uint32_t>{7, 8}));
+}
+
+/// A header of version 1 and zeros.
+std::string numpy_array(const std::string& type, const std::string& order, const std::string& shape,
+                        std::size_t bytes) {
+  const std::string header = "{'descr': '" + type + "', 'fortran_order': " + order + ", 'shape': " + shape + ", }\n";
+  std::string file = "\x93NUMPY\x01";
+  file += '\0';
+  file += static_cast<char>(header.size());
+  file += '\0';
+  return file + header + std::string(bytes, '\0');
+}
+
+TEST(SetpointFile, SaysWhatIsForeignInAnArray) {
+  const TemporaryDirectory dir;
+  const auto message = [&](const std::string& content) {
+    std::ofstream(dir / "a.npy", std::ios::binary) << content;
+    auto opened = open_setpoint_file(dir / "a.npy");
+    return opened ? std::string("fine") : opened.error().message;
+  };
+  EXPECT_EQ(message(numpy_array("<f8", "False", "(3, 7)", 3 * 7 * 8)), "fine");
+  EXPECT_NE(message(numpy_array(">f8", "False", "(3, 7)", 3 * 7 * 8)).find("\">f8\""), std::string::npos);
+  EXPECT_NE(message(numpy_array("<f4", "False", "(3, 7)", 3 * 7 * 4)).find("\"<f4\""), std::string::npos);
+  EXPECT_NE(message(numpy_array("<f8", "True", "(3, 7)", 3 * 7 * 8)).find("Fortran"), std::string::npos);
+  EXPECT_NE(message(numpy_array("<f8", "False", "(21,)", 3 * 7 * 8)).find("1 dimensions"), std::string::npos);
+  EXPECT_NE(message(numpy_array("<f8", "False", "(3, 7)", 2 * 7 * 8)).find("cut short"), std::string::npos);
+  EXPECT_NE(message(numpy_array("<f8", "False", "(3, 5)", 3 * 5 * 8)).find("7 or 10 columns"), std::string::npos);
+}
+
 TEST(SetpointFile, NamesThePlaceOfABrokenNumber) {
   const TemporaryDirectory dir;
   std::ofstream(dir / "a.csv") << "t_s,x_mm\n0,1\n0.001,1e400\n";
@@ -87,6 +128,8 @@ TEST(SetpointFile, RefusesWhatIsNoSetpointFile) {
   EXPECT_EQ(code_of(dir, "a.csv", "x_mm\nnan\n"), "setpoints-broken");
   EXPECT_EQ(code_of(dir, "a.csv", "x_mm,y_mm\n1\n"), "setpoints-broken");
   EXPECT_EQ(code_of(dir, "a.csv", "x_mm\n1,2\n"), "setpoints-broken");
+  EXPECT_EQ(code_of(dir, "a.csv", "x_mm,line\n1,2.5\n"), "setpoints-broken");
+  EXPECT_EQ(code_of(dir, "a.csv", "x_mm\n1\n\n2\n"), "setpoints-broken");
   EXPECT_EQ(code_of(dir, "a.npy", "\x93NUMPY"), "setpoints-shape");
   EXPECT_EQ(code_of(dir, "a.npz", "PK\x03\x04 and no more"), "setpoints-shape");
 }
