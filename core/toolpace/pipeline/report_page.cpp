@@ -25,7 +25,8 @@ svg .y{text-anchor:end}svg .x{text-anchor:middle}svg .title{fill:var(--text)}.gr
 .curve{fill:var(--accent);stroke:var(--accent);stroke-width:1.2;stroke-linejoin:round}.contour path{fill:none;stroke-width:1.4;stroke-linecap:round}.contour{background:#fff}
 .bar{display:inline-block;height:10px;background:var(--accent)}.broken{color:var(--error);font-weight:bold}.good{color:var(--good);font-weight:bold}
 .legend{color:var(--second)}.legend i{display:inline-block;width:28px;height:10px}
-@media print{body{max-width:none}}
+h2{break-after:avoid}svg,tr,.legend{break-inside:avoid}
+@media print{:root{--ground:#fff;--surface:#fff;--line:#d7dbe0;--text:#000;--second:#444;--accent:#0b6bcb;--error:#c62828;--good:#2e7d32}body{max-width:none;margin:0;font-size:11px;print-color-adjust:exact;-webkit-print-color-adjust:exact}}
 )";
 
 std::string escaped(std::string_view text) {
@@ -47,6 +48,27 @@ std::string row(std::string_view name, std::string_view value) {
   return fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(name), escaped(value));
 }
 
+std::string file_name(const std::string& program) { return program.substr(program.find_last_of('/') + 1); }
+
+const char* corner_title(CornerRule rule) {
+  switch (rule) {
+    case CornerRule::stop: return "stop";
+    case CornerRule::servo: return "servo (a·Ts and angle)";
+    case CornerRule::junction: return "junction deviation";
+    case CornerRule::blend: return "corner curves";
+    case CornerRule::smooth: return "smoothed through the tolerance";
+  }
+  return "";
+}
+
+std::string corners(const CornerOptions& corner) {
+  if (corner.step) return fmt::format("a speed step of {:.6g} mm/s", *corner.step);
+  const std::string rule = corner_title(corner.rule);
+  if (corner.rule == CornerRule::junction) return rule + fmt::format(", {:.6g} mm", corner.junction_deviation);
+  const bool rounds = corner.rule == CornerRule::blend || corner.rule == CornerRule::smooth;
+  return rounds ? rule + fmt::format(", {:.6g} mm", corner.tolerance) : rule;
+}
+
 std::string limit(double value, const char* unit) {
   return std::isfinite(value) ? fmt::format("{:.6g} {}", value, unit) : std::string("no limit");
 }
@@ -59,7 +81,9 @@ std::string overview(const Outcome& o) {
   html += row("program", o.job->program_name);
   html += row("machine", o.job->machine.name.empty() ? "limits along the path" : o.job->machine.name);
   html += row("law", std::string(law_row(options.law).title));
+  html += row("ramps", options.ramps == Ramps::span ? "across blocks" : "inside blocks");
   html += row("look-ahead", options.lookahead ? fmt::format("{} blocks", *options.lookahead) : "all blocks");
+  html += row("corners", corners(options.corner));
   html += row("limits along the path", fmt::format("{}, {}, {}", limit(path.speed, "mm/s"),
                                                    limit(path.acceleration, "mm/s²"), limit(path.jerk, "mm/s³")));
   html += row("blocks", fmt::format("{}, {:.3f} mm", s.blocks, s.path_length));
@@ -68,8 +92,10 @@ std::string overview(const Outcome& o) {
   html +=
       row("feed, rapid, dwell", fmt::format("{:.4f} s, {:.4f} s, {:.4f} s", s.feed_time, s.rapid_time, s.dwell_time));
   html += row("peaks along the path",
-              fmt::format("{:.4g} mm/s, {:.5g} mm/s², {}", s.max_speed, s.max_acceleration,
-                          std::isfinite(s.max_jerk) ? fmt::format("{:.5g} mm/s³", s.max_jerk) : "jerk unbounded"));
+              fmt::format("{:.6g} mm/s, {:.6g} mm/s², {}", s.max_speed, s.max_acceleration,
+                          std::isfinite(s.max_jerk) ? fmt::format("{:.6g} mm/s³", s.max_jerk) : "jerk unbounded"));
+  html += row("setpoints", fmt::format("{}, every {:.6g} ms", row_count(s.cycle_time, o.job->machine.period),
+                                       1e3 * o.job->machine.period));
   return html + "</table>\n";
 }
 
@@ -111,6 +137,31 @@ Unit unit_of(const Check& c) {
   }
 }
 
+const char* title_of(CheckKind kind) {
+  switch (kind) {
+    case CheckKind::axis_speed: return "speed";
+    case CheckKind::axis_acceleration: return "acceleration";
+    case CheckKind::axis_jerk: return "jerk";
+    case CheckKind::travel_min: return "lowest position";
+    case CheckKind::travel_max: return "highest position";
+    case CheckKind::path_speed: return "speed along the path";
+    case CheckKind::path_acceleration: return "acceleration along the path";
+    case CheckKind::path_deceleration: return "deceleration along the path";
+    case CheckKind::path_jerk: return "jerk along the path";
+    case CheckKind::time_step: return "clock: error of the time column";
+    case CheckKind::speed_column: return "speed column against the positions";
+    case CheckKind::acceleration_column: return "acceleration column against the speed";
+    case CheckKind::jerk_column: return "jerk column against the acceleration";
+    case CheckKind::line_column: return "rows with a wrong line";
+    case CheckKind::follows_path: return "follows the path, in order, within";
+    case CheckKind::deviation: return "distance from the programmed path";
+    case CheckKind::end_point: return "distance of the end from the program's";
+  }
+  return "";
+}
+
+std::string bound(double value) { return value < 10 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value); }
+
 /// How much of a limit is left. Travel has no margin in percent.
 std::string margin(const Check& c) {
   const bool travel = c.kind == CheckKind::travel_min || c.kind == CheckKind::travel_max;
@@ -127,9 +178,9 @@ std::string limits_table(const VerifyReport& report) {
     const std::string axis = c.axis ? std::string(1, kAxisNames[*c.axis]) + " " : "";
     html += fmt::format(
         "<tr{}><td>{}{}</td><td>{:.6g}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.3f} s</td><td>{}</td></tr>\n",
-        c.broken ? " class='broken'" : "", axis, key_of(c.kind), c.value * u.factor,
+        c.broken ? " class='broken'" : "", axis, title_of(c.kind), c.value * u.factor,
         std::isfinite(c.limit) && c.limit != 0 ? fmt::format("{:.6g}", c.limit * u.factor)
-        : c.limit == 0                         ? fmt::format("± {:.2g}", c.bound * u.factor)
+        : c.limit == 0                         ? bound(c.bound * u.factor)
                                                : std::string("–"),
         u.symbol, margin(c), c.time, c.line == 0 ? std::string("–") : std::to_string(c.line));
   }
@@ -153,10 +204,27 @@ std::string warnings(const Diagnostics& diagnostics) {
   return html + "</table>\n";
 }
 
+/// Largest side of the box around its nodes in X, Y, Z [mm].
+double extent_of(const Path& path) {
+  if (path.node.empty()) return 0.0;
+  AxisVector low = path.node.front(), high = low;
+  for (const AxisVector& node : path.node) {
+    low = low.cwiseMin(node);
+    high = high.cwiseMax(node);
+  }
+  double extent = (high - low).head<3>().maxCoeff();
+  for (const ArcCurve& arc : path.arcs) extent = std::max(extent, arc.start_radius);
+  return extent;
+}
+
 /// What one pass over the simulated setpoints gathers.
 struct Pictures {
-  explicit Pictures(std::size_t rows)
-      : speed(rows), acceleration(rows), jerk(rows), contour_error(rows), contour(rows) {}
+  Pictures(std::size_t rows, const Outcome& o)
+      : speed(rows),
+        acceleration(rows),
+        jerk(rows),
+        contour_error(rows),
+        contour(extent_of(*o.path), o.summary.max_speed) {}
   Envelope speed, acceleration, jerk, contour_error;
   ContourPicture contour;
 
@@ -167,7 +235,7 @@ struct Pictures {
       acceleration.add(at, s.acceleration[k]);
       jerk.add(at, s.jerk[k]);
       contour_error.add(at, 1000 * trace.contour_error[k]);
-      contour.add(at, {s.position[0][k], s.position[1][k], s.position[2][k]}, s.speed[k]);
+      contour.add({s.position[0][k], s.position[1][k], s.position[2][k]}, s.speed[k]);
     }
   }
 };
@@ -176,7 +244,7 @@ struct Pictures {
 
 Result<std::string> report_page(const Outcome& outcome, const Monitor& monitor) {
   const double period = outcome.job->machine.period;
-  Pictures pictures(row_count(outcome.plan.cycle_time(), period));
+  Pictures pictures(row_count(outcome.plan.cycle_time(), period), outcome);
   const auto take = [&](const Setpoints& s, const ServoTrace& t, std::size_t rows) -> Result<void> {
     pictures.take(s, t, rows);
     return {};
@@ -190,8 +258,8 @@ Result<std::string> report_page(const Outcome& outcome, const Monitor& monitor) 
 
   const double duration = outcome.plan.cycle_time();
   std::string html = "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n<title>" +
-                     escaped(outcome.job->program_name) + "</title>\n<style>" + kStyle +
-                     "</style>\n</head>\n<body>\n<h1>" + escaped(outcome.job->program_name) + "</h1>\n";
+                     escaped(file_name(outcome.job->program_name)) + "</title>\n<style>" + kStyle +
+                     "</style>\n</head>\n<body>\n<h1>" + escaped(file_name(outcome.job->program_name)) + "</h1>\n";
   html += proof->passes() ? "<p class='good'>Verified: every limit holds.</p>\n"
                           : "<p class='broken'>Verified: limits are broken, see below.</p>\n";
   html += overview(outcome) + "<h2>Where the time goes</h2>\n" + causes(outcome.summary);
@@ -201,7 +269,8 @@ Result<std::string> report_page(const Outcome& outcome, const Monitor& monitor) 
           plot_svg(pictures.contour_error, duration, {"contour error of the simulated drives", "µm"}) +
           "<p class='legend'>time in s</p>\n";
   html += fmt::format(
-      "<p>Contour error at most {:.6g} mm, at {:.3f} s in line {}; RMS {:.6g} mm. Lag at most {:.6g} mm.</p>\n",
+      "<p>Contour error of the simulated drives at most {:.4g} mm, at {:.3f} s in line {}; RMS {:.4g} mm. Lag at most "
+      "{:.4g} mm.</p>\n",
       servo->max_contour_error, servo->worst_time, servo->worst_line, servo->rms_contour_error, servo->max_lag);
   html += "<h2>Contour</h2>\n" + pictures.contour.svg(0, 1) + pictures.contour.svg(0, 2);
   html += "<h2>Limits</h2>\n" + limits_table(*proof) + warnings(outcome.warnings) + "</body>\n</html>\n";

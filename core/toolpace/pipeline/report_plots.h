@@ -31,11 +31,14 @@ struct PlotText {
 /// A curve over time. @param duration [s]
 std::string plot_svg(const Envelope& curve, double duration, const PlotText& text);
 
-/// Points of the contour, thinned to a number that a page can hold.
+/// The contour, thinned as it comes: what is kept is about an eighth of a pixel off, or more where that
+/// is too much for a page.
 class ContourPicture {
  public:
-  explicit ContourPicture(std::size_t rows);
-  void add(std::size_t row, const std::array<double, 3>& point, double speed);
+  /// @param extent   [mm] > 0, largest side of the box around it
+  /// @param fastest  [mm/s] where the colours end
+  ContourPicture(double extent, double fastest);
+  void add(const std::array<double, 3>& point, double speed);
 
   /// The view along one axis: horizontal and vertical axis as indices of X Y Z. Empty if nothing is to be seen there.
   std::string svg(std::size_t horizontal, std::size_t vertical) const;
@@ -45,9 +48,14 @@ class ContourPicture {
     std::array<double, 3> at;
     double speed;
   };
-  std::size_t stride_;
-  std::size_t rows_;
-  std::vector<Point> points_;
+  std::size_t colour(double speed) const;
+  bool may_skip(const Point& point) const;
+  void thin();
+
+  double tolerance_, fastest_;
+  std::vector<Point> points_;             ///< the last one is not settled yet
+  std::array<double, 3> direction_ = {};  ///< of the stretch that the last one ends; a unit vector
+  double reached_ = 0.0;                  ///< along it [mm]
 };
 
 }  // namespace toolpace

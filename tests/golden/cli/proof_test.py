@@ -158,7 +158,7 @@ class Report(CommandLineTest):
         page.feed(text)
         self.assertEqual(page.open, [])
         self.assertGreaterEqual(page.svgs, 5)
-        for words in ("pocket.ngc", "Mill, 3 axes", "cycle time", "axis-jerk", "every limit holds", "Contour error"):
+        for words in ("pocket.ngc", "Mill, 3 axes", "cycle time", "X jerk", "every limit holds", "Contour error"):
             self.assertIn(words, text)
 
     def test_names_with_markup_stay_names(self):
