@@ -67,11 +67,8 @@ class Limiter {
       corner.rule = CornerRule::stop;
       corner.step.reset();
     }
-    const AxisVector arriving = end_direction(path_, i - 1), leaving = start_direction(path_, i);
-    // Curves meet their neighbours with one direction and one curvature, whatever rounding leaves of short lines.
-    const bool is_curve = path_.kind[i - 1] >= SegmentKind::spline || path_.kind[i] >= SegmentKind::spline;
-    const bool smooth = is_curve && corner.rule == CornerRule::blend && (leaving - arriving).norm() < kSmoothJoint;
-    const double allowed = smooth ? kUnlimited : corner_speed(corner, arriving, leaving, machine_);
+    const double allowed =
+        corner.rule == CornerRule::blend && is_inside_spline(path_, i) ? kUnlimited : node_speed(corner, i);
     const double lower = std::min(limits_.block_cap[i - 1], limits_.block_cap[i]);
     const bool feed_decides = lower <= allowed;
     limits_.node_cap.push_back(feed_decides ? lower : allowed);
@@ -95,6 +92,14 @@ class Limiter {
   }
 
  private:
+  double node_speed(const CornerOptions& corner, std::size_t i) const {
+    const AxisVector arriving = end_direction(path_, i - 1), leaving = start_direction(path_, i);
+    // Curves meet their neighbours with one direction and one curvature, whatever rounding leaves of short lines.
+    const bool is_curve = path_.kind[i - 1] >= SegmentKind::spline || path_.kind[i] >= SegmentKind::spline;
+    const bool smooth = is_curve && corner.rule == CornerRule::blend && (leaving - arriving).norm() < kSmoothJoint;
+    return smooth ? kUnlimited : corner_speed(corner, arriving, leaving, machine_);
+  }
+
   double programmed_speed(std::size_t i) const {
     const double feed = moves_.feed[path_.move[i]];
     return is_rotary_only(path_, i) ? feed / kRadiansPerDegree : feed;

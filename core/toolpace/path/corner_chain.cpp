@@ -8,7 +8,8 @@ namespace toolpace {
 namespace {
 
 constexpr double kLengthAccuracy = 1e-10;
-constexpr double kNearestPlace = 1e-5;  // of a span: changes a distance by its square
+/// Square of a step along the curve, as a part of that of the distance to it: what is left changes the distance by half of it.
+constexpr double kNearEnoughPlace = 1e-3;
 constexpr int kNearestSteps = 2;
 constexpr double kShortestPiece = 1.0 / 64;  // of a span
 constexpr double kNearEnough = 0.8;          // of a line: a trim longer than this needs no control point of its own
@@ -132,10 +133,11 @@ CornerChain::Passing CornerChain::pass(std::size_t node) const {
       least = square;
       best = x;
     }
-    const double change = slope.squaredNorm() + std::max(0.0, e.dot(here.bend(y)));
+    const double square = slope.squaredNorm(), change = square + std::max(0.0, e.dot(here.bend(y)));
     if (!(change > 0)) break;
     const double next = std::clamp(x - e.dot(slope) / change, -1.0, 1.0);
-    if (std::abs(next - x) <= kNearestPlace) break;
+    const double step = next - x;
+    if (step * step * square <= kNearEnoughPlace * least) return {static_cast<double>(at + 1) + next, std::sqrt(least)};
     x = next;
     if ((x < 0) != (begin < 0)) {
       begin = x < 0 ? -1 : 0;

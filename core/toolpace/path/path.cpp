@@ -6,6 +6,7 @@ namespace toolpace {
 namespace {
 
 constexpr double kNoParameterSpeed = 1e-9;  // of a piece's mean |dp/du|
+constexpr double kNoTurnSpeed = 1e-6;       // below it a spline may have a cusp
 constexpr double kBeside = 1e-3;            // of a piece
 
 Frame arc_frame(const Path& path, std::size_t i, double s) {
@@ -112,6 +113,15 @@ AxisVector start_direction(const Path& path, std::size_t i) {
 AxisVector end_direction(const Path& path, std::size_t i) {
   if (path.kind[i] >= SegmentKind::spline) return derivatives_at_share(path, i, 1.0).first;
   return frame_at(path, i, path.length[i]).first;
+}
+
+bool is_inside_spline(const Path& path, std::size_t node) {
+  if (path.kind[node - 1] != SegmentKind::spline || path.kind[node] != SegmentKind::spline) return false;
+  const SplinePiece& before = path.spline_pieces[path.detail[node - 1]];
+  const SplinePiece& after = path.spline_pieces[path.detail[node]];
+  // Without parameter speed the curve may turn back.
+  return is_smooth_between(path.splines[before.spline], before, after) &&
+         parameter_speed(path, node - 1, 1.0) > kNoTurnSpeed * path.length[node - 1];
 }
 
 std::uint32_t move_at(const Path& path, std::size_t i, double s) {

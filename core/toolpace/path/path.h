@@ -77,6 +77,9 @@ double parameter_speed(const Path& path, std::size_t segment, double share);
 AxisVector start_direction(const Path& path, std::size_t segment);
 AxisVector end_direction(const Path& path, std::size_t segment);
 
+/// Whether a node, neither first nor last, lies between two pieces of one spline that runs through it with one direction.
+bool is_inside_spline(const Path& path, std::size_t node);
+
 /// Row of Moves under the tool at path length `s` of a segment. O(log handovers).
 std::uint32_t move_at(const Path& path, std::size_t segment, double s);
 

@@ -23,6 +23,12 @@ struct Cartesian {
 
 std::size_t find_span(const SplineCurve& c, double u) {
   const auto p = static_cast<std::size_t>(c.degree);
+  // Knots 1 apart, as those of corner chains, need no search.
+  const double from = u - c.knots[p];
+  if (from >= 0 && from < static_cast<double>(c.points.size() - p)) {
+    const std::size_t guess = p + static_cast<std::size_t>(from);
+    if (c.knots[guess] <= u && u < c.knots[guess + 1]) return guess;
+  }
   const auto first = c.knots.begin() + static_cast<std::ptrdiff_t>(p + 1);
   const auto last = c.knots.begin() + static_cast<std::ptrdiff_t>(c.points.size());
   return static_cast<std::size_t>(std::upper_bound(first, last, u) - c.knots.begin()) - 1;
@@ -217,6 +223,12 @@ AxisVector spline_point(const SplineCurve& c, double u) {
   AxisVector point = c.rotary_begin + share * (c.rotary_end - c.rotary_begin);
   point.head<3>() = evaluate(c, u).d[0];
   return point;
+}
+
+bool is_smooth_between(const SplineCurve& c, const SplinePiece& before, const SplinePiece& after) {
+  if (before.spline != after.spline || before.end != after.begin || c.degree < 2 || !c.is_polynomial) return false;
+  const std::size_t span = span_of(c, before.begin, before.end);
+  return before.end < c.knots[span + 1] || c.knots[span + 1] < c.knots[span + 2];
 }
 
 ParameterDerivatives spline_derivatives(const SplineCurve& c, double u) { return derivatives(c, u, find_span(c, u)); }

@@ -36,6 +36,9 @@ double piece_length(const SplineCurve& curve, double begin, double end);
 /// Parameter at path length `s` from the piece's begin. `length` = piece_length of the piece.
 double parameter_at(const SplineCurve& curve, const SplinePiece& piece, double length, double s);
 
+/// Whether one piece follows the other inside a span or across a simple knot: then they meet with one derivative.
+bool is_smooth_between(const SplineCurve& curve, const SplinePiece& before, const SplinePiece& after);
+
 AxisVector spline_point(const SplineCurve& curve, double parameter);
 ParameterDerivatives spline_derivatives(const SplineCurve& curve, double parameter);
 /// Inside a piece or at its ends; at a knot those of the piece's side, where the other side's may be others.

@@ -9,6 +9,7 @@ namespace {
 
 /// Where Newton's steps are smaller than this share of the unknown the next one would be below rounding.
 constexpr double kSettled = 1e-8;
+constexpr double kSettledCubically = 1e-5;  // of Halley's steps
 constexpr int kMaxSteps = 60;
 
 /// The accelerations at which two ramps to one speed peak.
@@ -21,7 +22,7 @@ struct Peaks {
 ///
 /// With p, w the peaks, p² − w² = K = J·(high − low), and s = p + w the lengths (low + vp)·p/J + (high + vp)·w/J = gap become
 ///   s⁴/4J + (low + high)·s² − J·gap·s − K·(high − low)/4 = 0.
-/// Its signs change once: there is one positive root, and Newton's steps from above cannot miss, as the left side is convex.
+/// Its signs change once: there is one positive root. The left side is convex; from above Halley's steps cannot miss.
 /// w < 0 where even the ramp to the higher bottom alone is longer than the gap; then |w| is the acceleration left over there.
 std::optional<Peaks> solve_sharp(const SpanRamp& ramp, double low_bottom, double high_bottom, double gap) {
   const double step = high_bottom - low_bottom, both = low_bottom + high_bottom;
@@ -32,9 +33,11 @@ std::optional<Peaks> solve_sharp(const SpanRamp& ramp, double low_bottom, double
   if (!(quarter * s * s <= both)) s = std::max(2 * std::cbrt(force * ramp.jerk), 1.2 * std::sqrt(square));
   for (int i = 0; i < kMaxSteps; ++i) {
     const double rise = quarter * s * s;
-    const double change = (((rise + both) * s - force) * s - last) / ((4 * rise + 2 * both) * s - force);
+    const double f = ((rise + both) * s - force) * s - last;
+    const double slope = (4 * rise + 2 * both) * s - force, half_bend = 6 * rise + both;
+    const double change = f * slope / (slope * slope - f * half_bend);
     s -= change;
-    if (!(std::abs(change) > kSettled * s)) break;
+    if (!(std::abs(change) > kSettledCubically * s)) break;
   }
   const double difference = square / s;
   return Peaks{(s + difference) / 2, (s - difference) / 2};
