@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "toolpace/path/build_path.h"
@@ -51,6 +52,28 @@ TEST(LimitSpeed, FeedIsCappedByThePathAndOverrideScalesIt) {
   EXPECT_EQ(limits.block_cap[1], 100);
   EXPECT_EQ(limits.block_cap[2], 25);
   EXPECT_EQ(limits.block_cause[2], Cause::rapid);
+}
+
+// A cubic with a simple knot in the middle, where it has one derivative: through it at full feed, unless that derivative is
+// zero, as by symmetry on the way 0, 1, 2, 1, 0, and the curve turns back.
+TEST(LimitSpeed, SplinesRunThroughTheirKnotsButStopWhereTheyTurnBack) {
+  for (const bool turns : {false, true}) {
+    SplineDetail spline;
+    spline.degree = 3;
+    for (int k = 0; k < 5; ++k) spline.points.emplace_back(turns && k > 2 ? 4 - k : k, 0.0, 0.0);
+    spline.knots = {0, 0, 0, 0, 1, 2, 2, 2, 2};
+    Moves moves;
+    add(moves, MoveKind::spline, at(spline.points.back().x(), 0), 50);
+    moves.detail[0] = 0;
+    moves.splines = {spline};
+    LimitOptions options;
+    options.corner.rule = CornerRule::blend;
+    const SpeedLimits limits = limits_of(moves, default_machine(), options);
+    double lowest = 1e9;
+    for (std::size_t i = 1; i < limits.size(); ++i) lowest = std::min(lowest, limits.node_cap[i]);
+    ASSERT_GT(limits.size(), 1u);
+    EXPECT_EQ(lowest, turns ? 0.0 : 50.0);
+  }
 }
 
 TEST(LimitSpeed, AnAxisCapsTheBlocksThatUseIt) {
