@@ -110,6 +110,7 @@ class SmoothPlanner {
       if (!plan) return tl::unexpected(plan.error());
       hold_.reset();
     }
+    const double duration = plan->cycle_time();
     const std::vector<double> times = node_times(part, *plan);
     for (std::size_t i = 0; i < times.size(); ++i) set_node_time(run, run.begin + i, time_ + times[i]);
     for (Phase& phase : plan->phases) {
@@ -117,7 +118,7 @@ class SmoothPlanner {
       phase.distance += position_[run.begin];
       result_.plan.phases.push_back(phase);
     }
-    time_ += plan->cycle_time();
+    time_ += duration;
     return {};
   }
 
