@@ -21,7 +21,8 @@ const std::map<std::string, Dialect> kDialects = {
 
 void ReadingFlags::add_to(CLI::App& command) {
   command
-      .add_option("PROGRAM", program, "NC program (.ngc, .nc, .tap, .gcode …) or polyline (.csv); - = standard input")
+      .add_option("PROGRAM", program,
+                  "NC program (.ngc, .nc, .tap, .gcode …) or polyline (.csv); - = either on standard input")
       ->type_name("")
       ->required();
   add_options_to(command);

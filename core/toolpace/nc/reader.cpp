@@ -27,6 +27,16 @@ bool is_polyline(const std::string& name) {
   return ending == ".csv";
 }
 
+/// Standard input has no extension; what begins with the title of a polyline's column is one. No NC line has an underscore
+/// in its second place.
+bool begins_with_column(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return false;
+  const std::string_view title = text.substr(first, text.find_first_of(" \t\r\n,;", first) - first);
+  static constexpr std::string_view kTitles[] = {"x_mm", "y_mm", "z_mm", "a_deg", "b_deg", "c_deg", "feed_mm_min"};
+  return std::find(std::begin(kTitles), std::end(kTitles), title) != std::end(kTitles);
+}
+
 std::size_t count_lines(std::string_view text) {
   std::size_t count = 1;
   for (const char* p = text.data();
@@ -119,7 +129,8 @@ Result<Reading> read_text(std::string_view text, const std::string& name, const 
   if (text.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos) {
     return tl::unexpected(input_error(name, "empty-program", "the program is empty", "give a file with motion in it"));
   }
-  if (!is_polyline(name)) return read_program(text, name, options, monitor);
+  if (!is_polyline(name) && !(name == "-" && begins_with_column(text)))
+    return read_program(text, name, options, monitor);
   Reading reading;
   reading.moves.files = {name};
   reserve(reading.moves, count_lines(text));

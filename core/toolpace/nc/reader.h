@@ -44,7 +44,7 @@ struct Reading {
 
 /// Reads RS-274 text, or a CSV polyline where `name` ends in .csv. Never throws on bad input.
 ///
-/// @param name  shown in diagnostics; its extension chooses the format
+/// @param name  shown in diagnostics; its extension chooses the format, or, of "-", the text's first word
 /// @return an Error only for what leaves nothing to show (cancelled, not text at all, empty)
 Result<Reading> read_text(std::string_view text, const std::string& name, const ReadOptions& options = {},
                           const Monitor& monitor = {});

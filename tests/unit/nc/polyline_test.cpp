@@ -24,6 +24,13 @@ TEST(Polyline, ColumnsMayBeFewerAndInAnyOrder) {
   EXPECT_TRUE(std::isinf(reading.moves.feed[0])) << "no feed column: as fast as the machine allows";
 }
 
+TEST(Polyline, OnStandardInputIsKnownByItsHeader) {
+  EXPECT_EQ(read_program("y_mm,x_mm\n0,0\n3,4\n", {}, "-").moves.end[0][0], 4.0);
+  EXPECT_EQ(read_program("\n feed_mm_min;x_mm\n;0\n60;4\n", {}, "-").moves.end[0][0], 4.0);
+  EXPECT_EQ(read_program("x5\ny3\n", {}, "-").refused, true) << "an NC program without a motion mode";
+  EXPECT_EQ(read_program("x_mm,y_mm\n0,0\n3,4\n", {}, "path.ngc").refused, true);
+}
+
 TEST(Polyline, PlacesThatNoMachineReachesAreRefused) {
   EXPECT_EQ(codes(read_rows("x_mm,y_mm\n0,0\n1e249,1\n")), (Codes{"coordinate-too-large@3:1"}));
   EXPECT_EQ(codes(read_rows("x_mm,y_mm\n0,-2e9\n1,1\n")), (Codes{"coordinate-too-large@2:1"}));
