@@ -1,7 +1,10 @@
 /// toolpace steps: pulse tables of stepper moves.
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "commands.h"
 #include "flags.h"
@@ -25,6 +28,11 @@ Done run_steps(const StepsFlags& flags) {
   if (flags.format != "csv" && flags.format != "c") {
     return tl::unexpected(
         usage_error("bad-flag", "--format does not know '" + flags.format + "'", "give one of csv, c"));
+  }
+  for (const auto& [flag, time] : {std::pair{"--tacc-ms", flags.tacc_ms}, std::pair{"--tdec-ms", flags.tdec_ms}}) {
+    if (time > 0) continue;
+    return tl::unexpected(
+        usage_error("bad-limit", fmt::format("{} {} makes no sense", flag, time), "give a time above 0 ms"));
   }
   StepperMove move = flags.move;
   move.t_acc = flags.tacc_ms * kSecondsPerMillisecond;

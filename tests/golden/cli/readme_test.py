@@ -1,0 +1,56 @@
+"""The README's commands run, and no plan is slower than the README says."""
+
+import re
+import shlex
+import unittest
+
+from command_line import FINE, SOURCE_DIR, CommandLineTest
+
+README = (SOURCE_DIR / "README.md").read_text()
+
+
+class Readme(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        for folder in ("examples", "resources"):
+            (self.folder / folder).symlink_to(SOURCE_DIR / folder)
+
+    def cycle_time(self, *arguments):
+        run = self.run_toolpace("plan", *arguments, "--bound", "--json")
+        self.assertEqual(run.code, FINE, run.err)
+        return run.json()["cycle_time_s"], run.json()["bound_s"]
+
+    def test_every_command_runs(self):
+        commands = re.findall(r"^    toolpace (.*)$", README, re.M)
+        self.assertGreaterEqual(len(commands), 7)
+        for command in commands:
+            run = self.run_toolpace(*shlex.split(command, comments=True))
+            self.assertEqual(run.code, FINE, f"{command}: {run.err}")
+
+    def test_plans_are_as_fast_as_the_table_says(self):
+        butterfly = ["examples/nc/butterfly.ngc", "--am", "294.2", "--jm", "3e4", "--corner-step-mm-s"]
+        programs = ([*butterfly, "0.739"], [*butterfly, "1e9"], ["examples/nc/blocks20.ngc"])
+        rows = re.findall(r"^\| `(--law [^`]*)`.*?\| ([\d.]+) s \| ([\d.]+) s \| ([\d.]+) s \|$", README, re.M)
+        bounds = re.search(r"^\| bound \| ([\d.]+) s \| ([\d.]+) s \| ([\d.]+) s \|$", README, re.M).groups()
+        self.assertEqual(len(rows), 3)
+        for law, *times in rows:
+            for program, time, bound in zip(programs, times, bounds):
+                with self.subTest(law=law, program=program):
+                    cycle, proven = self.cycle_time(*program, *law.split())
+                    digit = 0.51 * 10 ** -len(time.split(".")[1])
+                    self.assertLessEqual(cycle, float(time) + digit)
+                    self.assertGreaterEqual(cycle, proven)
+                    if law.startswith("--law seven-phase --ramps"):
+                        self.assertGreaterEqual(proven, float(bound) - digit)
+
+    def test_the_look_ahead_is_worth_what_it_says(self):
+        slow, fast = (float(time) for time in re.search(
+            r"takes ([\d.]+) s of feed at N = 1 and ([\d.]+) s at N = 8", " ".join(README.split())).groups())
+        for depth, time in ((1, slow), (8, fast)):
+            run = self.run_toolpace("plan", "examples/nc/butterfly.ngc", "--am", "294.2", "--jm", "1e6", "--period-ms", "4",
+                                    "--lookahead", depth, "--json")
+            self.assertAlmostEqual(run.json()["feed_time_s"], time, delta=0.0051)
+
+
+if __name__ == "__main__":
+    unittest.main()
