@@ -1,6 +1,7 @@
 #pragma once
 /// A setpoint file as a sliding window of rows, so that differences can look a few rows back and ahead.
 
+#include <algorithm>
 #include <cstdint>
 
 #include "toolpace/verify/setpoint_file.h"
@@ -25,6 +26,10 @@ class RowStream {
   std::size_t end() const { return end_; }
   /// Row of the file at a local index; negative and beyond the last row for the copies.
   std::int64_t row(std::size_t local) const { return offset_ + static_cast<std::int64_t>(local); }
+  /// The same in the file: the rest before it counts as the first row, that behind it as the last.
+  std::int64_t row_in_file(std::size_t local) const {
+    return std::max<std::int64_t>(0, std::min(row(local), read_ - 1));
+  }
   /// Whether a local index is a row of the file, not a copy.
   bool is_real(std::size_t local) const { return row(local) >= 0 && row(local) < read_; }
   std::int64_t rows_read() const { return read_; }

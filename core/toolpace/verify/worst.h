@@ -31,7 +31,7 @@ class Worst {
     check_.value = value;
     check_.bound = bound;
     check_.broken = broken;
-    check_.row = stream.row(local);
+    check_.row = stream.row_in_file(local);
     if (!stream.rows().time.empty()) check_.time = stream.rows().time[local];
     if (!stream.rows().line.empty()) check_.line = stream.rows().line[local];
   }

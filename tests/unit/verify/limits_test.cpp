@@ -77,6 +77,9 @@ TEST(Limits, FailWhereTheMachineIsWeakerThanThePlan) {
   EXPECT_FALSE(check_of(report, CheckKind::axis_speed, 1).broken);
   EXPECT_FALSE(check_of(report, CheckKind::travel_min, 0).broken);
   EXPECT_EQ(check_of(report, CheckKind::travel_max, 0).value, 60.0);
+  for (const Check& check : report.checks) {
+    EXPECT_TRUE(check.row >= 0 && check.row < report.rows) << key_of(check.kind) << ": row " << check.row;
+  }
 }
 
 TEST(Limits, AreMeasuredByDifferences) {
