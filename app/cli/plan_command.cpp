@@ -49,8 +49,6 @@ struct SetpointPass {
 struct Target {
   std::unique_ptr<SetpointWriter> setpoints;
   std::optional<ProgramPulseWriter> pulses;
-
-  bool is_open() const { return setpoints != nullptr || pulses; }
 };
 
 Result<Target> open_target(const PlanFlags& flags) {

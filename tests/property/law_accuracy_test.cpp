@@ -17,7 +17,7 @@ namespace {
 
 using Exact = boost::multiprecision::cpp_dec_float_50;
 
-/// The table of METHODS.md §1, written out once more.
+/// Duration and peaks of every law, written out once more.
 Exact exact_duration(LawKind law, const Exact& dv, const RampLimits& limits) {
   const Exact a = limits.acceleration, j = limits.jerk, time = limits.time;
   if (dv <= 0) return 0;

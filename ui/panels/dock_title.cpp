@@ -31,7 +31,6 @@ void DockTitle::setBadge(const QString& text, const QString& tip) {
   badge_->setVisible(!text.isEmpty());
 }
 
-void DockTitle::addControl(QWidget* control) { row_->addWidget(control); }
 
 QSize DockTitle::sizeHint() const { return {QWidget::sizeHint().width(), kHeight}; }
 

@@ -16,7 +16,6 @@ class DockTitle : public QWidget {
   void setTitle(const QString& title);
   /// A few words beside the title, such as "stale"; empty = none.
   void setBadge(const QString& text, const QString& tip);
-  void addControl(QWidget* control);
 
   QSize sizeHint() const override;  ///< what a dock makes room for
   QSize minimumSizeHint() const override;

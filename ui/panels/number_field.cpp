@@ -52,11 +52,6 @@ void NumberField::setValue(double core_value) {
   show_value();
 }
 
-void NumberField::setQuantity(Quantity quantity) {
-  quantity_ = quantity;
-  setLengthUnit(length_unit_);
-}
-
 void NumberField::setUnit(const DisplayUnit& unit) {
   own_unit_ = true;
   unit_ = unit;

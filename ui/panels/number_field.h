@@ -25,7 +25,6 @@ class NumberField : public QLineEdit {
 
   void setValue(double core_value);
   double value() const { return value_; }
-  void setQuantity(Quantity quantity);
   /// A display unit of its own, such as ms for seconds.
   void setUnit(const DisplayUnit& unit);
   void setLengthUnit(LengthUnit unit);

@@ -1,6 +1,5 @@
 #include "plots/profile_plot.h"
 
-#include <QElapsedTimer>
 #include <cmath>
 
 namespace toolpace::ui {
@@ -155,8 +154,6 @@ void ProfilePlot::refill() {
 void ProfilePlot::gather() {
   if (!stale_) return;
   stale_ = false;
-  QElapsedTimer clock;
-  clock.start();
   const QCPRange now = range();
   const TimeWindow window{now.lower, now.upper,
                           std::max(static_cast<int>(rows_[0].rect()->width() * bufferDevicePixelRatio()), 16)};
@@ -175,7 +172,6 @@ void ProfilePlot::gather() {
   }
   error_->show(window);
   updateMarks();
-  last_gather_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
 }
 
 void ProfilePlot::updateMarks() {

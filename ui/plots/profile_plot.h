@@ -40,8 +40,6 @@ class ProfilePlot : public QCustomPlot {
 
   /// Left and right edge of the plots [px].
   std::pair<double, double> edges() const;
-  /// Time the curves took to gather last [ms]. For the tests of speed.
-  double lastGatherMs() const { return last_gather_ms_; }
 
  signals:
   void rangeChanged(double begin, double end);
@@ -79,7 +77,6 @@ class ProfilePlot : public QCustomPlot {
   Theme theme_ = light_theme();
   LengthUnit unit_ = LengthUnit::mm;
   bool stale_ = true;
-  double last_gather_ms_ = 0;
 
   QPointF pressed_at_;
   double pressed_begin_ = 0;

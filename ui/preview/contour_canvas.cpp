@@ -116,11 +116,6 @@ void ContourCanvas::setHighlight(std::optional<std::pair<double, double>> span) 
   update();
 }
 
-void ContourCanvas::setTravelVisible(bool visible) {
-  travel_visible_ = visible;
-  redraw();
-}
-
 void ContourCanvas::setView(View view) {
   const Projection named = named_view(view);
   projection_.right = named.right;
@@ -174,12 +169,10 @@ Projection ContourCanvas::scaled(double ratio) const {
 void ContourCanvas::drawPicture(QImage& image, const Projection& projection, double ratio, bool smooth) const {
   image.fill(theme_.surface.rgb());
   if (!scene_) return;
-  QElapsedTimer clock;
-  clock.start();
   {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (travel_visible_) drawTravel(painter, projection);
+    drawTravel(painter, projection);
     if (tolerance_ > 0 && band_shown_ && !tube_) drawBand(painter, projection);
   }
   const bool in_band = tube_ && band_shown_;
@@ -211,7 +204,6 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
     painter.setRenderHint(QPainter::Antialiasing);
     drawDirection(painter, projection, QSizeF(image.size()), ratio);
   }
-  last_draw_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
 }
 
 QImage ContourCanvas::render(const QSize& size, double scale) const {

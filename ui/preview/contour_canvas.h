@@ -37,7 +37,6 @@ class ContourCanvas : public QWidget {
   void setCursorTime(std::optional<double> time);
   std::optional<double> cursorTime() const { return cursor_time_; }
   void setHighlight(std::optional<std::pair<double, double>> span);  ///< [s]
-  void setTravelVisible(bool visible);
 
   void setView(View view);
   void fit();
@@ -57,8 +56,7 @@ class ContourCanvas : public QWidget {
   /// The same as vectors, for SVG and PDF: at most as many lines as a picture of this size can tell apart.
   void paintVectors(QPainter& painter, const QSizeF& size) const;
 
-  /// Time the last picture took [ms], and its pieces. For the tests of speed.
-  double lastDrawMs() const { return last_draw_ms_; }
+  /// Pieces of the last picture. For the tests of speed.
   std::size_t lastPieces() const { return last_pieces_; }
 
  signals:
@@ -105,14 +103,13 @@ class ContourCanvas : public QWidget {
   ColourMap map_ = ColourMap::cividis;
   ColourTable colours_ = {};
   double enlargement_ = 1.0, tolerance_ = 0.0;
-  bool travel_visible_ = true, band_shown_ = true;
+  bool band_shown_ = true;
   std::shared_ptr<const TubeTrace> tube_;
 
   Projection projection_;
   bool follows_fit_ = true;  // until the camera is moved by hand, a new size fits again
   QImage picture_;
   bool stale_ = true, moving_ = false;
-  mutable double last_draw_ms_ = 0;
   mutable std::size_t last_pieces_ = 0;
   QTimer settle_;
   QElapsedTimer since_scene_;

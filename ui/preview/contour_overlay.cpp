@@ -246,7 +246,7 @@ void ContourCanvas::paintVectors(QPainter& painter, const QSizeF& size) const {
   p.origin = QPointF(size.width() / 2, size.height() / 2) + (p.origin - QPointF(width() / 2.0, height() / 2.0)) * ratio;
   p.scale *= ratio;
   painter.setClipRect(QRectF({0, 0}, size));
-  if (travel_visible_) drawTravel(painter, p);
+  drawTravel(painter, p);
   SceneStyle style;
   style.by = by_;
   style.colours = scene_->can_colour_by(by_) ? &colours_ : nullptr;

@@ -41,7 +41,6 @@ class SetpointTable {
   const std::vector<const double*>& columns() const { return columns_; }
   std::size_t rows() const { return rows_; }
   const std::uint32_t* lines() const { return lines_; }
-  std::uint64_t total_rows() const { return next_row_; }
   double period() const { return period_; }
 
  private:

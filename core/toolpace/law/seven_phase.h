@@ -15,7 +15,7 @@ namespace toolpace {
 ///
 /// The text's t1 = a/J, t2 = v/a − a/J hold only where every phase exists and both ends stand still; this is the
 /// general case.
-/// @source the seven-phase text of METHODS.md §5. Reach 1e-14 relative.
+/// @source the seven-phase text (docs/SOURCES.md). Reach 1e-14 relative.
 struct SevenPhase : LawBase<SevenPhase> {
   static constexpr LawKind kKind = LawKind::seven_phase;
 

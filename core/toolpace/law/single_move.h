@@ -83,17 +83,9 @@ void fill_move(const MoveRequest& move, const Dynamics& dynamics, SingleMove& re
 
 }  // namespace detail
 
-/// The move without any check. Precondition: check_move() finds nothing.
-/// Closed form or bounded iteration (see peak_speed()), no heap. Distances and speeds are exact to 1e-12 relative.
-template <VelocityLaw Law>
-SingleMove make_move(const MoveRequest& move, const Dynamics& dynamics) {
-  SingleMove result;
-  detail::fill_move<Law>(move, dynamics, result);
-  return result;
-}
-
-/// The move of least time under a law, or why there is none. See check_move() for the errors.
-/// @source Zheng et al. 2014, eqs. (11)–(29); Ning et al. 2014, section 2; the seven-phase text of METHODS.md §5
+/// The move of least time under a law, or why there is none. See check_move() for the errors. Closed form or bounded
+/// iteration (see peak_speed()), no heap. Distances and speeds are exact to 1e-12 relative.
+/// @source Zheng et al. 2014, eqs. (11)–(29); Ning et al. 2014, section 2; the seven-phase text (docs/SOURCES.md)
 template <VelocityLaw Law>
 Result<SingleMove> single_move(const MoveRequest& move, const Dynamics& dynamics) {
   Result<SingleMove> result{tl::in_place};  // the one object that is returned: nothing is copied

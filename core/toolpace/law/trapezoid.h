@@ -11,7 +11,7 @@ namespace toolpace {
 
 /// v rises with a constant acceleration A. Its jerk is UNBOUNDED: the acceleration steps at both ends of the ramp.
 /// T = Δ/A; v1² = v0² + 2·A·L. Uses limits.acceleration alone; infinite = a step of the speed that takes no time.
-/// @source the stepper text of METHODS.md §6; accuracy of reach 1e-15 relative
+/// @source the stepper text (docs/SOURCES.md); accuracy of reach 1e-15 relative
 struct Trapezoid : LawBase<Trapezoid> {
   static constexpr LawKind kKind = LawKind::trapezoid;
 

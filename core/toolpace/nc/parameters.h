@@ -49,7 +49,6 @@ class Parameters {
   void set_numbered(int index, double value) { numbered_[static_cast<std::size_t>(index)] = value; }
   bool has_number(int index) const { return index >= (vacant_locals_ ? 0 : 1) && index < kParameterCount; }
   bool is_read_only(int index) const;
-  bool has_vacants() const { return vacant_locals_; }
 
   /// `name` is folded: lower case without blanks. Names that begin with '_' are global.
   std::optional<double> named(std::string_view name) const;

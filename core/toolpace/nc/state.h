@@ -128,9 +128,6 @@ struct State {
   CycleMemory cycle;
   Compensation compensation;
   SplineMemory spline;
-  double polar_radius = 0.0, polar_angle = 0.0;
-  bool has_polar = false;
-  double block_sequence = 0.0;
 };
 
 Position to_machine(const Offsets& offsets, const Position& work);

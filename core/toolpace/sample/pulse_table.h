@@ -26,7 +26,7 @@ struct StepperMove {
 /// time of the move. Times are exact to 1e-14 of the move, ramps to standstill are measured from the standstill.
 ///
 /// ERRATUM: the text steps by t_{k+1} = t_k + 1/v(t_k); its error accumulates, and its first interval is 1/0.
-/// @source the stepper text of METHODS.md §6; Zheng et al. 2014, eqs. (7)–(13), (27)
+/// @source the stepper text (docs/SOURCES.md); Zheng et al. 2014, eqs. (7)–(13), (27)
 class PulseTable {
  public:
   static constexpr std::uint64_t kLongestInterval = std::numeric_limits<std::uint32_t>::max();

@@ -133,7 +133,7 @@ struct Case {
   MoveRequest move;
 };
 
-/// The cases of METHODS.md §2, each for every law.
+/// The cases that every law must get right.
 const Case kCases[] = {
     {"cruise reached", {500, 100, 0, 0}},
     {"cruise not reached", {1, 100, 0, 0}},

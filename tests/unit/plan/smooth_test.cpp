@@ -244,7 +244,7 @@ TEST(PlanTube, GivesTheSameBytesInWhateverOrderTheTasksRun) {
   EXPECT_GT(a->windows, 1u);
 }
 
-// Figures of METHODS (the honest optimum lies a little above 5.09, 18.5 … 19.6, 5.26 s); a tenth of the random path.
+// Known figures (the honest optimum lies a little above 5.09, 18.5 … 19.6, 5.26 s); a tenth of the random path.
 TEST(PlanTube, ReachesTheFiguresOnTheSharedPaths) {
   struct Case {
     const char* file;
