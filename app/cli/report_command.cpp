@@ -22,12 +22,15 @@ struct ReportFlags {
 Done run_report(const ReportFlags& flags) {
   const auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
+  auto file = OutputFile::create(flags.output);  // what cannot be written is known at once
+  if (!file) return tl::unexpected(file.error());
   const auto outcome = plan_program(flags.reading, *setup);
   if (!outcome) return tl::unexpected(outcome.error());
   const auto page = report_page(*outcome, terminal_monitor("reporting"));
   end_progress();
   if (!page) return tl::unexpected(page.error());
-  if (auto written = write_whole_file(flags.output, *page); !written) return tl::unexpected(written.error());
+  if (auto written = file->write(*page); !written) return tl::unexpected(written.error());
+  if (auto done = file->commit(); !done) return tl::unexpected(done.error());
   if (flags.output != "-")
     fmt::print("{}: {:.4f} s -> {}\n", flags.reading.program, outcome->summary.cycle_time, flags.output);
   return kFine;

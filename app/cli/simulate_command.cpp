@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <optional>
 
 #include "commands.h"
@@ -76,10 +77,20 @@ class TraceFile {
   OutputFile file_;
 };
 
-Result<ServoSummary> simulate(const Outcome& outcome, const SimulateFlags& flags) {
-  if (flags.trace.empty()) return follow(outcome, {}, terminal_monitor("simulating"));
-  auto file = TraceFile::create(flags.trace);
+/// Opened before anything is planned: what cannot be written is known at once. Nothing without a name.
+Result<std::optional<TraceFile>> open_trace(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  const auto extension = std::filesystem::path(name).extension();
+  if (!extension.empty() && extension != ".csv") {
+    return tl::unexpected(usage_error("trace-format", "a trace is written as .csv", "give it this ending"));
+  }
+  auto file = TraceFile::create(name);
   if (!file) return tl::unexpected(file.error());
+  return std::move(*file);
+}
+
+Result<ServoSummary> simulate(const Outcome& outcome, std::optional<TraceFile>& file) {
+  if (!file) return follow(outcome, {}, terminal_monitor("simulating"));
   const auto write = [&](const Setpoints& s, const ServoTrace& t, std::size_t rows) { return file->write(s, t, rows); };
   auto summary = follow(outcome, write, terminal_monitor("simulating"));
   if (!summary) return summary;
@@ -106,12 +117,14 @@ Done run_simulate(const SimulateFlags& flags) {
   }
   auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
+  auto trace = open_trace(flags.trace);
+  if (!trace) return tl::unexpected(trace.error());
   set_all(setup->machine.servo, &ServoAxis::position_gain, flags.kv);
   set_all(setup->machine.servo, &ServoAxis::velocity_feed_forward, flags.velocity_feed_forward);
   set_all(setup->machine.servo, &ServoAxis::acceleration_feed_forward, flags.acceleration_feed_forward);
   const auto outcome = plan_program(flags.reading, *setup);
   if (!outcome) return tl::unexpected(outcome.error());
-  const auto summary = simulate(*outcome, flags);
+  const auto summary = simulate(*outcome, *trace);
   end_progress();
   if (!summary) return tl::unexpected(summary.error());
   if (flags.json) {

@@ -22,11 +22,10 @@ Result<void> check_setup(const Machine& machine, const PlanOptions& options) {
   for (const SetupSection& section : setup_sections(copy)) {
     for (const NumberKey& key : section.numbers) {
       const bool unset_steps = key.value != nullptr && *key.value == 0 && key.name.rfind("steps_per", 0) == 0;
-      const bool fits = key.range == KeyRange::positive ? *key.value > 0 : *key.value >= 0;
-      if (!fits && !unset_steps) {
+      if (!is_in_range(*key.value, key.range) && !unset_steps) {
         return tl::unexpected(bad_limit(
             fmt::format("[{}] {} is {}, which makes no sense", section.name, key.name, to_text(*key.value / key.unit)),
-            key.range == KeyRange::positive ? "give a value above 0" : "give 0 or more"));
+            fmt::format("give a value {}", range_text(key.range))));
       }
     }
   }

@@ -145,10 +145,9 @@ class SetupReader {
 
   bool read_number(const NumberKey& key, const toml::node& node) {
     const auto value = node.value<double>();
-    const bool in_range = value && (key.range == KeyRange::positive ? *value > 0 : *value >= 0);
-    if (!in_range) {
+    if (!value || !is_in_range(*value, key.range)) {
       return fail(
-          "machine-value", key.name + " must be a number " + (key.range == KeyRange::positive ? "> 0" : "≥ 0"),
+          "machine-value", key.name + " must be a number " + range_text(key.range),
           key.name.rfind("max_", 0) == 0 ? "leave the key out for no limit" : "leave the key out for its default",
           node.source());
     }

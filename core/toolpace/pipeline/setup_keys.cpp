@@ -23,8 +23,8 @@ SetupSection servo_section(ServoAxis& servo, std::size_t k) {
   const bool rotary = is_rotary(k);
   return {std::string("servo.") + kAxisNames[k],
           {{"kv_1_s", &servo.position_gain, 1.0, KeyRange::positive},
-           {"velocity_feed_forward", &servo.velocity_feed_forward, 1.0, KeyRange::not_negative},
-           {"acceleration_feed_forward", &servo.acceleration_feed_forward, 1.0, KeyRange::not_negative},
+           {"velocity_feed_forward", &servo.velocity_feed_forward, 1.0, KeyRange::share},
+           {"acceleration_feed_forward", &servo.acceleration_feed_forward, 1.0, KeyRange::share},
            {"bandwidth_hz", &servo.bandwidth, 1.0, KeyRange::positive},
            {"damping", &servo.damping, 1.0, KeyRange::positive},
            {rotary ? "backlash_deg" : "backlash_mm", &servo.backlash, rotary ? kRadiansPerDegree : 1.0,
@@ -36,6 +36,24 @@ SetupSection servo_section(ServoAxis& servo, std::size_t k) {
 }
 
 }  // namespace
+
+bool is_in_range(double value, KeyRange range) {
+  switch (range) {
+    case KeyRange::positive: return value > 0;
+    case KeyRange::not_negative: return value >= 0;
+    case KeyRange::share: break;
+  }
+  return value >= 0 && value <= 1;
+}
+
+const char* range_text(KeyRange range) {
+  switch (range) {
+    case KeyRange::positive: return "> 0";
+    case KeyRange::not_negative: return "≥ 0";
+    case KeyRange::share: break;
+  }
+  return "between 0 and 1";
+}
 
 const std::vector<Named<Ramps>>& ramps_names() {
   static const std::vector<Named<Ramps>> names = {{"block", Ramps::block}, {"span", Ramps::span}};

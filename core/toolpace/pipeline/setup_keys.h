@@ -9,7 +9,11 @@
 
 namespace toolpace {
 
-enum class KeyRange : std::uint8_t { positive, not_negative };
+enum class KeyRange : std::uint8_t { positive, not_negative, share };
+
+bool is_in_range(double value, KeyRange range);
+/// "> 0", "≥ 0", "between 0 and 1"
+const char* range_text(KeyRange range);
 
 struct NumberKey {
   std::string name;

@@ -73,6 +73,17 @@ class Usage(CommandLineTest):
                     self.expect_failure(run, BAD_USAGE, flag)
                     self.assertFalse((self.folder / "out.csv").exists())
 
+    def test_drives_and_traces_that_make_no_sense_are_refused(self):
+        program = self.file("a.ngc", LINE)
+        for flag, value in (("--kv-1-s", "0"), ("--velocity-feed-forward", "1.5"), ("--acceleration-feed-forward", "-0.1"),
+                            ("--trace", "trace.npy")):
+            self.expect_failure(self.run_toolpace("simulate", program, flag, value), BAD_USAGE)
+        self.assertEqual([path.name for path in self.folder.iterdir()], [program])
+
+    def test_senseless_ramp_times_are_named_with_their_flag(self):
+        self.expect_failure(self.run_toolpace("steps", "--steps", "5", "--speed", "100", "--tacc-ms", "-1", "--tdec-ms", "1",
+                                              "--timer-hz", "1e6"), BAD_USAGE, "--tacc-ms -1")
+
     def test_options_out_of_range_are_refused(self):
         program = self.file("a.ngc", LINE)
         for flag, value in (("--lookahead", "0"), ("--lookahead", "-3"), ("--lookahead", "some"), ("--law", "sine"),
