@@ -155,14 +155,14 @@ double StretchRetimer::peak_of_piece(const ArcMotion& motion, std::size_t k, dou
   const int parts =
       is_line ? 1 : std::clamp(static_cast<int>(std::ceil((to - from) * kMostPlaces)), kLeastPlaces, kMostPlaces);
   const double h = motion.step(0), part = (to - from) / parts * motion.step(k);
-  double excess = 0;
-  std::array<Sample, 3> last;  // of place q at q % 3
+  double fastest = 0, most_acceleration = 0, most_jerk = 0;  // as parts of their limits
+  std::array<Sample, 3> last;                                // of place q at q % 3
   for (int q = 0; q <= parts; ++q) {
     const ArcMotion::State state = motion.at(k, from + (to - from) * q / parts);
     sampler.go_inside(state.distance);
     const Sample& s = last[static_cast<std::size_t>(q) % 3] = sample(state, sampler);
     const double rise = std::abs(state.jerk) * part * part / 8;  // of the speed's parabola between two places
-    excess = std::max(excess, s.speed_ratio * (state.speed + rise) / std::max(state.speed, kStill));
+    fastest = std::max(fastest, s.speed_ratio * (state.speed + rise) / std::max(state.speed, kStill));
     for (std::size_t a = 0; a < limits_.count; ++a) {
       double second = std::abs(s.second[a]), third = std::abs(s.third[a]);
       if (q >= 2) {
@@ -172,11 +172,11 @@ double StretchRetimer::peak_of_piece(const ArcMotion& motion, std::size_t k, dou
         second = std::max(second, peak(before.second[a], middle.second[a], s.second[a]));
         third = std::max(third, peak(before.third[a], middle.third[a], s.third[a]));
       }
-      excess = std::max({excess, std::sqrt(second * h * h / limits_.acceleration[a]),
-                         std::cbrt(third * h * h * h / limits_.jerk[a])});
+      most_acceleration = std::max(most_acceleration, second * h * h / limits_.acceleration[a]);
+      most_jerk = std::max(most_jerk, third * h * h * h / limits_.jerk[a]);
     }
   }
-  return excess;
+  return std::max({fastest, std::sqrt(most_acceleration), std::cbrt(most_jerk)});
 }
 
 /// Where curves meet their third derivatives step: each segment in the interval is looked at by itself, up to its ends.
