@@ -9,7 +9,7 @@ namespace {
 constexpr double kFinest = 2e-7, kCoarsest = 1e-5;  // [mm] sagitta of the chords that stand for curves
 constexpr double kNegligibleStep = 1e-9;            // change of a direction that is rounding
 constexpr double kSmoothing = 2 * kOnPath;          // a tolerance that lets corners be smoothed
-constexpr double kSame = 1e-9;                      // relative difference of chord errors that is rounding
+constexpr double kSame = 1e-5;      // relative difference of chord errors that is not worth a closer look
 constexpr double kNearNode = 1e-3;  // of the chord: a node this near to a row counts on both sides of it
 constexpr int kNewtonSteps = 3;     // from a chord that is within 1e-5 mm of the curve
 
@@ -149,12 +149,11 @@ Slack PathCheck::slack(const RowStream& stream, std::size_t local) const {
   }
   const double difference = std::sqrt(std::max(square[0], square[1])), most = acceleration_ * period_ * period_;
   const double fastest = speed_ * period_ * (1 + kLimitSlack) + kOnPath;
-  Slack slack;
-  slack.at_corner =
-      std::min(std::max(difference, std::sqrt(ellipse) / 2), std::sqrt(std::max(0.0, fastest * fastest - chord)) / 2);
+  const double seen = std::max(difference, std::sqrt(ellipse) / 2);
   const bool is_bounded = difference <= most * (1 + kLimitSlack) + kFinest || chord > fastest * fastest;
-  slack.between = is_bounded ? most / 8 : difference / 7;
-  if (!std::isfinite(slack.between)) slack.between = slack.at_corner;
+  Slack slack;
+  slack.at_corner = std::min(seen, std::sqrt(std::max(0.0, fastest * fastest - chord)) / 2);
+  slack.between = is_bounded ? std::min(seen, most / 8) : difference / 7;
   slack.from_path = last_distance_ <= kOnPath;
   return slack;
 }
