@@ -56,6 +56,13 @@ Result<void> check_axes(const SetpointFile& file, const ProgrammedPath& program)
   return {};
 }
 
+/// Whether the steps of a corner would explain what is broken.
+bool has_broken_steps(const VerifyReport& report) {
+  return std::any_of(report.checks.begin(), report.checks.end(), [](const Check& c) {
+    return c.broken && (c.kind == CheckKind::axis_acceleration || c.kind == CheckKind::axis_jerk);
+  });
+}
+
 /// Columns that are passed over, such as the derivatives of each axis.
 std::string not_judged(const std::vector<std::string>& columns) {
   std::string names;
@@ -138,6 +145,10 @@ Result<VerifyReport> verify(SetpointFile& file, const Machine& machine, const Pr
     auto pass = run_pass(file, machine, *period, nullptr, monitor);
     if (!pass) return tl::unexpected(pass.error());
     report = std::move(pass->report);
+  }
+  if (report && program == nullptr && has_broken_steps(*report)) {
+    report->notes.push_back(
+        "without the program only corners between straight lines are known and exempt: with it those of arcs are, too");
   }
   if (report && !file.columns().ignored.empty()) report->notes.push_back(not_judged(file.columns().ignored));
   if (report && std::abs(*period - machine.period) > 1e-9 * machine.period) {
