@@ -32,20 +32,6 @@ bool path_has_rotary(const Path& path) {
   return std::any_of(path.node.begin(), path.node.end(), [](const AxisVector& n) { return !n.tail<3>().isZero(0); });
 }
 
-/// A limit of the axes, of all those together that move; infinite where one of them is not limited.
-double together(const Path& path, const Machine& machine, double AxisLimits::*limit) {
-  double square = 0;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const auto i = static_cast<Eigen::Index>(axis);
-    const bool moves = (!is_rotary(axis) && path.arcs.size() + path.splines.size() > 0) ||
-                       std::any_of(path.node.begin(), path.node.end(),
-                                   [&](const AxisVector& n) { return n[i] != path.node.front()[i]; });
-    const double most = machine.axes[axis].*limit / (is_rotary(axis) ? kRadiansPerDegree : 1.0);
-    if (moves) square += most * most;
-  }
-  return std::sqrt(square);
-}
-
 bool is_exact(const Moves& moves, std::uint32_t row) {
   const PathControl control = moves.modes[moves.mode[row]].control;
   return control == PathControl::exact_path || control == PathControl::exact_stop;
@@ -82,18 +68,11 @@ PathCheck::PathCheck(const ProgrammedPath& program, const Machine& machine, doub
       reach_(reach),
       sagitta_(std::clamp(reach / 5, kFinest, kCoarsest)),
       rotary_(path_has_rotary(program.path)),
-      speed_(together(program.path, machine, &AxisLimits::speed)),
-      acceleration_(together(program.path, machine, &AxisLimits::acceleration)),
+      slack_(program.path, machine, period),
       tolerance_(program.tolerance),
       vertices_(program.path, sagitta_, rules_of(program)),
       follower_(vertices_, reach + kFinest, rotary_),
       deviation_(tolerance_.value_or(std::numeric_limits<double>::infinity())) {
-  if (!rotary_) {
-    const PathLimits& p = machine.path;
-    speed_ = std::min(speed_, p.speed);
-    // Along the path, and as much again where it turns.
-    acceleration_ = std::min(acceleration_, std::sqrt(2.0) * std::max(p.acceleration, p.deceleration));
-  }
   left_.kind = CheckKind::follows_path;
   end_.kind = CheckKind::end_point;
   line_.kind = CheckKind::line_column;
@@ -121,43 +100,6 @@ bool PathCheck::take(const RowStream& stream) {
   return true;
 }
 
-/// An acceleration of A carries a motion off the chord between two setpoints by up to A·Ts²/8. Second differences beyond A·Ts²
-/// say that the limit is broken there: then an eighth of them, and what they change by, unless speed is broken too, as where
-/// rows are missing.
-/// Around a corner that is passed with a step of speed it is no farther than a whole one, or than half the minor axis of the
-/// ellipse about the chord whose paths are as long as the way that the columns tell; and never than that of the ellipse for
-/// the way that the machine's speed allows.
-Slack PathCheck::slack(const RowStream& stream, std::size_t local) const {
-  double square[2] = {0, 0}, chord = 0;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const auto& p = stream.rows().position[axis];
-    if (p.empty()) continue;
-    const double unit = is_rotary(axis) ? 1 / kRadiansPerDegree : 1.0;
-    const double before = (p[local] - 2 * p[local - 1] + p[local - 2]) * unit;
-    const double after = (p[local + 1] - 2 * p[local] + p[local - 1]) * unit;
-    chord += (p[local] - p[local - 1]) * unit * (p[local] - p[local - 1]) * unit;
-    square[0] += before * before;
-    square[1] += after * after;
-  }
-  const auto& rows = stream.rows();
-  double ellipse = 0;
-  if (!rows.speed.empty()) {
-    // At most: the corrected trapezoidal rule, and what a change of jerk in between may add.
-    const double change = std::abs(rows.acceleration[local] - rows.acceleration[local - 1]);
-    const double way = period_ / 2 * (rows.speed[local - 1] + rows.speed[local]) + period_ * period_ / 6 * change;
-    ellipse = std::max(0.0, way * way - chord);
-  }
-  const double difference = std::sqrt(std::max(square[0], square[1])), most = acceleration_ * period_ * period_;
-  const double fastest = speed_ * period_ * (1 + kLimitSlack) + kOnPath;
-  const double seen = std::max(difference, std::sqrt(ellipse) / 2);
-  const bool is_bounded = difference <= most * (1 + kLimitSlack) + kFinest || chord > fastest * fastest;
-  Slack slack;
-  slack.at_corner = std::min(seen, std::sqrt(std::max(0.0, fastest * fastest - chord)) / 2);
-  slack.between = is_bounded ? std::min(seen, most / 8) : difference / 7;
-  slack.from_path = last_distance_ <= kOnPath;
-  return slack;
-}
-
 bool PathCheck::take_row(const RowStream& stream, std::size_t local) {
   const AxisVector to = point_of(stream, local);
   if (path_.size() == 0) {  // a program without motion: everything stays where it is
@@ -169,7 +111,7 @@ bool PathCheck::take_row(const RowStream& stream, std::size_t local) {
   const PathMatch before = follower_.match();
   if (stream.row(local) == 0) {
     if (!follower_.start(to)) return false;
-  } else if (!follower_.advance(last_, to, slack(stream, local))) {
+  } else if (!follower_.advance(last_, to, slack_.at(stream, local, last_distance_ <= kOnPath))) {
     return false;
   }
   const double distance = exact_distance(to);

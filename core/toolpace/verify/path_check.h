@@ -11,6 +11,7 @@
 #include "toolpace/verify/programmed_path.h"
 #include "toolpace/verify/report.h"
 #include "toolpace/verify/row_stream.h"
+#include "toolpace/verify/slack_rule.h"
 #include "toolpace/verify/worst.h"
 
 namespace toolpace {
@@ -55,7 +56,6 @@ class PathCheck {
   void take_line(const RowStream& stream, std::size_t local);
   double exact_distance(const AxisVector& point);
   double chord_error(std::size_t cell, double low, double high, const AxisVector& to);
-  Slack slack(const RowStream& stream, std::size_t local) const;
 
   const Path& path_;
   const Moves& moves_;
@@ -63,7 +63,7 @@ class PathCheck {
   double reach_;
   double sagitta_;
   bool rotary_;
-  double speed_, acceleration_;  ///< [mm/s, mm/s²; deg] of all axes together
+  SlackRule slack_;
   std::optional<double> tolerance_;
   PathVertices vertices_;
   PathFollower follower_;

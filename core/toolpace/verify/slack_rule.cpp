@@ -1,0 +1,75 @@
+#include "toolpace/verify/slack_rule.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "toolpace/verify/worst.h"
+
+namespace toolpace {
+namespace {
+
+constexpr double kRounding = 2e-7;  // [mm] of second differences
+
+/// A limit of the axes, of all those together that move; infinite where one of them is not limited.
+double together(const Path& path, const Machine& machine, double AxisLimits::*limit) {
+  double square = 0;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    const bool moves = (!is_rotary(axis) && path.arcs.size() + path.splines.size() > 0) ||
+                       std::any_of(path.node.begin(), path.node.end(),
+                                   [&](const AxisVector& n) { return n[i] != path.node.front()[i]; });
+    const double most = machine.axes[axis].*limit / (is_rotary(axis) ? kRadiansPerDegree : 1.0);
+    if (moves) square += most * most;
+  }
+  return std::sqrt(square);
+}
+
+bool turns(const Path& path) {
+  return std::any_of(path.node.begin(), path.node.end(), [](const AxisVector& n) { return !n.tail<3>().isZero(0); });
+}
+
+}  // namespace
+
+SlackRule::SlackRule(const Path& path, const Machine& machine, double period)
+    : period_(period),
+      speed_(together(path, machine, &AxisLimits::speed)),
+      acceleration_(together(path, machine, &AxisLimits::acceleration)) {
+  if (turns(path)) return;
+  const PathLimits& p = machine.path;
+  speed_ = std::min(speed_, p.speed);
+  // Along the path, and as much again where it turns.
+  acceleration_ = std::min(acceleration_, std::sqrt(2.0) * std::max(p.acceleration, p.deceleration));
+}
+
+Slack SlackRule::at(const RowStream& stream, std::size_t local, bool from_path) const {
+  double square[2] = {0, 0}, chord = 0;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto& p = stream.rows().position[axis];
+    if (p.empty()) continue;
+    const double unit = is_rotary(axis) ? 1 / kRadiansPerDegree : 1.0;
+    const double before = (p[local] - 2 * p[local - 1] + p[local - 2]) * unit;
+    const double after = (p[local + 1] - 2 * p[local] + p[local - 1]) * unit;
+    chord += (p[local] - p[local - 1]) * unit * (p[local] - p[local - 1]) * unit;
+    square[0] += before * before;
+    square[1] += after * after;
+  }
+  const auto& rows = stream.rows();
+  double ellipse = 0;
+  if (!rows.speed.empty()) {
+    // At most: the corrected trapezoidal rule, and what a change of jerk in between may add.
+    const double change = std::abs(rows.acceleration[local] - rows.acceleration[local - 1]);
+    const double way = period_ / 2 * (rows.speed[local - 1] + rows.speed[local]) + period_ * period_ / 6 * change;
+    ellipse = std::max(0.0, way * way - chord);
+  }
+  const double difference = std::sqrt(std::max(square[0], square[1])), most = acceleration_ * period_ * period_;
+  const double fastest = speed_ * period_ * (1 + kLimitSlack) + kOnPath;
+  const double seen = std::max(difference, std::sqrt(ellipse) / 2);
+  const bool is_bounded = difference <= most * (1 + kLimitSlack) + kRounding || chord > fastest * fastest;
+  Slack slack;
+  slack.at_corner = std::min(seen, std::sqrt(std::max(0.0, fastest * fastest - chord)) / 2);
+  slack.between = is_bounded ? std::min(seen, most / 8) : difference / 7;
+  slack.from_path = from_path;
+  return slack;
+}
+
+}  // namespace toolpace
