@@ -30,16 +30,20 @@ void PathSampler::enter_next() {
 
 void PathSampler::go_inside(double position) { at_ = std::clamp(position - start_, 0.0, path_.length[segment_]); }
 
-ParameterDerivatives PathSampler::derivatives() const {
+template <int rows>
+CurveDerivatives<rows> PathSampler::derivatives() const {
+  const auto first_rows = [](const auto& d) -> CurveDerivatives<rows> {
+    return {d.first.template head<rows>(), d.second.template head<rows>(), d.third.template head<rows>()};
+  };
   switch (path_.kind[segment_]) {
-    case SegmentKind::line: return line_;
-    case SegmentKind::arc: {
-      const Frame f = frame_at(path_, segment_, at_);
-      return {f.first, f.second, f.third};
-    }
-    default: return curve_->at_share(share());
+    case SegmentKind::line: return first_rows(line_);
+    case SegmentKind::arc: return first_rows(frame_at(path_, segment_, at_));
+    default: return curve_->at_share<rows>(share());
   }
 }
+
+template CurveDerivatives<3> PathSampler::derivatives<3>() const;
+template CurveDerivatives<static_cast<int>(kAxisCount)> PathSampler::derivatives<static_cast<int>(kAxisCount)>() const;
 
 void PathSampler::enter() {
   if (path_.kind[segment_] == SegmentKind::line) {

@@ -26,7 +26,9 @@ class PathSampler {
   void go_inside(double position);
 
   /// Derivatives by path length at the place gone to.
-  ParameterDerivatives derivatives() const;
+  /// @tparam rows  axes: all, or X Y Z
+  template <int rows>
+  CurveDerivatives<rows> derivatives() const;
 
  private:
   void enter();

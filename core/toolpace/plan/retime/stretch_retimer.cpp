@@ -16,6 +16,8 @@ constexpr double kBetween = 2.0 / 8;               // of a second difference: a 
 constexpr int kMostSlowDowns = 12;
 constexpr double kOpen = 1e6, kTouch = 1.0002;       // of b: no speed limit near; a little room where there is none
 constexpr double kStill = 1e-9;                      // [mm/s]
+constexpr double kUnknown = -1;                      // excess that has to be looked for
+constexpr std::size_t kStretchReach = 3;             // intervals away in which a stretched one changes the motion
 constexpr double kLeastReach = 6, kMostReach = 200;  // of a slow-down [intervals]
 
 /// One round of faster.
@@ -72,6 +74,7 @@ ArcMotion StretchRetimer::run(ArcMotion motion, const Monitor& monitor) {
     if (kHurries[round].is_slowed && find_peaks(motion) > 1.0) slow_down(motion);
     measure(motion, kHurries[round].samples);
     motion = hurry(motion, static_cast<int>(round), kHurries[round].weight);
+    excess_.clear();
   }
   for (int round = 0; round < kMostSlowDowns; ++round) {
     if (find_peaks(motion) <= 1.0) return motion;
@@ -95,7 +98,14 @@ void StretchRetimer::set_limits(double step, double share) {
 }
 
 StretchRetimer::Sample StretchRetimer::sample(const ArcMotion::State& s, const PathSampler& sampler) const {
-  const ParameterDerivatives d = sampler.derivatives();
+  const bool turns = !axes_.empty() && is_rotary(axes_.back());
+  return turns ? sample_along(s, sampler, sampler.derivatives<static_cast<int>(kAxisCount)>())
+               : sample_along(s, sampler, sampler.derivatives<3>());
+}
+
+template <int rows>
+StretchRetimer::Sample StretchRetimer::sample_along(const ArcMotion::State& s, const PathSampler& sampler,
+                                                    const CurveDerivatives<rows>& d) const {
   const double v = s.speed, a = s.acceleration;
   Sample r;
   r.speed_ratio = v / task_.speed[sampler.segment()];
@@ -196,11 +206,11 @@ double StretchRetimer::peak_of_interval(const ArcMotion& motion, std::size_t k, 
 
 double StretchRetimer::find_peaks(const ArcMotion& motion) {
   set_limits(motion.step(0), 1.0);
-  excess_.resize(motion.intervals());
+  excess_.resize(motion.intervals(), kUnknown);
   PathSampler sampler(task_.path, task_.begin);
   double most = 0;
   for (std::size_t k = 0; k < motion.intervals(); ++k) {
-    excess_[k] = peak_of_interval(motion, k, sampler);
+    if (excess_[k] == kUnknown) excess_[k] = peak_of_interval(motion, k, sampler);
     most = std::max(most, excess_[k]);
   }
   return most;
@@ -244,7 +254,7 @@ ArcMotion StretchRetimer::resample(const ArcMotion& motion) const {
 
 /// Stretches time smoothly around each interval that uses too much, so far that what this changes of acceleration and jerk is
 /// a quarter of what it mends.
-void StretchRetimer::slow_down(ArcMotion& motion) const {
+void StretchRetimer::slow_down(ArcMotion& motion) {
   const std::size_t n = motion.intervals();
   const double jerk =
       *std::min_element(limits_.jerk.begin(), limits_.jerk.begin() + static_cast<std::ptrdiff_t>(limits_.count));
@@ -270,7 +280,13 @@ void StretchRetimer::slow_down(ArcMotion& motion) const {
       before = here;
     }
   }
-  for (double& x : b) x = 1 / std::sqrt(x);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (b[k] == 1) continue;
+    b[k] = 1 / std::sqrt(b[k]);
+    for (std::size_t i = k - std::min(k, kStretchReach); i <= std::min(n - 1, k + kStretchReach); ++i) {
+      excess_[i] = kUnknown;
+    }
+  }
   motion.stretch(b);
 }
 

@@ -41,16 +41,19 @@ class StretchRetimer {
   double peak_of_interval(const ArcMotion& motion, std::size_t k, PathSampler& sampler) const;
   double peak_of_piece(const ArcMotion& motion, std::size_t k, double from, double to, PathSampler& sampler) const;
   Sample sample(const ArcMotion::State& state, const PathSampler& sampler) const;
+  template <int rows>
+  Sample sample_along(const ArcMotion::State& state, const PathSampler& sampler,
+                      const CurveDerivatives<rows>& derivatives) const;
   ArcMotion hurry(const ArcMotion& motion, int round, double weight);
   ArcMotion resample(const ArcMotion& motion) const;
-  void slow_down(ArcMotion& motion) const;
+  void slow_down(ArcMotion& motion);
 
   StretchTask task_;
   std::vector<std::size_t> axes_;  // that move
   bool is_limited_along_;
   StepLimits limits_;
   std::vector<IntervalUse> use_;
-  std::vector<double> excess_;  // of each interval: by how much time has to be stretched there
+  std::vector<double> excess_;  // of each interval: by how much time has to be stretched there, or unknown
   std::vector<double> b_;
   WindowRetimer window_;
 };
