@@ -117,7 +117,7 @@ Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& jo
   if (!plan) return tl::unexpected(plan.error());
   if (is_retimed(job, path.size())) {
     const auto speed = commanded_speeds(path, moves, job.machine, limit_options(job.options));
-    *plan = retime(path, job.machine, limits, speed, *plan, stage(monitor, 0.5, 1.0));
+    *plan = retime(path, job.machine, limits, speed, *plan, on_all_cores(monitor), stage(monitor, 0.5, 1.0));
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
   }
   SmoothPlan result;

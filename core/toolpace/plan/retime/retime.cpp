@@ -16,6 +16,7 @@ constexpr double kLongest = 1000;
 /// A stretch that takes no longer than this multiple of what its feed commands has nothing to gain.
 constexpr double kWorthwhile = 1.002;
 constexpr double kTimeRounding = 1e-9;  // [s]
+constexpr std::size_t kBatch = 64;      // stretches that are timed before they are written
 
 class PlanRetimer {
  public:
@@ -29,19 +30,44 @@ class PlanRetimer {
         node_time_(node_times(limits, plan)),
         position_(node_positions(limits)) {}
 
-  MotionPlan run(const Monitor& monitor) {
+  MotionPlan run(const ForEach& for_each, const Monitor& monitor) {
     for (std::size_t begin = 0; begin < path_.size();) {
-      std::size_t end = begin + 1;
-      while (end < path_.size() && limits_.node_cap[end] > 0) ++end;
+      std::vector<Stretch> batch;
+      for (; begin < path_.size() && batch.size() < kBatch; begin = batch.back().end)
+        batch.push_back(stretch_from(begin));
+      for_each(batch.size(), [&](std::size_t i) {
+        if (!monitor.is_cancelled()) time_anew(batch[i], monitor);
+      });
       if (monitor.is_cancelled()) return {};
-      add(begin, end, monitor);
-      monitor.report(static_cast<double>(end) / static_cast<double>(path_.size()));
-      begin = end;
+      for (const Stretch& s : batch) add(s);
+      monitor.report(static_cast<double>(begin) / static_cast<double>(path_.size()));
     }
     return std::move(out_);
   }
 
  private:
+  /// From one rest to the next.
+  struct Stretch {
+    std::size_t begin, end;              ///< segments
+    std::size_t first_phase, end_phase;  ///< of the plan
+    ArcMotion motion = {};               ///< empty where the plan's own stays
+  };
+
+  Stretch stretch_from(std::size_t begin) {
+    std::size_t end = begin + 1;
+    while (end < path_.size() && limits_.node_cap[end] > 0) ++end;
+    const std::size_t first = phase_;
+    while (phase_ < plan_.phases.size() && plan_.phases[phase_].begin + kTimeRounding < node_time_[end]) ++phase_;
+    return {begin, end, first, phase_};
+  }
+
+  void time_anew(Stretch& s, const Monitor& monitor) const {
+    if (!may_gain(s.begin, s.end)) return;
+    detail::retime::StretchRetimer retimer({path_, machine_, speed_, s.begin, s.end});
+    ArcMotion motion = retimer.run(start(s.begin, s.end, s.first_phase), {monitor.stop, {}});
+    if (!motion.empty() && motion.duration() < node_time_[s.end] - node_time_[s.begin]) s.motion = std::move(motion);
+  }
+
   /// Lines alone are run as fast as they can be; speed steps at corners are the corner rule's. Every moving axis of X, Y, Z
   /// has to be limited.
   bool may_gain(std::size_t begin, std::size_t end) const {
@@ -71,19 +97,10 @@ class PlanRetimer {
     return false;
   }
 
-  void add(std::size_t begin, std::size_t end, const Monitor& monitor) {
-    const std::size_t first = phase_;
-    const double from = node_time_[begin], to = node_time_[end];
-    while (phase_ < plan_.phases.size() && plan_.phases[phase_].begin + kTimeRounding < to) ++phase_;
-    if (may_gain(begin, end)) {
-      detail::retime::StretchRetimer retimer({path_, machine_, speed_, begin, end});
-      const ArcMotion motion = retimer.run(start(begin, end, first), {monitor.stop, {}});
-      if (!motion.empty() && motion.duration() < to - from) {
-        add(motion, position_[begin]);
-        return;
-      }
-    }
-    for (std::size_t i = first; i < phase_; ++i) {
+  void add(const Stretch& s) {
+    if (!s.motion.empty()) return add(s.motion, position_[s.begin]);
+    const double from = node_time_[s.begin], to = node_time_[s.end];
+    for (std::size_t i = s.first_phase; i < s.end_phase; ++i) {
       out_.phases.push_back(plan_.phases[i]);
       out_.phases.back().begin = time_ + (plan_.phases[i].begin - from);
     }
@@ -132,8 +149,8 @@ class PlanRetimer {
 }  // namespace
 
 MotionPlan retime(const Path& path, const Machine& machine, const SpeedLimits& limits, const std::vector<double>& speed,
-                  const MotionPlan& plan, const Monitor& monitor) {
-  return PlanRetimer(path, machine, limits, speed, plan).run(monitor);
+                  const MotionPlan& plan, const ForEach& for_each, const Monitor& monitor) {
+  return PlanRetimer(path, machine, limits, speed, plan).run(for_each, monitor);
 }
 
 }  // namespace toolpace

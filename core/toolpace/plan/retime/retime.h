@@ -5,6 +5,7 @@
 #include "toolpace/limits/machine.h"
 #include "toolpace/limits/speed_limits.h"
 #include "toolpace/path/path.h"
+#include "toolpace/plan/for_each.h"
 #include "toolpace/plan/motion_plan.h"
 
 namespace toolpace {
@@ -12,10 +13,11 @@ namespace toolpace {
 /// Block caps and ramp limits of a curve share the axes' limits between turning and changing speed, once for all. Here each
 /// stretch from rest to rest that has curves is timed anew under the axes' limits themselves: the same path, another speed.
 /// Stretches with corners that are crossed with a speed step stay as they are, as does what would not become faster.
-/// Linear time.
+/// Linear time; stretches may be timed at the same time, with the same result.
 /// @param plan   of these limits, without pauses
 /// @param speed  of each segment, what is commanded there, curvature aside [mm/s]
+/// @return no phases when cancelled
 MotionPlan retime(const Path& path, const Machine& machine, const SpeedLimits& limits, const std::vector<double>& speed,
-                  const MotionPlan& plan, const Monitor& monitor = {});
+                  const MotionPlan& plan, const ForEach& for_each = for_each_in_turn, const Monitor& monitor = {});
 
 }  // namespace toolpace

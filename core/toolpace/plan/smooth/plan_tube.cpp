@@ -285,10 +285,6 @@ bool is_bounded(const TubePath& path, const TubeLimits& limits) {
 
 }  // namespace
 
-void for_each_in_turn(std::size_t count, const std::function<void(std::size_t)>& task) {
-  for (std::size_t i = 0; i < count; ++i) task(i);
-}
-
 Result<TubeMotion> plan_tube(const TubePath& path, const TubeLimits& limits, double period, const ForEach& for_each,
                              const Monitor& monitor, const std::optional<TubeHold>& hold) {
   if (!is_bounded(path, limits)) {

@@ -1,20 +1,14 @@
 #pragma once
 /// The fastest motion through the tolerance tube of a path, as a cubic B-spline in time.
 
-#include <functional>
 #include <optional>
 
 #include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
+#include "toolpace/plan/for_each.h"
 #include "toolpace/plan/smooth/tube_path.h"
 
 namespace toolpace {
-
-/// Runs task(0) … task(count − 1), in any order, on any threads, and returns when all are done.
-using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
-
-/// The same on the calling thread.
-void for_each_in_turn(std::size_t count, const std::function<void(std::size_t)>& task);
 
 /// A feed hold: when the motion begins to brake, and how long it rests.
 struct TubeHold {
