@@ -46,6 +46,7 @@ class NewtonRound {
   static constexpr int kBlock = D + 1;
   static constexpr std::size_t kReach = 30;    // control points to either side over which a shortened step is felt
   static constexpr double kPaceWeight = 0.02;  // least, against alternating paces
+  static constexpr std::size_t kHurriedMargin = 4, kSettlingMargin = 2;  // cells around a change of feed
   /// A linear vector quantity: value + Σ w_i·δ_i + Σ pace_i·g_i over `count` control points from `k`.
   struct Row {
     std::size_t k;

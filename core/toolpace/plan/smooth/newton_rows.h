@@ -156,10 +156,11 @@ void NewtonRound<D>::read_path() {
     }
   }
   feed_.assign(m.size(), 0);
+  // A speed reaches into three cells; as steps move the vertices, a feed counts a little earlier and later than that.
+  const std::size_t reach = 1 + (options_.hurry ? kHurriedMargin : kSettlingMargin);
   for (std::size_t k = 0; k < m.size(); ++k) {
-    feed_[k] = cell[k];
-    if (k > 0) feed_[k] = std::min(feed_[k], cell[k - 1]);
-    if (k + 1 < m.size()) feed_[k] = std::min(feed_[k], cell[k + 1]);
+    feed_[k] = *std::min_element(cell.begin() + static_cast<std::ptrdiff_t>(k - std::min(k, reach)),
+                                 cell.begin() + static_cast<std::ptrdiff_t>(std::min(k + reach + 1, m.size())));
   }
 }
 
