@@ -631,6 +631,10 @@
             <translation>车削走刀次数过多</translation>
         </message>
         <message>
+            <source>tool-not-selected</source>
+            <translation>换刀前未选刀</translation>
+        </message>
+        <message>
             <source>cycle-without-r</source>
             <translation>循环缺少 R</translation>
         </message>

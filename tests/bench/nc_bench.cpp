@@ -59,6 +59,7 @@ std::string polyline_rows() {
   return text;
 }
 
+/// Without splines, which have as many points as they have.
 std::size_t bytes_of(const Moves& moves) {
   return moves.size() * (sizeof(MoveKind) + sizeof(AxisVector) + sizeof(double) + 2 * sizeof(std::uint32_t) +
                          2 * sizeof(std::uint16_t)) +

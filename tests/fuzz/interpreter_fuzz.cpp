@@ -33,7 +33,7 @@ void check(const Moves& m) {
     if (!is_motion(m.kind[i]) && m.kind[i] != MoveKind::dwell && m.detail[i] >= m.notes.size()) std::abort();
   }
   for (const auto& arc : m.arcs) {
-    if (!arc.centre.allFinite() || !arc.normal.allFinite() || !std::isfinite(arc.sweep)) std::abort();
+    if (!arc.centre.allFinite() || !Eigen::Vector3d(arc.normal).allFinite() || !std::isfinite(arc.sweep)) std::abort();
   }
   for (const auto& spline : m.splines) {
     if (spline.knots.size() != spline.points.size() + static_cast<std::size_t>(spline.degree) + 1) std::abort();

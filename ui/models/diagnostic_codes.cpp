@@ -217,6 +217,7 @@ constexpr std::array kCodes = {QT_TRANSLATE_NOOP("codes", "arc-centre-incomplete
                                QT_TRANSLATE_NOOP("codes", "too-many-turns"),
                                QT_TRANSLATE_NOOP("codes", "too-many-values"),
                                QT_TRANSLATE_NOOP("codes", "tool-change-with-compensation"),
+                               QT_TRANSLATE_NOOP("codes", "tool-not-selected"),
                                QT_TRANSLATE_NOOP("codes", "tool-number"),
                                QT_TRANSLATE_NOOP("codes", "tool-orientation"),
                                QT_TRANSLATE_NOOP("codes", "tool-table-number"),

@@ -120,7 +120,7 @@ class BlockTable {
       text_ += ",,,,,,,";
       return;
     }
-    for (const auto& v : {arc->centre, arc->normal}) {
+    for (const Eigen::Vector3d& v : {arc->centre, Eigen::Vector3d(arc->normal)}) {
       for (int k = 0; k < 3; ++k) {
         append_text(text_, v[k] == 0.0 ? 0.0 : v[k]);
         text_ += ',';

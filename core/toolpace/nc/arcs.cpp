@@ -141,12 +141,13 @@ void write_arc(Context& context, const PlaneArc& arc, const Position& from, cons
   centre[plane.second] = arc.centre[1];
   ArcDetail detail;
   detail.centre = machine_vector(offsets, centre).head<3>();
-  detail.normal = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(plane.normal));
+  Eigen::Vector3d normal = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(plane.normal));
   if (offsets.rotation != 0.0 && plane.normal != 2) {
     const double angle = offsets.rotation * kRadiansPerDegree;
-    const double x = detail.normal.x(), y = detail.normal.y();
-    detail.normal = {x * std::cos(angle) - y * std::sin(angle), x * std::sin(angle) + y * std::cos(angle), 0.0};
+    const double x = normal.x(), y = normal.y();
+    normal = {x * std::cos(angle) - y * std::sin(angle), x * std::sin(angle) + y * std::cos(angle), 0.0};
   }
+  detail.normal = normal;
   detail.sweep = sweep_of(arc);
   context.out.arc(offsets, end, detail, feed_mm_min);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "toolpace/nc/advice.h"
+
 namespace toolpace::nc {
 namespace {
 
@@ -16,18 +18,8 @@ std::string word_text(std::size_t index) {
   return std::string(1, static_cast<char>('A' + index));
 }
 
-/// The first character as a person knows it: itself, of UTF-8 with its number, or a byte.
-std::string shown(std::string_view rest) {
-  const auto byte = [&](std::size_t i) { return i < rest.size() ? static_cast<unsigned char>(rest[i]) : 0u; };
-  if (byte(0) >= 0x21 && byte(0) < 0x7F) return fmt::format("'{}'", rest.front());
-  const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : byte(0) >= 0xC2 ? 2 : 1;
-  unsigned code = byte(0) & (0x7Fu >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0u) != 0x80u) return fmt::format("byte 0x{:02X}", byte(0));
-    code = (code << 6u) | (byte(i) & 0x3Fu);
-  }
-  if (length == 1) return fmt::format("byte 0x{:02X}", byte(0));
-  return fmt::format("'{}' (U+{:04X})", rest.substr(0, length), code);
+bool follows_digit(const Scanner& text, std::size_t column) {
+  return column >= 2 && (is_digit(text.line()[column - 2]) || text.line()[column - 2] == '.');
 }
 
 }  // namespace
@@ -79,10 +71,8 @@ bool BlockReader::read(Scanner& text, Block& block) {
     } else if (c == '*' && dialect_ == Dialect::grbl) {
       text.move_to(text.end());  // a sender's checksum
     } else {
-      return faults_.fail("bad-character", fmt::format("{} begins no word", shown(text.rest())),
-                          c == ',' ? "numbers have a decimal point, not a comma"
-                                   : "words begin with a plain letter; comments stand in ( ) or behind ;",
-                          text.column());
+      return faults_.fail("bad-character", fmt::format("{} begins no word", shown_character(text.rest())),
+                          meant_as_word(c), text.column());
     }
   }
   return is_at_end(text) && (assignments_.empty() || assign());
@@ -94,9 +84,19 @@ bool BlockReader::is_at_end(const Scanner& text) {
                       text.column());
 }
 
+bool BlockReader::fail_without_value(const Scanner& text, char letter, std::size_t column) {
+  const bool behind_digit = letter == 'o' && follows_digit(text, column);
+  return faults_.fail("number-expected", word_without_number(text, letter),
+                      behind_digit ? kMeantZero : meant_as_number(text), column);
+}
+
 bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
   const std::size_t column = text.column();
   text.take();
+  const char next = text.peek();
+  if (!is_digit(next) && next != '-' && !ExpressionReader::begins_value(text)) {
+    return fail_without_value(text, letter, column);
+  }
   double value = 0.0;
   if (!expressions_.read_value(text, value)) return false;
   if (is_vacant(value)) return true;  // a word with a vacant value is as if it were not there
@@ -113,7 +113,8 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
     return faults_.fail("bad-line-number", "a line number below 0", "write N and a number from 0", column);
   }
   if (letter == 'o') {
-    return faults_.fail("o-word-misplaced", "an O word inside a block", "an O word stands first in its line", column);
+    return faults_.fail("o-word-misplaced", "an O word inside a block",
+                        follows_digit(text, column) ? kMeantZero : "an O word stands first in its line", column);
   }
   return store_word(word_index(letter), value, column, block);
 }
@@ -215,6 +216,10 @@ bool BlockReader::read_assignment(Scanner& text) {
   Assignment assignment;
   assignment.column = text.column();
   text.take();
+  if (text.peek() != '<' && !ExpressionReader::begins_value(text)) {
+    return faults_.fail("number-expected", "'#' without the number of a parameter",
+                        "write #1 = value or #<name> = value; comments stand in ( ) or behind ;", assignment.column);
+  }
   if (!expressions_.read_target(text, assignment.target)) return false;
   if (text.peek() != '=') {
     return faults_.fail("equals-missing", "'=' is missing after the parameter", "write #number = value", text.column());

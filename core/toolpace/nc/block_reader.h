@@ -39,6 +39,7 @@ class BlockReader {
   };
 
   bool read_word(Scanner& text, char letter, Block& block);
+  bool fail_without_value(const Scanner& text, char letter, std::size_t column);
   bool read_g(double value, std::size_t column, Block& block);
   bool read_m(double value, std::size_t column, Block& block);
   bool read_assignment(Scanner& text);

@@ -44,8 +44,9 @@ bool Flow::enter(const std::string& label, std::size_t column, int repeats, bool
   if (at == kNoMatch) {
     const auto found = files_.find(label, fanuc);
     if (!found) {
-      return lose(
-          "sub-program-unknown", fmt::format("there is no sub-program O<{}>", label),
+      const std::string name = is_digit(label.front()) ? label : "<" + label + ">";
+      return faults_.fail(
+          "sub-program-unknown", fmt::format("there is no sub-program O{}", name),
           "define it in this program, or put its file beside the program or into a folder given with --sub-path",
           column);
     }
@@ -53,10 +54,10 @@ bool Flow::enter(const std::string& label, std::size_t column, int repeats, bool
     at = files_.at(file).flow(fanuc).find_sub(label);
   }
   if (at != kNoMatch && !fanuc && (files_.at(file).flow(fanuc).at(at).control == Control::sub) == is_numbered) {
-    return lose("sub-program-kind",
-                is_numbered ? fmt::format("M98 calls O{}, which is a sub", label)
-                            : fmt::format("a call of O{}, which is no sub", label),
-                "call a sub with O… call, an O number with M98", column);
+    return faults_.fail("sub-program-kind",
+                        is_numbered ? fmt::format("M98 calls O{}, which is a sub", label)
+                                    : fmt::format("a call of O{}, which is no sub", label),
+                        "call a sub with O… call, an O number with M98", column);
   }
   calls_.push_back(std::move(call));
   here_.file = file;

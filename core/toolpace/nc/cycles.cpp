@@ -65,8 +65,8 @@ void peck(CycleRun& run, const Hole& hole, double step, bool full_retract) {
   run.rapid(hole.clear);
 }
 
-bool fail(Context& context, const Block& block, const char* code, std::string what, const char* remedy) {
-  return context.faults.fail(code, std::move(what), remedy, block.column_of(GGroup::motion));
+bool fail(Context& context, const Block& block, const char* code, std::string what, std::string remedy) {
+  return context.faults.fail(code, std::move(what), std::move(remedy), block.column_of(GGroup::motion));
 }
 
 bool check_spindle(Context& context, const Block& block, Code code) {
@@ -174,7 +174,8 @@ bool remember(Context& context, const Block& block, Code code, bool same_series)
     return fail(context, block, "cycle-without-r", name + " without R", "give the retract level with R");
   if (!memory.has_bottom) {
     return fail(context, block, "cycle-without-depth",
-                fmt::format("{} without {}", name, static_cast<char>(depth_word - 32)), "give the depth");
+                fmt::format("{} without {}", name, static_cast<char>(depth_word - 32)),
+                fmt::format("give the depth with {}", static_cast<char>(depth_word - 32)));
   }
   if (code == 730 || code == 830) {
     if (block.has('q')) memory.peck = length_of(state, block, 'q');

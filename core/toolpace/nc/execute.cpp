@@ -81,6 +81,10 @@ bool Interpreter::find_motion(const Block& block, Code& motion) {
                         fmt::format("{} and {} both use the axis words", code_text('G', once), code_text('G', named)),
                         "put them into blocks of their own", block.column_of(GGroup::motion));
   }
+  if (once == 40 && !block.has('p') && dialect_ == Dialect::linuxcnc) {
+    return faults_.fail("dwell-without-time", "G4 without a time", "give it in seconds with P",
+                        block.column_of(GGroup::once));
+  }
   const bool extruder_alone = dialect_ == Dialect::grbl && once == 920 && block.has('e');
   if ((once == 920 || once == 520) && !axes && !extruder_alone) {
     return faults_.fail("axes-missing", fmt::format("{} without axis words", code_text('G', once)),
@@ -266,7 +270,7 @@ bool Interpreter::run_subprogram_code(const Block& block) {
   if (!(repeats >= 0.0 && repeats < 1e9))
     return faults_.fail("call-repeats", fmt::format("{:g} repeats of a call", repeats), "L is a whole number from 0",
                         column);
-  return flow_.call_number(number, static_cast<int>(repeats), column, std::nullopt);
+  return flow_.call_number(number, static_cast<int>(repeats), block.column_of('p'), std::nullopt);
 }
 
 }  // namespace toolpace::nc

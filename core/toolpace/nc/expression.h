@@ -26,6 +26,9 @@ class ExpressionReader {
     return read_compound(text, value);
   }
 
+  /// Whether something that read_value reads comes next.
+  static bool begins_value(Scanner text);
+
   /// A value as it may follow '=': in Fanuc macros also an expression without brackets, "#1=#1+2.*#3".
   bool read_assigned(Scanner& text, double& value);
 

@@ -106,7 +106,7 @@ bool Flow::run_o_word(Scanner& text) {
   Control control = read_control(text);
   if (control == Control::unknown && reader_.dialect() == Dialect::fanuc) control = Control::none;
   if (control == Control::unknown) {
-    return lose("o-word-unknown", "this is no control word",
+    return lose("o-word-unknown", fmt::format("O{} is followed by no control word", label),
                 "sub endsub call return if elseif else endif while endwhile do repeat "
                 "endrepeat break continue",
                 keyword_column);

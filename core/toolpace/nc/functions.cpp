@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "toolpace/base/axes.h"
@@ -11,6 +13,10 @@ namespace toolpace::nc {
 namespace {
 
 constexpr double kDegrees = 1.0 / kRadiansPerDegree;
+
+// Longer names first where one begins another.
+constexpr std::array<std::string_view, 14> kFunctions = {"abs", "acos", "asin", "atan",  "cos", "exists", "exp",
+                                                         "fix", "fup",  "ln",   "round", "sin", "sqrt",   "tan"};
 
 }  // namespace
 
@@ -31,11 +37,16 @@ bool ExpressionReader::read_exists(Scanner& text, double& value) {
   return true;
 }
 
+bool ExpressionReader::begins_value(Scanner text) {
+  const char c = text.peek();
+  if (!is_letter(c)) return is_digit(c) || c == '.' || c == '-' || c == '+' || c == '[' || c == '#';
+  const auto begins = [&](std::string_view name) { return Scanner(text).take_word(name); };
+  return std::any_of(kFunctions.begin(), kFunctions.end(), begins) || begins("sqr") || begins("rnd");
+}
+
 bool ExpressionReader::read_function(Scanner& text, double& value) {
   const std::size_t column = text.column();
-  // Longer names first where one begins another.
-  for (const std::string_view name :
-       {"abs", "acos", "asin", "atan", "cos", "exists", "exp", "fix", "fup", "ln", "round", "sin", "sqrt", "tan"}) {
+  for (const std::string_view name : kFunctions) {
     if (!text.take_word(name)) continue;
     return name == "exists" ? read_exists(text, value) : apply_function(name, column, text, value);
   }

@@ -18,10 +18,24 @@ enum class MoveKind : std::uint8_t { rapid, feed, arc, spline, probe, tap, dwell
 /// True for kinds that change the position.
 constexpr bool is_motion(MoveKind kind) { return kind <= MoveKind::tap; }
 
+/// Unit normal of an arc's plane. Those planes are level or upright, so two numbers say it, and blocks stay small.
+class PlaneNormal {
+ public:
+  /// Straight up.
+  PlaneNormal() = default;
+  /// @pre `normal` has length 1 and is horizontal or points straight up
+  template <class Vector>
+  PlaneNormal(const Eigen::MatrixBase<Vector>& normal) : x_(normal.x()), y_(normal.y()) {}
+  operator Eigen::Vector3d() const { return {x_, y_, x_ == 0.0 && y_ == 0.0 ? 1.0 : 0.0}; }
+
+ private:
+  double x_ = 0.0, y_ = 0.0;
+};
+
 /// Circular, helical or spiral motion about an axis through `centre`.
 struct ArcDetail {
   Eigen::Vector3d centre;  ///< [mm], in the plane level of the start point
-  Eigen::Vector3d normal;  ///< unit right-hand normal of the plane
+  PlaneNormal normal;      ///< right-hand
   double sweep = 0.0;      ///< [rad], signed about the normal, + counter-clockwise; magnitude may exceed 2π
 };
 

@@ -29,10 +29,12 @@ bool Interpreter::set_feed(const Block& block) {
   Modal& modal = state_.modal;
   const double feed = block.of('f');
   if (feed > kHighestFeed) {
-    return faults_.fail("feed-too-large", fmt::format("F{:g}", feed), "check the feedrate", block.column_of('f'));
+    return faults_.fail("feed-too-large", fmt::format("a feedrate of {:g}", feed), "check the feedrate",
+                        block.column_of('f'));
   }
   if (!(feed >= 0.0))
-    return faults_.fail("feed-negative", fmt::format("F{:g}", feed), "a feedrate is not below 0", block.column_of('f'));
+    return faults_.fail("feed-negative", fmt::format("a feedrate of {:g}", feed), "a feedrate is not below 0",
+                        block.column_of('f'));
   if (modal.feed_mode == 930) return true;  // belongs to its block alone
   modal.feed = feed;
   modal.feed_linear = feed * modal.unit();
@@ -42,8 +44,8 @@ bool Interpreter::set_feed(const Block& block) {
 bool Interpreter::set_speed(const Block& block) {
   const double speed = block.of('s');
   if (!(speed >= 0.0))
-    return faults_.fail("speed-negative", fmt::format("S{:g}", speed), "a spindle speed is not below 0",
-                        block.column_of('s'));
+    return faults_.fail("speed-negative", fmt::format("a spindle speed of {:g}", speed),
+                        "a spindle speed is not below 0", block.column_of('s'));
   state_.modal.spindle_speed = speed;
   return true;
 }
@@ -56,8 +58,8 @@ bool Interpreter::set_spindle_mode(const Block& block) {
   }
   const double limit = block.of('d', std::numeric_limits<double>::infinity());
   if (!(limit > 0.0)) {
-    return faults_.fail("g96-limit", fmt::format("D{:g} of G96", limit), "D is the highest speed of the spindle",
-                        block.column_of('d'));
+    return faults_.fail("g96-limit", fmt::format("D{:g} is no highest speed of the spindle", limit),
+                        "D of G96 is above 0, in turns a minute", block.column_of('d'));
   }
   state_.modal.spindle_mode = code;
   state_.modal.spindle_limit = limit;

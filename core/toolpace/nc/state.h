@@ -122,6 +122,7 @@ struct State {
   Position position{};    ///< of the tool, in work coordinates
   Code plain_motion = 0;  ///< the last one of G0 G1 G2 G3
   int selected_tool = 0;
+  bool tool_selected = false;  ///< by a T word, if only T0
   Tool loaded;
   std::map<int, Tool> tools;
   bool has_tool_table = false;

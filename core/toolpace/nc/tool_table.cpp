@@ -118,6 +118,7 @@ bool select_tool(Context& context, const Block& block) {
   if (!take_tool_number(context, block, 't', number)) return false;
   if (context.dialect == Dialect::linuxcnc && !find_tool(context, number, block.column_of('t'), tool)) return false;
   context.state.selected_tool = number;
+  context.state.tool_selected = true;
   return true;
 }
 
@@ -134,6 +135,10 @@ bool change_tool(Context& context, const Block& block) {
     if (!block.has('q'))
       return context.faults.fail("tool-number", "M61 without a tool number", "give it with Q", column);
     if (!take_tool_number(context, block, 'q', number)) return false;
+  }
+  if (!declared && !state.tool_selected) {
+    context.faults.warn("tool-not-selected", "a tool change without a tool selected before",
+                        "select the tool with T, such as T1 M6", column);
   }
   Tool tool;
   if (!find_tool(context, number, column, tool)) return false;

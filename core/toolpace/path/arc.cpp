@@ -38,7 +38,8 @@ Eigen::Vector3d outward(const ArcCurve& arc, double angle) {
 ArcCurve make_arc(const AxisVector& begin, const AxisVector& end, const ArcDetail& detail) {
   ArcCurve arc;
   arc.centre = detail.centre;
-  arc.normal = detail.sweep < 0 ? Eigen::Vector3d(-detail.normal) : detail.normal;
+  arc.normal = detail.normal;
+  if (detail.sweep < 0) arc.normal = -arc.normal;
   arc.sweep = std::abs(detail.sweep);
   const Eigen::Vector3d from = begin.head<3>() - detail.centre, to = end.head<3>() - detail.centre;
   const double level = arc.normal.dot(from);

@@ -31,7 +31,7 @@ TEST(BadInput, EveryFaultOfAProgramIsToldWithLineAndColumn) {
   const auto reading = read_program("G21 F100\nG1 X1\nG1 Xnan\n  G1 X[1/0]\nG99.9 X5\nG1 X1 X2\nG1 X7\nM2\n");
   EXPECT_TRUE(reading.refused);
   EXPECT_EQ(codes(reading),
-            (Codes{"function-unknown@3:5", "division-by-zero@4:10", "g-code-unknown@5:1", "word-twice@6:7"}));
+            (Codes{"number-expected@3:4", "division-by-zero@4:10", "g-code-unknown@5:1", "word-twice@6:7"}));
   EXPECT_EQ(reading.diagnostics[1].excerpt, "G1 X[1/0]");
   EXPECT_EQ(ends(reading), (Values{1.0})) << "motion ends before the first error";
 }

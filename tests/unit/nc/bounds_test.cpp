@@ -24,6 +24,25 @@ TEST(Bounds, EndlessProgramsMeetABound) {
       "too-many-turns");
 }
 
+template <class... Columns>
+constexpr std::size_t width_of(const Columns&...) {
+  return (sizeof(typename Columns::value_type) + ...);
+}
+
+TEST(Bounds, BlocksTakeAtMost120Bytes) {
+  const Moves m;
+  const std::size_t line = width_of(m.kind, m.line, m.file, m.mode, m.detail, m.end, m.feed);
+  EXPECT_EQ(line, 69u);
+  EXPECT_LE(line + width_of(m.arcs), 120u);
+}
+
+TEST(Bounds, NormalsOfEveryPlaneSurviveTheirTwoNumbers) {
+  for (const auto& normal :
+       {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-0.6, 0.8, 0)}) {
+    EXPECT_EQ(Eigen::Vector3d(PlaneNormal(normal)), normal);
+  }
+}
+
 TEST(Bounds, BoundsHoldForWhatIsDoneAgainNotForTheLengthOfAProgram) {
   const ReadLimits small{.call_depth = 5, .loop_turns = 100, .blocks = 50, .lines = 100};
   std::string text = "G21\n";

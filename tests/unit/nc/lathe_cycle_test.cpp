@@ -78,7 +78,7 @@ TEST(LatheCycle, IsNoCodeOfOtherDialects) {
 
 TEST(LatheCycle, NoFaultInAContourIsLost) {
   EXPECT_EQ(refused("G0 X6 Z0\nG1 Z-5 Q\nX10 J\n", "G71 Q100 X10 Z1"),
-            (Codes{"number-expected@4:9", "number-expected@5:6"}));
+            (Codes{"number-expected@4:8", "number-expected@5:5"}));
 }
 
 TEST(LatheCycle, TinyStepsAndManyElementsMeetABound) {
