@@ -635,6 +635,10 @@
             <translation>换刀前未选刀</translation>
         </message>
         <message>
+            <source>polar-plane</source>
+            <translation>极坐标不在XY平面</translation>
+        </message>
+        <message>
             <source>cycle-without-r</source>
             <translation>循环缺少 R</translation>
         </message>

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "toolpace/nc/motion.h"
 #include "toolpace/nc/offset_geometry.h"
@@ -63,6 +64,8 @@ void keep_open(State& state, const MoveWriter& out, const OffsetElement& element
   c.has_open = true;
   c.open_row = out.is_enabled() ? std::optional(out.size() - 1) : std::nullopt;
   c.open = element;
+  c.open_is_entry = c.first_move_pending;
+  c.open_is_reversed = std::exchange(c.next_is_reversed, false);
 }
 
 // Moves the end of the open row, and of the rows without motion in the plane after it, to `corner`.
@@ -70,7 +73,8 @@ bool move_open_end(Context& context, const Frame& frame, const Point& corner) {
   State& state = context.state;
   Compensation& c = state.compensation;
   OffsetElement& open = c.open;
-  if (!lies_on(open, corner)) return fail_gouge(context, "the tool cannot reach this inside corner without gouging");
+  if (!c.open_is_entry && !lies_on(open, corner))
+    return fail_gouge(context, "the tool cannot reach this inside corner without gouging");
   open.end = corner;
   state.position = frame.at(state.position, corner);
   if (!c.open_row) return true;
@@ -94,6 +98,8 @@ bool move_open_end(Context& context, const Frame& frame, const Point& corner) {
 bool join(Context& context, const Frame& frame, OffsetElement& element, const Feedrate& feed) {
   State& state = context.state;
   Compensation& c = state.compensation;
+  if (std::exchange(c.open_is_reversed, false))
+    return fail_gouge(context, "the corner before cuts off more of this move than it is long");
   const Point corner = frame.of(c.programmed);
   const Point tool = frame.of(state.position);
   // The direction of the motion so far, as the tool's place beside the corner tells it.
@@ -112,6 +118,7 @@ bool join(Context& context, const Frame& frame, OffsetElement& element, const Fe
     const auto meeting = intersect(c.open, element, corner);
     if (!meeting) return fail_gouge(context, "the tool does not fit into this inside corner");
     if (!move_open_end(context, frame, *meeting)) return false;
+    c.next_is_reversed = element.turn == 0 && dot(element.end - element.start, element.end - *meeting) <= 0.0;
     element.start = *meeting;
     return true;
   }

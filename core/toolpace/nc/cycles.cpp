@@ -100,6 +100,7 @@ bool drill(Context& context, CycleRun& run, const Block& block, const Hole& hole
   const CycleMemory& memory = context.state.cycle;
   if (!check_spindle(context, block, code)) return false;
   const bool incremental = context.state.modal.incremental();
+  const bool as_linuxcnc = context.dialect == Dialect::linuxcnc;
   switch (code) {
     case 730:
     case 830: peck(run, hole, memory.peck, code == 830); return true;
@@ -108,6 +109,7 @@ bool drill(Context& context, CycleRun& run, const Block& block, const Hole& hole
       run.feed(hole.bottom);
       run.dwell(memory.dwell);
       context.out.note(MoveKind::stop, "M0");
+      if (as_linuxcnc) context.state.position[hole.plane.normal] = hole.clear;
       return true;
     case 810: run.feed(hole.bottom); break;
     case 820:
@@ -124,7 +126,7 @@ bool drill(Context& context, CycleRun& run, const Block& block, const Hole& hole
     case 890:
       run.feed(hole.bottom);
       run.dwell(memory.dwell);
-      run.feed(hole.retract);
+      run.feed(as_linuxcnc ? hole.clear : hole.retract);
       break;
     default: break;
   }

@@ -41,6 +41,7 @@ std::uint32_t words_of_motion(Code motion) {
     case 720:
     case 721:
     case 722: return word_bit('q') | word_bit('d') | word_bit('i') | word_bit('r') | word_bit('u') | word_bit('w');
+    case 740: return word_bit('r') | word_bit('p') | word_bit('q') | kCentreBits;  // LinuxCNC does not repeat it by L
     default: return is_cycle(motion) ? word_bit('r') | word_bit('l') | word_bit('p') | word_bit('q') | kCentreBits : 0;
   }
 }

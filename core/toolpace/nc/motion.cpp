@@ -20,9 +20,13 @@ constexpr double kNoLength = 1e-12;
 
 bool resolve_polar(Context& context, const Block& block, const Position& from, Position& end) {
   const State& state = context.state;
+  const std::size_t column = block.column[block.has_any(1u << kRadiusWord) ? kRadiusWord : kAngleWord];
+  if (state.modal.plane != 170) {
+    return context.faults.fail("polar-plane", "polar words outside the XY plane", "use G17, or give X Y Z", column);
+  }
   if (block.has_any(word_bit('x') | word_bit('y'))) {
     return context.faults.fail("polar-with-axis-words", "X or Y stands beside polar words", "use @ ^ or X Y, not both",
-                               block.column[block.has_any(1u << kRadiusWord) ? kRadiusWord : kAngleWord]);
+                               column);
   }
   const bool has_radius = block.has_any(1u << kRadiusWord);
   const bool has_angle = block.has_any(1u << kAngleWord);

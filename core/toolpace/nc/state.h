@@ -96,6 +96,9 @@ struct Compensation {
   Position programmed{};       ///< end of the contour as programmed (work coordinates); position holds the tool's
   // The last compensated row, which a following inside corner still may shorten.
   bool has_open = false;
+  bool open_is_entry = false;           ///< the entry may end anywhere on its line, as in LinuxCNC
+  bool open_is_reversed = false;        ///< the corner before it has cut off more of it than there is
+  bool next_is_reversed = false;        ///< the same of the row to come
   std::optional<std::size_t> open_row;  ///< none while nothing is written
   OffsetElement open;
 };

@@ -143,6 +143,7 @@ bool change_tool(Context& context, const Block& block) {
   Tool tool;
   if (!find_tool(context, number, column, tool)) return false;
   state.loaded = tool;
+  if (!declared && context.dialect == Dialect::linuxcnc) state.modal.spindle_direction = 0;  // the change stops it
   if (!declared) context.out.note(MoveKind::tool, fmt::format("T{}", number));
   return true;
 }
