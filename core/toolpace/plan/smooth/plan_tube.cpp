@@ -1,13 +1,13 @@
 #include "toolpace/plan/smooth/plan_tube.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "toolpace/plan/smooth/exact_motion.h"
 #include "toolpace/plan/smooth/first_motion.h"
 #include "toolpace/plan/smooth/hold_window.h"
 #include "toolpace/plan/smooth/pass_through.h"
+#include "toolpace/plan/smooth/task_progress.h"
 #include "toolpace/plan/smooth/window_optimiser.h"
 
 namespace toolpace {
@@ -19,25 +19,6 @@ using tube::StepLimits;
 constexpr std::size_t kWindow = 3000;  ///< control points of a first motion that a window should have
 constexpr std::size_t kBatch = 64;     ///< windows that are worked on at a time
 constexpr std::size_t kMostSegments = 4096;
-
-/// Counts finished tasks from any thread and reports them in order, one at a time; who finds another one reporting does
-/// not wait.
-class Progress {
- public:
-  Progress(const Monitor& monitor, std::size_t whole) : monitor_(monitor), whole_(whole) {}
-  void add(std::size_t amount) {
-    done_ += amount;
-    if (reporting_.test_and_set()) return;
-    monitor_.report(std::min(1.0, static_cast<double>(done_.load()) / static_cast<double>(whole_)));
-    reporting_.clear();
-  }
-
- private:
-  const Monitor& monitor_;
-  std::size_t whole_;
-  std::atomic<std::size_t> done_ = 0;
-  std::atomic_flag reporting_;
-};
 
 template <int D>
 class Planner {
@@ -239,7 +220,7 @@ class Planner {
   const StepLimits& limits_;
   const ForEach& for_each_;
   const Monitor& monitor_;
-  Progress progress_;
+  tube::TaskProgress progress_;
   TubeMotion motion_;
   std::size_t guess_ = 256;
 };
