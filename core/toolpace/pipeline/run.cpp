@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
-#include <tuple>
 
-#include "toolpace/law/law_table.h"
 #include "toolpace/limits/limit_speed.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job.h"
+#include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/many.h"
 #include "toolpace/pipeline/pauses.h"
 #include "toolpace/pipeline/prove.h"
@@ -35,18 +34,6 @@ constexpr std::size_t kMostRetimed = 50000;
 Monitor stage(const Monitor& whole, double begin, double end) {
   if (!whole.progress) return {whole.stop, {}};
   return {whole.stop, [report = whole.progress, begin, end](double f) { report(begin + f * (end - begin)); }};
-}
-
-LimitOptions limit_options(const PlanOptions& options) {
-  LimitOptions limits;
-  limits.corner = options.corner;
-  limits.feed_override = options.feed_override;
-  limits.rapid_override = options.rapid_override;
-  if (law_row(options.law).uses_time) {
-    limits.t_acc = options.t_acc;
-    limits.t_dec = options.t_dec;
-  }
-  return limits;
 }
 
 /// Are a plan's curves timed anew, with jerk and acceleration shared as the motion needs it? Other laws have a shape to
@@ -97,14 +84,6 @@ ForEach on_all_cores(const Monitor& monitor) {
       return '\0';
     });
   };
-}
-
-bool is_through_tube(const Job& job) {
-  return job.options.corner.rule == CornerRule::smooth && !job.options.corner.step;
-}
-
-bool blends_everywhere(const Job& job) {
-  return job.options.corner.rule == CornerRule::blend && !job.options.corner.step;
 }
 
 /// Plans by the job's corner rule: along the path, or through the tube around it.
@@ -176,30 +155,6 @@ Result<Route> lay_out(const Job& job, const Monitor& monitor) {
     blends = blended->count;
   }
   return Route{std::make_shared<const Path>(std::move(*path)), blends};
-}
-
-/// Whether all that lay_out() looks at is the same.
-bool has_same_route(const Job& a, const Job& b) {
-  return a.program == b.program && a.machine.tool_change == b.machine.tool_change &&
-         blends_everywhere(a) == blends_everywhere(b) && a.options.corner.tolerance == b.options.corner.tolerance;
-}
-
-/// Whether all that limit_speed() looks at besides the path is the same.
-bool has_same_limits(const Job& a, const Job& b) {
-  const auto of_path = [](const PathLimits& p) {
-    return std::tie(p.speed, p.acceleration, p.deceleration, p.jerk, p.jerk_deceleration);
-  };
-  const auto of_axis = [](const AxisLimits& x) { return std::tie(x.speed, x.acceleration, x.jerk); };
-  for (std::size_t k = 0; k < kAxisCount; ++k) {
-    if (of_axis(a.machine.axes[k]) != of_axis(b.machine.axes[k])) return false;
-  }
-  const LimitOptions of_a = limit_options(a.options), of_b = limit_options(b.options);
-  const auto of_options = [](const LimitOptions& o) {
-    return std::tie(o.corner.rule, o.corner.step, o.corner.tolerance, o.corner.junction_deviation, o.feed_override,
-                    o.rapid_override, o.t_acc, o.t_dec);
-  };
-  return a.machine.period == b.machine.period && of_path(a.machine.path) == of_path(b.machine.path) &&
-         of_options(of_a) == of_options(of_b);
 }
 
 Result<SpeedLimits> limits_of(const Job& job, const Path& path, const Monitor& monitor) {

@@ -1,0 +1,51 @@
+#include "toolpace/pipeline/job_rules.h"
+
+#include <tuple>
+
+#include "toolpace/law/law_table.h"
+
+namespace toolpace {
+
+bool is_through_tube(const Job& job) {
+  return job.options.corner.rule == CornerRule::smooth && !job.options.corner.step;
+}
+
+bool blends_everywhere(const Job& job) {
+  return job.options.corner.rule == CornerRule::blend && !job.options.corner.step;
+}
+
+LimitOptions limit_options(const PlanOptions& options) {
+  LimitOptions limits;
+  limits.corner = options.corner;
+  limits.feed_override = options.feed_override;
+  limits.rapid_override = options.rapid_override;
+  if (law_row(options.law).uses_time) {
+    limits.t_acc = options.t_acc;
+    limits.t_dec = options.t_dec;
+  }
+  return limits;
+}
+
+bool has_same_route(const Job& a, const Job& b) {
+  return a.program == b.program && a.machine.tool_change == b.machine.tool_change &&
+         blends_everywhere(a) == blends_everywhere(b) && a.options.corner.tolerance == b.options.corner.tolerance;
+}
+
+bool has_same_limits(const Job& a, const Job& b) {
+  const auto of_path = [](const PathLimits& p) {
+    return std::tie(p.speed, p.acceleration, p.deceleration, p.jerk, p.jerk_deceleration);
+  };
+  const auto of_axis = [](const AxisLimits& x) { return std::tie(x.speed, x.acceleration, x.jerk); };
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    if (of_axis(a.machine.axes[k]) != of_axis(b.machine.axes[k])) return false;
+  }
+  const LimitOptions of_a = limit_options(a.options), of_b = limit_options(b.options);
+  const auto of_options = [](const LimitOptions& o) {
+    return std::tie(o.corner.rule, o.corner.step, o.corner.tolerance, o.corner.junction_deviation, o.feed_override,
+                    o.rapid_override, o.t_acc, o.t_dec);
+  };
+  return a.machine.period == b.machine.period && of_path(a.machine.path) == of_path(b.machine.path) &&
+         of_options(of_a) == of_options(of_b);
+}
+
+}  // namespace toolpace

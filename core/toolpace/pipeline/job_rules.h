@@ -1,0 +1,24 @@
+#pragma once
+/// What a job's options mean to the stages, and which stages two jobs share.
+
+#include "toolpace/limits/limit_speed.h"
+#include "toolpace/pipeline/job.h"
+
+namespace toolpace {
+
+/// Does the motion leave the path, within the tolerance tube?
+bool is_through_tube(const Job& job);
+
+/// Are the corners of all blocks in continuous path mode rounded on the path?
+bool blends_everywhere(const Job& job);
+
+/// The part of the options that caps speeds.
+LimitOptions limit_options(const PlanOptions& options);
+
+/// Whether all that decides where the machine goes, however fast, is the same.
+bool has_same_route(const Job& a, const Job& b);
+
+/// Whether all that limit_speed() looks at besides the path is the same.
+bool has_same_limits(const Job& a, const Job& b);
+
+}  // namespace toolpace
