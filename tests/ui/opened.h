@@ -5,6 +5,7 @@
 
 #include "main_window.h"
 #include "screenshot.h"
+#include "support/find.h"
 
 namespace toolpace::ui {
 
@@ -31,9 +32,7 @@ class Opened : public studio::MainWindow {
   }
   template <class T>
   T& the(const char* name) {
-    auto* found = findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return *found;
+    return ui::find<T>(*this, name);
   }
 };
 

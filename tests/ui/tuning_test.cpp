@@ -6,6 +6,7 @@
 #include "main_window.h"
 #include "panels/number_field.h"
 #include "screenshot.h"
+#include "support/find.h"
 #include "support/screenshot.h"
 
 using namespace toolpace;
@@ -19,9 +20,7 @@ class TuningTest : public QObject {
 
   template <class T>
   T& the(const char* name) {
-    auto* found = window_->findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return *found;
+    return ui::find<T>(*window_, name);
   }
   const ui::Tuning& tuning() { return window_->workspace().tuning().value(); }
   QUndoStack& undo() { return window_->workspace().tuning().undoStack(); }
