@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QTimer>
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -89,20 +90,36 @@ BENCHMARK(worker_timeline)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMilli
 BENCHMARK(worker_scene)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(worker_series)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
-/// The whole window with a program of so many blocks, planned and drawn.
+/// A polyline of so many short blocks.
+QByteArray smooth_text(std::size_t blocks) {
+  QByteArray text = "x_mm,y_mm,feed_mm_min\n0,0,6000\n";
+  const Moves moves = bench::smooth_moves(blocks);
+  for (const auto& end : moves.end) {
+    text += QByteArray::number(end[0], 'f', 4) + ',' + QByteArray::number(end[1], 'f', 4) + ",6000\n";
+  }
+  return text;
+}
+
+/// So many long lines and arcs in turn, across a plate: every block speeds up and slows down.
+QByteArray long_text(std::size_t blocks) {
+  QByteArray text = "G21 G90 G94 G17\nF6000\n";
+  for (std::size_t i = 0; i < blocks / 2; ++i) {
+    const double at = static_cast<double>(i), x = 40 * std::cos(at * 0.05), y = 40 * std::sin(at * 0.05065);
+    text += "G1 X" + QByteArray::number(x, 'f', 3) + " Y" + QByteArray::number(y, 'f', 3) + "\nG2 X" +
+            QByteArray::number(x + 2, 'f', 3) + " Y" + QByteArray::number(y, 'f', 3) + " I1 J0\n";
+  }
+  return text + "M2\n";
+}
+
+/// The whole window with a program in it, planned and drawn.
 class Opened {
  public:
-  explicit Opened(std::size_t blocks) {
+  Opened(const QByteArray& text, const char* name) {
     application();
     window_ = std::make_unique<studio::MainWindow>(false);
     window_->resize(1280, 800);
     window_->show();
-    QByteArray text = "x_mm,y_mm,feed_mm_min\n0,0,6000\n";
-    const Moves moves = bench::smooth_moves(blocks);
-    for (const auto& end : moves.end) {
-      text += QByteArray::number(end[0], 'f', 4) + ',' + QByteArray::number(end[1], 'f', 4) + ",6000\n";
-    }
-    window_->workspace().openText(text, "smooth.csv");
+    window_->workspace().openText(text, name);
     studio::settle(*window_);
   }
 
@@ -129,8 +146,9 @@ class Opened {
 };
 
 /// Edits come every 10 ms, as from a slider.
+template <QByteArray (*Text)(std::size_t)>
 void drag(benchmark::State& state) {
-  Opened opened(static_cast<std::size_t>(state.range(0)));
+  Opened opened(Text(static_cast<std::size_t>(state.range(0))), Text == smooth_text ? "smooth.csv" : "long.ngc");
   QTimer timer;
   QObject::connect(&timer, &QTimer::timeout, [&] { opened.edit(); });
   opened.workspace().tuning().beginGesture();
@@ -195,7 +213,9 @@ void plots_zoom(benchmark::State& state) {
 void plots_with_axes(benchmark::State& state) {
   application();
   ProfileView view;
-  view.setSeries(make_profile_series(outcome_of(1'000'000)));
+  const auto series = make_profile_series(outcome_of(1'000'000));
+  make_axes(*series, {true, true, false});  // a worker's business
+  view.setSeries(series);
   view.setAxisShown(0, true);
   view.setAxisShown(1, true);
   frames(state, view, [&](int i) {
@@ -224,8 +244,18 @@ BENCHMARK(plots_zoom)->Unit(benchmark::kMillisecond);
 BENCHMARK(plots_with_axes)->Unit(benchmark::kMillisecond);
 BENCHMARK(cursor_moves)->Unit(benchmark::kMillisecond);
 
-BENCHMARK(drag)->Arg(100'000)->Unit(benchmark::kMillisecond);
-BENCHMARK(drag)->Name("drag_both_threads")->Arg(100'000)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(drag)->Name("drag_wall")->Arg(100'000)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(drag<smooth_text>)->Name("drag")->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(drag<smooth_text>)
+    ->Name("drag_both_threads")
+    ->Arg(100'000)
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(drag<long_text>)
+    ->Name("drag_long_blocks_both_threads")
+    ->Arg(100'000)
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(drag<smooth_text>)->Name("drag_wall")->Arg(100'000)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(drag<long_text>)->Name("drag_long_blocks_wall")->Arg(100'000)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

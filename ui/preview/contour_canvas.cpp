@@ -10,10 +10,14 @@ namespace toolpace::ui {
 namespace {
 
 constexpr int kSettleMs = 140;
-constexpr std::size_t kSmoothWhileMoving = 40'000, kSmoothAtRest = 600'000;  // pieces
-constexpr double kFitMargin = 28;                                            // px
-constexpr int kFootHeight = 24;                                              // px
-constexpr double kLeastScale = 1e-7, kMostScale = 1e9;                       // px/mm
+constexpr qint64 kDragMs = 500, kLongestSettleMs = 600;
+// What a picture may take to be drawn smooth, and quickly.
+constexpr DrawingLoad kSmoothWhileMoving = {40'000, 0.5e6}, kSmoothAtRest = {600'000, 4e6};
+constexpr double kPixelsWhileMoving = 4e6, kPixelsAtRest = 40e6;
+constexpr double kCovered = 6;                          // times the picture: more lines would not be told apart
+constexpr double kFitMargin = 28;                       // px
+constexpr int kFootHeight = 24;                         // px
+constexpr double kLeastScale = 1e-7, kMostScale = 1e9;  // px/mm
 
 }  // namespace
 
@@ -24,7 +28,6 @@ ContourCanvas::ContourCanvas(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setAttribute(Qt::WA_OpaquePaintEvent);
   settle_.setSingleShot(true);
-  settle_.setInterval(kSettleMs);
   connect(&settle_, &QTimer::timeout, this, [this] {
     moving_ = false;
     redraw();
@@ -35,10 +38,11 @@ ContourCanvas::ContourCanvas(QWidget* parent) : QWidget(parent) {
 
 void ContourCanvas::setScene(std::shared_ptr<const ContourScene> scene) {
   const bool was_empty = !scene_ || scene_->is_empty();
-  // Plans that follow each other quickly are a drag: it is drawn quickly, too, and smoothly when it rests.
-  if (since_scene_.isValid() && since_scene_.elapsed() < kSettleMs) {
+  // Plans that follow each other quickly are a drag: it is drawn quickly, too, and smoothly when no other one comes.
+  const qint64 interval = since_scene_.isValid() ? since_scene_.elapsed() : kDragMs;
+  if (interval < kDragMs) {
     moving_ = true;
-    settle_.start();
+    settle_.start(static_cast<int>(std::clamp<qint64>(2 * interval, kSettleMs, kLongestSettleMs)));
   }
   since_scene_.start();
   scene_ = std::move(scene);
@@ -149,7 +153,7 @@ void ContourCanvas::zoomBy(double factor, const QPointF& fixed) {
 
 void ContourCanvas::moved() {
   moving_ = true;
-  settle_.start();
+  settle_.start(kSettleMs);
   redraw();
   emit viewChanged();
 }
@@ -194,6 +198,8 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
   style.cut = 4 * ratio;
   if (!smooth) style.detail = 1.3;
   if (!smooth) style.most_cuts /= 4;
+  const double covered = kCovered * image.width() * image.height();
+  style.most_pixels = std::max(moving_ ? kPixelsWhileMoving : kPixelsAtRest, covered);
   last_pieces_ = draw_scene(image, *scene_, projection, style);
   if (has_band) draw_inside_band(image, *tube_, projection, tube_style);
   if (scene_->trace && enlargement_ > 1.0 && !in_band) {
@@ -204,6 +210,13 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
     painter.setRenderHint(QPainter::Antialiasing);
     drawDirection(painter, projection, QSizeF(image.size()), ratio);
   }
+}
+
+bool ContourCanvas::canBeSmooth(const QSize& pixels, const Projection& projection) const {
+  if (!scene_) return true;
+  const DrawingLoad load = drawing_load(*scene_, projection, QSizeF(pixels));
+  const DrawingLoad& most = moving_ ? kSmoothWhileMoving : kSmoothAtRest;
+  return load.pieces < most.pieces && load.pixels < most.pixels;
 }
 
 QImage ContourCanvas::render(const QSize& size, double scale) const {
@@ -225,9 +238,8 @@ void ContourCanvas::paintEvent(QPaintEvent*) {
   if (stale_ || picture_.size() != pixels) {
     if (picture_.size() != pixels) picture_ = QImage(pixels, QImage::Format_RGB32);
     const Projection projection = scaled(ratio);
-    const std::size_t pieces = scene_ ? visible_pieces(*scene_, projection, QSizeF(pixels)) : 0;
     picture_.setDevicePixelRatio(1.0);
-    drawPicture(picture_, projection, ratio, pieces < (moving_ ? kSmoothWhileMoving : kSmoothAtRest));
+    drawPicture(picture_, projection, ratio, canBeSmooth(pixels, projection));
     picture_.setDevicePixelRatio(ratio);
     stale_ = false;
   }

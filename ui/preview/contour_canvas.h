@@ -12,6 +12,7 @@
 #include "preview/colour_map.h"
 #include "preview/contour_scene.h"
 #include "preview/scene_draw.h"
+#include "preview/scene_pick.h"
 #include "preview/tube_draw.h"
 #include "theme/theme.h"
 
@@ -80,6 +81,7 @@ class ContourCanvas : public QWidget {
  private:
   void moved();   // the camera moved: draw quickly now, smoothly when it rests
   void redraw();  // the contents changed
+  bool canBeSmooth(const QSize& pixels, const Projection& projection) const;
   void drawPicture(QImage& image, const Projection& projection, double ratio, bool smooth) const;
   void drawTravel(QPainter& painter, const Projection& projection) const;
   void drawBand(QPainter& painter, const Projection& projection) const;

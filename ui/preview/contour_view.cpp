@@ -3,16 +3,12 @@
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QEvent>
-#include <QFileInfo>
 #include <QHBoxLayout>
-#include <QPainter>
-#include <QPdfWriter>
-#include <QSaveFile>
 #include <QStandardItemModel>
-#include <QSvgGenerator>
 #include <QToolButton>
 
 #include "preview/contour_legend.h"
+#include "theme/picture_file.h"
 
 namespace toolpace::ui {
 namespace {
@@ -153,7 +149,12 @@ void ContourView::updateChoices() {
 }
 
 void ContourView::setScene(std::shared_ptr<const ContourScene> scene) {
+  const bool first = !canvas_->scene() || canvas_->scene()->is_empty();
   canvas_->setScene(std::move(scene));
+  if (first && canvas_->scene() && !canvas_->scene()->is_empty()) {
+    const View suited = suited_view(view_, canvas_->scene()->geometry->box);
+    if (suited != view_) setView(suited);
+  }
   updateChoices();
   legend_->refresh();
   setHighlightedLine(highlighted_);
@@ -231,27 +232,9 @@ void ContourView::setView(View view) {
 void ContourView::fit() { canvas_->fit(); }
 
 bool ContourView::exportPicture(const QString& file) const {
-  const QString kind = QFileInfo(file).suffix().toLower();
-  QSaveFile out(file);
-  if (!out.open(QIODevice::WriteOnly)) return false;
-  if (kind == "svg") {
-    QSvgGenerator svg;
-    svg.setOutputDevice(&out);
-    svg.setSize(canvas_->size());
-    svg.setViewBox(canvas_->rect());
-    QPainter painter(&svg);
-    canvas_->paintVectors(painter, QSizeF(canvas_->size()));
-  } else if (kind == "pdf") {
-    QPdfWriter pdf(&out);
-    pdf.setResolution(96);
-    pdf.setPageSize(QPageSize(QSizeF(canvas_->size()) * 0.75, QPageSize::Point));
-    pdf.setPageMargins({});
-    QPainter painter(&pdf);
-    canvas_->paintVectors(painter, QSizeF(canvas_->size()));
-  } else if (!canvas_->render(canvas_->size(), 2.0).save(&out, "PNG")) {
-    return false;
-  }
-  return out.commit();
+  return save_picture(
+      file, canvas_->size(), [this](QPainter& painter) { canvas_->paintVectors(painter, QSizeF(canvas_->size())); },
+      [this] { return canvas_->render(canvas_->size(), 2.0); });
 }
 
 }  // namespace toolpace::ui

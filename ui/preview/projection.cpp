@@ -47,6 +47,25 @@ Projection named_view(View view) {
   return p;
 }
 
+View suited_view(View wanted, const Box& box) {
+  if (box.is_empty()) return wanted;
+  const Eigen::Vector3d extent = box.high - box.low;
+  const double whole = std::max(extent.maxCoeff(), 1e-300);
+  constexpr double kNothing = 1e-6;  // of the whole
+  // What a view shows: the area first, and of a line its length.
+  const auto shown = [&](View view) {
+    const Projection p = named_view(view);
+    const double across = p.right.cwiseAbs().dot(extent) / whole, upwards = p.up.cwiseAbs().dot(extent) / whole;
+    const bool flat = std::min(across, upwards) < kNothing;
+    return flat ? kNothing * std::max(across, upwards) : across * upwards;
+  };
+  View best = wanted;
+  for (const View view : {View::xy, View::xz, View::yz}) {
+    if (shown(view) > shown(best)) best = view;
+  }
+  return shown(wanted) < 2 * kNothing && shown(best) > 100 * shown(wanted) ? best : wanted;
+}
+
 Projection fitted(Projection projection, const Box& box, const QSizeF& size, double margin) {
   projection.origin = {size.width() / 2, size.height() / 2};
   if (box.is_empty()) {

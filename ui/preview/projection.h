@@ -43,6 +43,9 @@ struct Projection {
 /// The directions of a named view. Looking along −Z, +Y, −X; isometric from the front right.
 Projection named_view(View view);
 
+/// The view to begin with: `wanted`, but for a flat path that it would see from its edge, as that of a lathe from above.
+View suited_view(View wanted, const Box& box);
+
 /// The same view direction, scaled and placed so that `box` fills `size` but for `margin` px on each side. A box
 /// without extent is shown at a scale of its own: one point stands in the middle.
 Projection fitted(Projection projection, const Box& box, const QSizeF& size, double margin);

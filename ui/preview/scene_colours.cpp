@@ -40,6 +40,24 @@ double time_at_distance(const MotionPlan& plan, double distance) {
   return phase.begin + time_within(phase, distance, 1e-9);
 }
 
+/// The same to the accuracy of a shade. Speeds change nearly evenly, so from that guess a step or two of Newton's do.
+double time_within(const Phase& p, double distance) {
+  const double way = distance - p.distance;
+  if (way <= 0 || !(p.duration > 0)) return 0;
+  const double gain = evaluate(p, p.duration).speed - p.speed;
+  const double root = std::sqrt(std::max(p.speed * p.speed + 2 * gain / p.duration * way, 0.0));
+  double time = p.speed + root > 0 ? std::min(2 * way / (p.speed + root), p.duration) : 0.0;
+  if (p.rate == 0) return time;
+  for (int i = 0; i < 3; ++i) {
+    const PhaseState s = evaluate(p, time);
+    if (!(s.speed > 0)) break;
+    const double step = (distance - s.distance) / s.speed;
+    time = std::clamp(time + step, 0.0, p.duration);
+    if (std::abs(step) < kShadeAccuracy * p.duration) return time;
+  }
+  return time_within(p, distance, kShadeAccuracy);
+}
+
 /// States at times, and times at distances, that only grow: without a search for each.
 class MotionWalk {
  public:
@@ -48,7 +66,7 @@ class MotionWalk {
   double time_at(double distance) {
     const auto& phases = plan_.phases;
     while (reached_ + 1 < phases.size() && phases[reached_ + 1].distance <= distance) ++reached_;
-    return phases[reached_].begin + time_within(phases[reached_], distance, kShadeAccuracy);
+    return phases[reached_].begin + time_within(phases[reached_], distance);
   }
 
   PhaseState at(double time) {

@@ -9,7 +9,7 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr double kSmallestChordError = 4000;        // part of the whole: enlarged further, curves are drawn as such
+constexpr double kSmallestChordError = 2500;        // part of the whole: enlarged further, curves are drawn as such
 constexpr int kMostChords = 4096;                   // of one curve
 constexpr double kFinest = 32768, kCoarsest = 256;  // levels of detail, as parts of the whole
 
