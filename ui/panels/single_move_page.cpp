@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "models/problem_model.h"
+#include "models/remedy_text.h"
 #include "models/units.h"
 
 namespace toolpace::ui {
@@ -36,12 +37,6 @@ std::vector<FigureValue> values_of(const SingleMove& m) {
           {"j_dec", m.down.peak_jerk, jerk},
           {"a_peak", m.up.peak_acceleration, acceleration},
           {"d_peak", m.down.peak_acceleration, acceleration}};
-}
-
-void set_role(QLabel* label, const char* role) {
-  label->setProperty("role", role);
-  label->style()->unpolish(label);
-  label->style()->polish(label);
 }
 
 }  // namespace
@@ -126,26 +121,11 @@ void SingleMovePage::addEntry(int row, int side, const char* name, double* value
   });
 }
 
-QWidget* SingleMovePage::buildFigures() {
-  auto* box = new QWidget(this);
-  box->setFixedWidth(kFormWidth);
-  auto* grid = new QGridLayout(box);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(4);
-  grid->setColumnStretch(1, 1);
-  int row = 0;
-  for (const FigureValue& f : values_of({})) {
-    Figure figure{f.key, secondary_label({}, box), new QLabel(box), secondary_label({}, box)};
-    figure.value->setObjectName(QString("moveResult_") + f.key);
-    figure.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    figure.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    grid->addWidget(figure.name, row, 0);
-    grid->addWidget(figure.value, row, 1);
-    grid->addWidget(figure.unit, row++, 2);
-    figures_.push_back(figure);
-  }
-  return box;
+FigureList* SingleMovePage::buildFigures() {
+  figures_ = new FigureList(this);
+  figures_->setFixedWidth(kFormWidth);
+  for (const FigureValue& f : values_of({})) figures_->add(QString("moveResult_") + f.key);
+  return figures_;
 }
 
 void SingleMovePage::fillCombos() {
@@ -196,15 +176,16 @@ void SingleMovePage::update() {
 void SingleMovePage::showTrouble(const Error& error) {
   set_role(verdict_, "error");
   QString text = message_text(error.code, error.message);
-  if (!error.remedy.empty()) text += "\n" + QString::fromStdString(error.remedy);
+  if (!error.remedy.empty()) text += "\n" + remedy_text(error.remedy);
   verdict_->setText(text);
 }
 
 void SingleMovePage::showFigures() {
   const std::vector<FigureValue> values = values_of(preview_ ? preview_->move : SingleMove{});
-  for (std::size_t i = 0; i < figures_.size(); ++i) {
-    figures_[i].value->setText(preview_ ? number_text(values[i].value, 8) : QString("–"));
-    figures_[i].unit->setText(move_unit_text(*values[i].quantity, form_.units));
+  for (std::size_t i = 0; i < figures_->size(); ++i) {
+    figures_->setValue(i, preview_ ? number_text(values[i].value, 8) : QString("–"));
+    figures_->setUnit(i, move_unit_text(*values[i].quantity, form_.units));
+    figures_->setTip(i, values[i].key);  // as `toolpace move --json` names it
   }
 }
 
@@ -242,11 +223,7 @@ void SingleMovePage::retranslate() {
                            tr("time speeding up"),  tr("time at the peak"),   tr("time slowing down"),
                            tr("total time"),        tr("jerk speeding up"),   tr("jerk slowing down"),
                            tr("peak acceleration"), tr("peak deceleration")};
-  for (std::size_t i = 0; i < figures_.size(); ++i) {
-    figures_[i].name->setText(figures[i]);
-    figures_[i].value->setAccessibleName(figures[i]);
-    figures_[i].value->setToolTip(figures_[i].key);
-  }
+  for (std::size_t i = 0; i < figures_->size(); ++i) figures_->setName(i, figures[i]);
   preset_label_->setText(tr("Preset"));
   preset_->setAccessibleName(tr("Preset"));
   preset_->setToolTip(tr("Fill the form with a known move"));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/move_preview.h"
+#include "panels/figure_list.h"
 #include "panels/form_grid.h"
 #include "panels/move_plot.h"
 #include "panels/number_field.h"
@@ -40,14 +41,9 @@ class SingleMovePage : public QWidget {
     MoveQuantity quantity;
     std::optional<LawParameter> parameter;  ///< shown only for laws that have it
   };
-  /// A figure of the result, as `toolpace move --json` names it.
-  struct Figure {
-    const char* key;
-    QLabel *name, *value, *unit;
-  };
 
   QWidget* buildForm();
-  QWidget* buildFigures();
+  FigureList* buildFigures();
   void addEntry(int row, int side, const char* name, double* value, MoveQuantity quantity,
                 std::optional<LawParameter> parameter = {});
   void fillCombos();
@@ -63,7 +59,7 @@ class SingleMovePage : public QWidget {
   QLabel *law_label_, *units_label_, *preset_label_;
   FormGrid* grid_;
   std::vector<Entry> entries_;
-  std::vector<Figure> figures_;
+  FigureList* figures_;
   QLabel* verdict_;
   MovePlot* plot_;
 };

@@ -3,13 +3,13 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <memory>
 
 #include "models/problem_model.h"
 #include "models/pulse_preview.h"
+#include "models/remedy_text.h"
 #include "models/units.h"
 #include "toolpace/io/pulse_writer.h"
 
@@ -21,14 +21,6 @@ constexpr int kFormWidth = 300;
 constexpr double kMostSteps = 1e9;
 constexpr double kMillisecondsPerSecond = 1e3;
 constexpr std::size_t kFigures = 6;
-
-void set_role(QLabel* label, const char* role) {
-  label->setProperty("role", role);
-  label->style()->unpolish(label);
-  label->style()->polish(label);
-}
-
-QVector<double> vector(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
 }  // namespace
 
@@ -45,9 +37,9 @@ StepperPage::StepperPage(QWidget* parent) : QWidget(parent), background_(this) {
   buildExport(column);
   column->addStretch(1);
   row->addLayout(column);
-  buildPlot();
+  plot_ = new PulsePlot(this);
   row->addWidget(plot_, 1);
-  setTheme(theme_);
+  setTheme(light_theme());
   retranslate();
   showForm();
   update();
@@ -76,24 +68,10 @@ void StepperPage::buildForm(QVBoxLayout* column) {
   verdict_->setObjectName("stepperVerdict");
   verdict_->setWordWrap(true);
   column->addWidget(verdict_);
-  auto* figures = new QWidget(this);
-  figures->setFixedWidth(kFormWidth);
-  auto* grid = new QGridLayout(figures);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(4);
-  grid->setColumnStretch(1, 1);
-  for (std::size_t i = 0; i < kFigures; ++i) {
-    const Figure figure{secondary_label({}, figures), new QLabel(figures), secondary_label({}, figures)};
-    figure.value->setObjectName(QString("stepperResult%1").arg(i));
-    figure.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    figure.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    grid->addWidget(figure.name, static_cast<int>(i), 0);
-    grid->addWidget(figure.value, static_cast<int>(i), 1);
-    grid->addWidget(figure.unit, static_cast<int>(i), 2);
-    figures_.push_back(figure);
-  }
-  column->addWidget(figures);
+  figures_ = new FigureList(this);
+  figures_->setFixedWidth(kFormWidth);
+  for (std::size_t i = 0; i < kFigures; ++i) figures_->add(QString("stepperResult%1").arg(i));
+  column->addWidget(figures_);
 }
 
 void StepperPage::buildExport(QVBoxLayout* column) {
@@ -117,25 +95,6 @@ void StepperPage::buildExport(QVBoxLayout* column) {
   connect(&background_, &Background::progressed, this,
           [this](double fraction) { progress_->setValue(static_cast<int>(fraction * 1000)); });
   connect(&background_, &Background::finished, this, [this] { setBusy(false); });
-}
-
-void StepperPage::buildPlot() {
-  plot_ = new QCustomPlot(this);
-  plot_->setObjectName("stepperPlot");
-  plot_->setMinimumSize(320, 240);
-  plot_->plotLayout()->clear();
-  auto* margins = new QCPMarginGroup(plot_);
-  int index = 0;
-  for (Row* row : {&rate_, &interval_}) {
-    row->rect = new QCPAxisRect(plot_, true);
-    row->rect->setupFullAxesBox(true);
-    row->rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
-    plot_->plotLayout()->addElement(index++, 0, row->rect);
-    row->curve = plot_->addGraph(row->rect->axis(QCPAxis::atBottom), row->rect->axis(QCPAxis::atLeft));
-  }
-  QCPAxis* ticks = interval_.rect->axis(QCPAxis::atLeft);
-  ticks->setScaleType(QCPAxis::stLogarithmic);
-  ticks->setTicker(QSharedPointer<QCPAxisTickerLog>(new QCPAxisTickerLog));
 }
 
 void StepperPage::take(Field field, double value) {
@@ -167,7 +126,7 @@ void StepperPage::update() {
   if (!table) {
     table_.reset();
     set_role(verdict_, "error");
-    const QString remedy = QString::fromStdString(table.error().remedy);
+    const QString remedy = remedy_text(table.error().remedy);
     verdict_->setText(message_text(table.error().code, table.error().message) + "\n" + remedy);
   } else {
     table_ = *table;
@@ -180,25 +139,18 @@ void StepperPage::update() {
 
 void StepperPage::showFigures() {
   const PulsePreview preview = table_ ? preview_pulses(*table_) : PulsePreview{};
-  rate_.curve->setData(vector(preview.pulse), vector(preview.rate), true);
-  interval_.curve->setData(vector(preview.pulse), vector(preview.interval), true);
+  plot_->setPreview(preview);
   std::array<QString, kFigures> texts;
   texts.fill("–");
   if (table_) {
-    const auto [low, high] = std::minmax_element(preview.interval.begin(), preview.interval.end());
-    const double last = preview.pulse.back();
-    for (Row* row : {&rate_, &interval_}) row->rect->axis(QCPAxis::atBottom)->setRange(0, last + 1);
-    rate_.rect->axis(QCPAxis::atLeft)->setRange(0, *std::max_element(preview.rate.begin(), preview.rate.end()) * 1.08);
-    interval_.rect->axis(QCPAxis::atLeft)->setRange(*low / 1.5, *high * 1.5);
     texts = {number_text(table_->peak_speed(), 8),
              number_text(table_->total_time(), 8),
              number_text(static_cast<double>(table_->total_ticks()), 15),
              number_text(preview.interval.front(), 12),
-             number_text(*low, 12),
+             number_text(*std::min_element(preview.interval.begin(), preview.interval.end()), 12),
              number_text(preview.interval.back(), 12)};
   }
-  for (std::size_t i = 0; i < kFigures; ++i) figures_[i].value->setText(texts[i]);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  for (std::size_t i = 0; i < kFigures; ++i) figures_->setValue(i, texts[i]);
 }
 
 void StepperPage::chooseFile() {
@@ -232,28 +184,6 @@ void StepperPage::setBusy(bool busy) {
   progress_->setValue(0);
 }
 
-void StepperPage::setTheme(const Theme& theme) {
-  theme_ = theme;
-  plot_->setBackground(theme.surface);
-  for (Row* row : {&rate_, &interval_}) {
-    for (auto* axis : row->rect->axes()) {
-      axis->setBasePen(QPen(theme.line));
-      axis->setTickPen(QPen(theme.line));
-      axis->setSubTicks(false);
-      axis->setTickLength(0, 3);
-      axis->setTickLabelColor(theme.secondary);
-      axis->setLabelColor(theme.secondary);
-      axis->setTickLabelFont(font());
-      axis->setLabelFont(font());
-      axis->setNumberFormat("gbc");
-      axis->setNumberPrecision(6);
-      axis->grid()->setPen(QPen(theme.line, 1, Qt::DotLine));
-    }
-    row->curve->setPen(QPen(theme.accent, 1.5));
-  }
-  plot_->replot(QCustomPlot::rpQueuedReplot);
-}
-
 void StepperPage::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) {
     retranslate();
@@ -275,9 +205,8 @@ void StepperPage::retranslate() {
                            tr("first interval"), tr("shortest interval"), tr("last interval")};
   const std::array units{tr("step/s"), tr("s"), tr("ticks"), tr("ticks"), tr("ticks"), tr("ticks")};
   for (std::size_t i = 0; i < kFigures; ++i) {
-    figures_[i].name->setText(figures[i]);
-    figures_[i].unit->setText(units[i]);
-    figures_[i].value->setAccessibleName(figures[i]);
+    figures_->setName(i, figures[i]);
+    figures_->setUnit(i, units[i]);
   }
   entries_[kSteps].field->setUnit({1.0, tr("steps")});
   entries_[kSpeed].field->setUnit({1.0, tr("step/s")});
@@ -288,12 +217,7 @@ void StepperPage::retranslate() {
   cancel_->setToolTip(tr("Stop the export"));
   cancel_->setAccessibleName(cancel_->toolTip());
   progress_->setAccessibleName(tr("Progress of the export"));
-  rate_.rect->axis(QCPAxis::atLeft)->setLabel(tr("step rate  step/s"));
-  interval_.rect->axis(QCPAxis::atLeft)->setLabel(tr("interval  ticks"));
-  interval_.rect->axis(QCPAxis::atBottom)->setLabel(tr("pulse number"));
-  plot_->setAccessibleName(tr("Step rate and pulse interval over the pulse number"));
-  plot_->setToolTip(plot_->accessibleName());
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  plot_->retranslate();
 }
 
 }  // namespace toolpace::ui

@@ -1,20 +1,18 @@
 #pragma once
 /// The page "Stepper": a pulse table, its intervals and step rate, and its export.
 
-#include <qcustomplot.h>
-
-#include <QComboBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QWidget>
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "jobs/background.h"
+#include "panels/figure_list.h"
 #include "panels/form_grid.h"
 #include "panels/number_field.h"
+#include "panels/pulse_plot.h"
 #include "theme/theme.h"
 #include "toolpace/sample/pulse_table.h"
 
@@ -30,7 +28,7 @@ class StepperPage : public QWidget {
   const StepperMove& move() const { return move_; }
   /// The table on display; nothing while the form asks for one that cannot be made.
   const std::optional<PulseTable>& table() const { return table_; }
-  void setTheme(const Theme& theme);
+  void setTheme(const Theme& theme) { plot_->setTheme(theme); }
 
   /// Writes the table: .h as a C header, anything else as CSV. exported() follows.
   void exportTo(const QString& file);
@@ -46,18 +44,10 @@ class StepperPage : public QWidget {
     NumberField* field;
     QLabel* label;
   };
-  struct Figure {
-    QLabel *name, *value, *unit;
-  };
-  struct Row {
-    QCPAxisRect* rect;
-    QCPGraph* curve;
-  };
   enum Field : std::size_t { kSteps, kSpeed, kAcc, kDec, kTimer, kFields };
 
   void buildForm(class QVBoxLayout* column);
   void buildExport(class QVBoxLayout* column);
-  void buildPlot();
   Entry makeEntry(Field field, const char* name, const DisplayUnit& unit, const NumberField::Range& range);
   void take(Field field, double value);
   void showForm();
@@ -72,13 +62,11 @@ class StepperPage : public QWidget {
   std::optional<PulseTable> table_;
   FormGrid* grid_;
   std::array<Entry, kFields> entries_ = {};
-  std::vector<Figure> figures_;
+  FigureList* figures_;
   QLabel* verdict_;
   QPushButton *export_, *cancel_;
   QProgressBar* progress_;
-  QCustomPlot* plot_;
-  Row interval_, rate_;
-  Theme theme_ = light_theme();
+  PulsePlot* plot_;
   Background background_;
 };
 
