@@ -1088,6 +1088,1053 @@
         </message>
     </context>
     <context>
+        <name>remedies</name>
+        <message>
+            <source>give one of them</source>
+            <translation>写其中一个</translation>
+        </message>
+        <message>
+            <source>the size of a corner is not below 0</source>
+            <translation>拐角尺寸不小于 0</translation>
+        </message>
+        <message>
+            <source>R is the way back from the work</source>
+            <translation>R 是离开工件的退刀量</translation>
+        </message>
+        <message>
+            <source>a contour is made of G0, G1, G2 and G3</source>
+            <translation>轮廓由 G0、G1、G2 和 G3 组成</translation>
+        </message>
+        <message>
+            <source>give a larger step I, or a simpler contour</source>
+            <translation>增大步长 I，或简化轮廓</translation>
+        </message>
+        <message>
+            <source>A rounds it, C breaks it: give one</source>
+            <translation>A 倒圆，C 倒角：只写一个</translation>
+        </message>
+        <message>
+            <source>call it outside</source>
+            <translation>在外面调用</translation>
+        </message>
+        <message>
+            <source>a contour has two moves at least: one to its start and one along it</source>
+            <translation>轮廓至少有两个移动：一个到起点，一个沿轮廓</translation>
+        </message>
+        <message>
+            <source>name the sub-program of the contour with Q: Q100 for O100 sub</source>
+            <translation>用 Q 指定轮廓子程序：O100 sub 用 Q100</translation>
+        </message>
+        <message>
+            <source>give a smaller allowance D (of G70 also E)</source>
+            <translation>减小余量 D（G70 还有 E）</translation>
+        </message>
+        <message>
+            <source>give feed, speed and other codes before the lathe cycle</source>
+            <translation>在车削循环之前给出进给、速度和其他代码</translation>
+        </message>
+        <message>
+            <source>I is the depth of a pass</source>
+            <translation>I 是每刀切深</translation>
+        </message>
+        <message>
+            <source>end it with G40; G70 alone finishes with it</source>
+            <translation>用 G40 结束；只有 G70 可带它精车</translation>
+        </message>
+        <message>
+            <source>P is a whole number from 1</source>
+            <translation>P 是不小于 1 的整数</translation>
+        </message>
+        <message>
+            <source>go there before with G53 G0</source>
+            <translation>先用 G53 G0 到那里</translation>
+        </message>
+        <message>
+            <source>give a smaller A or C</source>
+            <translation>A 或 C 取小一些</translation>
+        </message>
+        <message>
+            <source>%1 numbers are due in each line</source>
+            <translation>每行应有 %1 个数</translation>
+        </message>
+        <message>
+            <source>D is the highest speed of the spindle</source>
+            <translation>D 是主轴最高转速</translation>
+        </message>
+        <message>
+            <source>D takes a tool number</source>
+            <translation>D 后面是刀号</translation>
+        </message>
+        <message>
+            <source>G76 needs P Z I J K</source>
+            <translation>G76 需要 P Z I J K</translation>
+        </message>
+        <message>
+            <source>G87 needs I J K</source>
+            <translation>G87 需要 I J K</translation>
+        </message>
+        <message>
+            <source>H is a whole number from 0</source>
+            <translation>H 是不小于 0 的整数</translation>
+        </message>
+        <message>
+            <source>J is the first cut, K the full depth, both positive, K the larger</source>
+            <translation>J 是第一刀，K 是总深，两者为正且 K 较大</translation>
+        </message>
+        <message>
+            <source>L is a whole number from 0</source>
+            <translation>L 是不小于 0 的整数</translation>
+        </message>
+        <message>
+            <source>L: 1 entry taper, 2 exit taper, 3 both</source>
+            <translation>L：1 入口锥，2 出口锥，3 两者</translation>
+        </message>
+        <message>
+            <source>N stands at the beginning of the line</source>
+            <translation>N 写在行首</translation>
+        </message>
+        <message>
+            <source>P and Q of G64 are not below 0</source>
+            <translation>G64 的 P 和 Q 不小于 0</translation>
+        </message>
+        <message>
+            <source>P of an arc is a whole number from 1</source>
+            <translation>圆弧的 P 是不小于 1 的整数</translation>
+        </message>
+        <message>
+            <source>P0 is the active system, P1 to P9 are G54 to G59.3</source>
+            <translation>P0 是当前坐标系，P1 到 P9 是 G54 到 G59.3</translation>
+        </message>
+        <message>
+            <source>Q is the slide angle in degrees</source>
+            <translation>Q 是进刀角度（度）</translation>
+        </message>
+        <message>
+            <source>T and P are whole numbers from 0, Q is one from 0 to 9</source>
+            <translation>T 和 P 是不小于 0 的整数，Q 是 0 到 9 的整数</translation>
+        </message>
+        <message>
+            <source>a feedrate is not below 0</source>
+            <translation>进给速度不小于 0</translation>
+        </message>
+        <message>
+            <source>a line is a parameter number and a value</source>
+            <translation>每行是一个参数号和一个值</translation>
+        </message>
+        <message>
+            <source>a spindle speed is not below 0</source>
+            <translation>主轴转速不小于 0</translation>
+        </message>
+        <message>
+            <source>add it to the tool table</source>
+            <translation>把它加入刀具表</translation>
+        </message>
+        <message>
+            <source>add rows</source>
+            <translation>增加数据行</translation>
+        </message>
+        <message>
+            <source>an O word stands first in its line</source>
+            <translation>O 字写在行首</translation>
+        </message>
+        <message>
+            <source>assign it before it is used, or test it with EXISTS[]</source>
+            <translation>使用前先赋值，或用 EXISTS[] 检查</translation>
+        </message>
+        <message>
+            <source>axes are X Y Z A B C</source>
+            <translation>轴有 X Y Z A B C</translation>
+        </message>
+        <message>
+            <source>begin with a header such as x_mm,y_mm,z_mm,feed_mm_min</source>
+            <translation>以表头开始，如 x_mm,y_mm,z_mm,feed_mm_min</translation>
+        </message>
+        <message>
+            <source>call a sub with O… call, an O number with M98</source>
+            <translation>sub 用 O… call 调用，O 号用 M98 调用</translation>
+        </message>
+        <message>
+            <source>check G17 G18 G19</source>
+            <translation>检查 G17 G18 G19</translation>
+        </message>
+        <message>
+            <source>check I J K or R</source>
+            <translation>检查 I J K 或 R</translation>
+        </message>
+        <message>
+            <source>check R and the depth</source>
+            <translation>检查 R 和深度</translation>
+        </message>
+        <message>
+            <source>check feeds and dwells, or take a longer period</source>
+            <translation>检查进给和暂停，或取更长的周期</translation>
+        </message>
+        <message>
+            <source>check for a sub-program that calls itself; --max-call-depth raises the bound</source>
+            <translation>检查是否有子程序调用自身；--max-call-depth 可提高上限</translation>
+        </message>
+        <message>
+            <source>check it</source>
+            <translation>检查它</translation>
+        </message>
+        <message>
+            <source>check its permissions</source>
+            <translation>检查它的权限</translation>
+        </message>
+        <message>
+            <source>check that every sub, if, while, do and repeat is closed under the same label</source>
+            <translation>检查每个 sub、if、while、do 和 repeat 是否都以同一标号结束</translation>
+        </message>
+        <message>
+            <source>check that its loops end; --max-blocks raises the bound</source>
+            <translation>检查循环能否结束；--max-blocks 可提高上限</translation>
+        </message>
+        <message>
+            <source>check that its loops end; --max-lines raises the bound</source>
+            <translation>检查循环能否结束；--max-lines 可提高上限</translation>
+        </message>
+        <message>
+            <source>check that the loop ends; --max-loop-turns raises the bound</source>
+            <translation>检查循环能否结束；--max-loop-turns 可提高上限</translation>
+        </message>
+        <message>
+            <source>check the L word</source>
+            <translation>检查 L 字</translation>
+        </message>
+        <message>
+            <source>check the argument</source>
+            <translation>检查参数</translation>
+        </message>
+        <message>
+            <source>check the base</source>
+            <translation>检查底数</translation>
+        </message>
+        <message>
+            <source>check the centre words I J K</source>
+            <translation>检查圆心字 I J K</translation>
+        </message>
+        <message>
+            <source>check the centre words I J K, G90.1/G91.1, and the plane</source>
+            <translation>检查圆心字 I J K、G90.1/G91.1 和平面</translation>
+        </message>
+        <message>
+            <source>check the code or the dialect</source>
+            <translation>检查代码或方言</translation>
+        </message>
+        <message>
+            <source>check the digits</source>
+            <translation>检查数字</translation>
+        </message>
+        <message>
+            <source>check the disk</source>
+            <translation>检查磁盘</translation>
+        </message>
+        <message>
+            <source>check the expression</source>
+            <translation>检查表达式</translation>
+        </message>
+        <message>
+            <source>check the feedrate</source>
+            <translation>检查进给速度</translation>
+        </message>
+        <message>
+            <source>check the folder and the extension</source>
+            <translation>检查文件夹和扩展名</translation>
+        </message>
+        <message>
+            <source>check the name</source>
+            <translation>检查名称</translation>
+        </message>
+        <message>
+            <source>check the name and the permissions</source>
+            <translation>检查名称和权限</translation>
+        </message>
+        <message>
+            <source>check the name and the rights</source>
+            <translation>检查名称和权限</translation>
+        </message>
+        <message>
+            <source>check the number behind GOTO</source>
+            <translation>检查 GOTO 后面的数</translation>
+        </message>
+        <message>
+            <source>check the number behind P</source>
+            <translation>检查 P 后面的数</translation>
+        </message>
+        <message>
+            <source>check the numbers</source>
+            <translation>检查数值</translation>
+        </message>
+        <message>
+            <source>check the numbers and the offsets</source>
+            <translation>检查数值和偏置</translation>
+        </message>
+        <message>
+            <source>check the numbers of this line</source>
+            <translation>检查本行的数值</translation>
+        </message>
+        <message>
+            <source>check the path</source>
+            <translation>检查路径</translation>
+        </message>
+        <message>
+            <source>check the rights of the file and its directory</source>
+            <translation>检查文件及其文件夹的权限</translation>
+        </message>
+        <message>
+            <source>check what your controller does with it</source>
+            <translation>查明你的控制器如何处理它</translation>
+        </message>
+        <message>
+            <source>choose a time before the end</source>
+            <translation>选一个结束之前的时刻</translation>
+        </message>
+        <message>
+            <source>choose another file</source>
+            <translation>选别的文件</translation>
+        </message>
+        <message>
+            <source>choose the dialect with --dialect</source>
+            <translation>用 --dialect 选择方言</translation>
+        </message>
+        <message>
+            <source>close DO1 with END1 in the same program</source>
+            <translation>在同一程序中用 END1 结束 DO1</translation>
+        </message>
+        <message>
+            <source>close it under the same label</source>
+            <translation>用同一标号结束它</translation>
+        </message>
+        <message>
+            <source>close the bracket</source>
+            <translation>补上右括号</translation>
+        </message>
+        <message>
+            <source>close the comment with &apos;)&apos;</source>
+            <translation>用 &apos;)&apos; 结束注释</translation>
+        </message>
+        <message>
+            <source>close the name with &apos;&gt;&apos;</source>
+            <translation>用 &apos;&gt;&apos; 结束名称</translation>
+        </message>
+        <message>
+            <source>columns are x_mm y_mm z_mm a_deg b_deg c_deg feed_mm_min</source>
+            <translation>列名有 x_mm y_mm z_mm a_deg b_deg c_deg feed_mm_min</translation>
+        </message>
+        <message>
+            <source>comments do not nest: remove the inner parenthesis</source>
+            <translation>注释不能嵌套：去掉里面的括号</translation>
+        </message>
+        <message>
+            <source>correct the value</source>
+            <translation>改正数值</translation>
+        </message>
+        <message>
+            <source>define it in this program, or put its file beside the program or into a folder given with --sub-path</source>
+            <translation>在本程序中定义它，或把它的文件放在程序旁边或 --sub-path 给出的文件夹中</translation>
+        </message>
+        <message>
+            <source>did you mean &apos;%1&apos;?</source>
+            <translation>是否想写“%1”？</translation>
+        </message>
+        <message>
+            <source>end it with G40 first</source>
+            <translation>先用 G40 结束</translation>
+        </message>
+        <message>
+            <source>end it with M2 or M30</source>
+            <translation>用 M2 或 M30 结束</translation>
+        </message>
+        <message>
+            <source>end it with M30</source>
+            <translation>用 M30 结束</translation>
+        </message>
+        <message>
+            <source>end the spline with G5.3</source>
+            <translation>用 G5.3 结束样条</translation>
+        </message>
+        <message>
+            <source>feeds are above 0</source>
+            <translation>进给速度大于 0</translation>
+        </message>
+        <message>
+            <source>free space or write elsewhere</source>
+            <translation>腾出空间，或写到别处</translation>
+        </message>
+        <message>
+            <source>functions are ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN</source>
+            <translation>函数有 ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN</translation>
+        </message>
+        <message>
+            <source>gain, bandwidth and damping are above 0, the others at least 0</source>
+            <translation>增益、带宽和阻尼大于 0，其余不小于 0</translation>
+        </message>
+        <message>
+            <source>give --am, or an acceleration for each axis that moves</source>
+            <translation>给出路径加速度，或每个运动轴的加速度</translation>
+        </message>
+        <message>
+            <source>give --jm, or a jerk for each axis that moves, or choose another law</source>
+            <translation>给出路径加加速度，或每个运动轴的加加速度，或选别的规律</translation>
+        </message>
+        <message>
+            <source>give --timer-hz, such as 1000000</source>
+            <translation>给出 --timer-hz，如 1000000</translation>
+        </message>
+        <message>
+            <source>give --vmax, a feedrate, or a speed for each axis that moves</source>
+            <translation>给出最高速度、进给速度，或每个运动轴的速度</translation>
+        </message>
+        <message>
+            <source>give 0 or more</source>
+            <translation>取不小于 0 的值</translation>
+        </message>
+        <message>
+            <source>give 0 s or later</source>
+            <translation>取 0 s 或以后</translation>
+        </message>
+        <message>
+            <source>give 0.001 ms or more, such as 1 ms</source>
+            <translation>不小于 0.001 ms，如 1 ms</translation>
+        </message>
+        <message>
+            <source>give 1 (a stop at every node) or more, or all</source>
+            <translation>取 1（每个节点都停）或更多，或全部</translation>
+        </message>
+        <message>
+            <source>give F before</source>
+            <translation>先给出 F</translation>
+        </message>
+        <message>
+            <source>give F before or in this block</source>
+            <translation>在此之前或本段中给出 F</translation>
+        </message>
+        <message>
+            <source>give F in every block with a feed move, or use G94</source>
+            <translation>每个进给程序段都写 F，或用 G94</translation>
+        </message>
+        <message>
+            <source>give I and J</source>
+            <translation>写出 I 和 J</translation>
+        </message>
+        <message>
+            <source>give I and K</source>
+            <translation>写出 I 和 K</translation>
+        </message>
+        <message>
+            <source>give J and K</source>
+            <translation>写出 J 和 K</translation>
+        </message>
+        <message>
+            <source>give R, or I J K</source>
+            <translation>写出 R，或 I J K</translation>
+        </message>
+        <message>
+            <source>give R, or I J K, not both</source>
+            <translation>R 与 I J K 只写一种</translation>
+        </message>
+        <message>
+            <source>give S and M3 or M4 before</source>
+            <translation>先给出 S 和 M3 或 M4</translation>
+        </message>
+        <message>
+            <source>give S before</source>
+            <translation>先给出 S</translation>
+        </message>
+        <message>
+            <source>give X and Y</source>
+            <translation>写出 X 和 Y</translation>
+        </message>
+        <message>
+            <source>give a deeper first cut J</source>
+            <translation>第一刀 J 取深一些</translation>
+        </message>
+        <message>
+            <source>give a faster timer or fewer steps per mm</source>
+            <translation>用更快的定时器，或减少每毫米步数</translation>
+        </message>
+        <message>
+            <source>give a file with motion in it</source>
+            <translation>选一个含有运动的文件</translation>
+        </message>
+        <message>
+            <source>give a full circle by its centre (I J K)</source>
+            <translation>整圆请用圆心 (I J K) 给出</translation>
+        </message>
+        <message>
+            <source>give a gain below 2·damping·2π·bandwidth</source>
+            <translation>增益要小于 2·阻尼·2π·带宽</translation>
+        </message>
+        <message>
+            <source>give a larger Q</source>
+            <translation>把 Q 改大</translation>
+        </message>
+        <message>
+            <source>give %1, or a limit for each axis that moves</source>
+            <translation>给出路径限制（%1），或每个运动轴的限制</translation>
+        </message>
+        <message>
+            <source>give a motion code such as G0 or G1</source>
+            <translation>写出运动代码，如 G0 或 G1</translation>
+        </message>
+        <message>
+            <source>give a positive F</source>
+            <translation>F 取正值</translation>
+        </message>
+        <message>
+            <source>give a positive P</source>
+            <translation>P 取正值</translation>
+        </message>
+        <message>
+            <source>give a slower timer</source>
+            <translation>用更慢的定时器</translation>
+        </message>
+        <message>
+            <source>give a smaller count</source>
+            <translation>次数取小一些</translation>
+        </message>
+        <message>
+            <source>give a speed in mm/s</source>
+            <translation>给出速度（mm/s）</translation>
+        </message>
+        <message>
+            <source>give a time from 0</source>
+            <translation>时间不小于 0</translation>
+        </message>
+        <message>
+            <source>give a value above 0</source>
+            <translation>取大于 0 的值</translation>
+        </message>
+        <message>
+            <source>give an NC program or a CSV polyline, as UTF-8 or an 8-bit text</source>
+            <translation>选 NC 程序或 CSV 折线，UTF-8 或 8 位文本</translation>
+        </message>
+        <message>
+            <source>give an end point away from here</source>
+            <translation>终点要离开当前点</translation>
+        </message>
+        <message>
+            <source>give at least 1 block, or all</source>
+            <translation>至少 1 段，或全部</translation>
+        </message>
+        <message>
+            <source>give at least as many control points as the order</source>
+            <translation>控制点数不少于阶数</translation>
+        </message>
+        <message>
+            <source>give at least one axis</source>
+            <translation>至少写一个轴</translation>
+        </message>
+        <message>
+            <source>give both, or none to mirror the last handle</source>
+            <translation>两个都写，或都不写以对称延续上一个控制柄</translation>
+        </message>
+        <message>
+            <source>give each sub, if, while, do and repeat a label of its own</source>
+            <translation>每个 sub、if、while、do 和 repeat 用各自的标号</translation>
+        </message>
+        <message>
+            <source>give fewer different tolerances</source>
+            <translation>减少不同公差的个数</translation>
+        </message>
+        <message>
+            <source>give it with P</source>
+            <translation>用 P 给出</translation>
+        </message>
+        <message>
+            <source>give it with Q</source>
+            <translation>用 Q 给出</translation>
+        </message>
+        <message>
+            <source>give its weight with P</source>
+            <translation>用 P 给出权</translation>
+        </message>
+        <message>
+            <source>give more than 0 and at most 100 %</source>
+            <translation>大于 0 且不超过 100 %</translation>
+        </message>
+        <message>
+            <source>give more than 0 and at most 200 %</source>
+            <translation>大于 0 且不超过 200 %</translation>
+        </message>
+        <message>
+            <source>give the angle with ^</source>
+            <translation>用 ^ 给出角度</translation>
+        </message>
+        <message>
+            <source>give the cutting speed with S</source>
+            <translation>用 S 给出切削速度</translation>
+        </message>
+        <message>
+            <source>give the depth</source>
+            <translation>给出深度</translation>
+        </message>
+        <message>
+            <source>give the depth of a peck with Q</source>
+            <translation>用 Q 给出每次啄钻深度</translation>
+        </message>
+        <message>
+            <source>give the diameter with D</source>
+            <translation>用 D 给出直径</translation>
+        </message>
+        <message>
+            <source>give the dwell in s with P</source>
+            <translation>用 P 给出暂停时间（秒）</translation>
+        </message>
+        <message>
+            <source>give the end point</source>
+            <translation>写出终点</translation>
+        </message>
+        <message>
+            <source>give the handle with I and J</source>
+            <translation>用 I 和 J 给出控制柄</translation>
+        </message>
+        <message>
+            <source>give the highest speed with D beside G96</source>
+            <translation>在 G96 旁用 D 给出最高转速</translation>
+        </message>
+        <message>
+            <source>give the path or every axis that moves an acceleration limit</source>
+            <translation>给路径或每个运动轴设加速度限制</translation>
+        </message>
+        <message>
+            <source>give the pitch</source>
+            <translation>给出螺距</translation>
+        </message>
+        <message>
+            <source>give the retract level with R</source>
+            <translation>用 R 给出退刀平面</translation>
+        </message>
+        <message>
+            <source>give the second handle with P and Q</source>
+            <translation>用 P 和 Q 给出第二个控制柄</translation>
+        </message>
+        <message>
+            <source>is it the file of this program?</source>
+            <translation>这是本程序的文件吗？</translation>
+        </message>
+        <message>
+            <source>it must be 0 or between 1e-30 and 1e30</source>
+            <translation>必须为 0，或在 1e-30 与 1e30 之间</translation>
+        </message>
+        <message>
+            <source>it must be at least 1</source>
+            <translation>至少为 1</translation>
+        </message>
+        <message>
+            <source>it must be between 1e-30 and 1e30</source>
+            <translation>必须在 1e-30 与 1e30 之间</translation>
+        </message>
+        <message>
+            <source>it must be between 1e-30 and 1e30, or inf for no limit</source>
+            <translation>必须在 1e-30 与 1e30 之间，不限制则为 inf</translation>
+        </message>
+        <message>
+            <source>it must be positive</source>
+            <translation>必须为正</translation>
+        </message>
+        <message>
+            <source>it must be positive, in Hz</source>
+            <translation>必须为正，单位 Hz</translation>
+        </message>
+        <message>
+            <source>it must be positive, in step/s</source>
+            <translation>必须为正，单位 step/s</translation>
+        </message>
+        <message>
+            <source>jog and home before the program begins</source>
+            <translation>在程序开始之前点动和回零</translation>
+        </message>
+        <message>
+            <source>keep one of them in this block</source>
+            <translation>本程序段只保留其中一个</translation>
+        </message>
+        <message>
+            <source>keep one point</source>
+            <translation>只保留一个小数点</translation>
+        </message>
+        <message>
+            <source>laws: %1</source>
+            <translation>速度规律：%1</translation>
+        </message>
+        <message>
+            <source>leave X out</source>
+            <translation>去掉 X</translation>
+        </message>
+        <message>
+            <source>leave compensation on a straight move</source>
+            <translation>在直线移动上取消补偿</translation>
+        </message>
+        <message>
+            <source>leave the key out for no limit</source>
+            <translation>不限制就去掉这个键</translation>
+        </message>
+        <message>
+            <source>letters outside of ASCII stand in comments and in texts of one line</source>
+            <translation>非 ASCII 字符只能写在注释和单行文本中</translation>
+        </message>
+        <message>
+            <source>lines may have %1 bytes; is this an NC program?</source>
+            <translation>一行最多 %1 字节；这是 NC 程序吗？</translation>
+        </message>
+        <message>
+            <source>machine files are TOML</source>
+            <translation>机床文件是 TOML 格式</translation>
+        </message>
+        <message>
+            <source>move the other axes in a block of their own</source>
+            <translation>其他轴在单独的程序段中移动</translation>
+        </message>
+        <message>
+            <source>move the work offset or the part</source>
+            <translation>移动工件零点或工件</translation>
+        </message>
+        <message>
+            <source>name a file</source>
+            <translation>选一个文件</translation>
+        </message>
+        <message>
+            <source>name a file in it</source>
+            <translation>选其中的一个文件</translation>
+        </message>
+        <message>
+            <source>name the coordinate system with P</source>
+            <translation>用 P 指定坐标系</translation>
+        </message>
+        <message>
+            <source>name the loop around this line</source>
+            <translation>写出包含本行的循环的标号</translation>
+        </message>
+        <message>
+            <source>name the macro with P</source>
+            <translation>用 P 指定宏程序</translation>
+        </message>
+        <message>
+            <source>name the sub-program with P</source>
+            <translation>用 P 指定子程序</translation>
+        </message>
+        <message>
+            <source>name the tool with P</source>
+            <translation>用 P 指定刀具</translation>
+        </message>
+        <message>
+            <source>numbers have a decimal point, not a comma</source>
+            <translation>数字用小数点，不用逗号</translation>
+        </message>
+        <message>
+            <source>one of %1</source>
+            <translation>可选：%1</translation>
+        </message>
+        <message>
+            <source>only calls may compute their label</source>
+            <translation>只有 call 的标号可以是计算的</translation>
+        </message>
+        <message>
+            <source>open the spline with G5.2</source>
+            <translation>用 G5.2 开始样条</translation>
+        </message>
+        <message>
+            <source>operators are + - * / ** MOD AND OR XOR EQ NE GT GE LT LE</source>
+            <translation>运算符有 + - * / ** MOD AND OR XOR EQ NE GT GE LT LE</translation>
+        </message>
+        <message>
+            <source>orders go from 2 to 20</source>
+            <translation>阶数为 2 到 20</translation>
+        </message>
+        <message>
+            <source>orientations go from 0 to 9</source>
+            <translation>刀尖方位为 0 到 9</translation>
+        </message>
+        <message>
+            <source>parameters go from #1 to #%1</source>
+            <translation>参数为 #1 到 #%1</translation>
+        </message>
+        <message>
+            <source>post the program without it</source>
+            <translation>后处理时不要输出它</translation>
+        </message>
+        <message>
+            <source>put it in quotes</source>
+            <translation>放在引号中</translation>
+        </message>
+        <message>
+            <source>put it on a line of its own</source>
+            <translation>单独写一行</translation>
+        </message>
+        <message>
+            <source>put steps_per_mm into [axes.X] of the machine file</source>
+            <translation>在机床文件的 [axes.X] 中写 steps_per_mm</translation>
+        </message>
+        <message>
+            <source>put the argument in []</source>
+            <translation>把参数写在 [] 中</translation>
+        </message>
+        <message>
+            <source>put them into a block with a motion code</source>
+            <translation>写到有运动代码的程序段里</translation>
+        </message>
+        <message>
+            <source>put them into blocks of their own</source>
+            <translation>分别写到各自的程序段</translation>
+        </message>
+        <message>
+            <source>raise the feed or lower the speed to it</source>
+            <translation>提高进给，或把速度降到它以下</translation>
+        </message>
+        <message>
+            <source>raise the feedrate or the override above 0</source>
+            <translation>把进给速度或倍率提高到 0 以上</translation>
+        </message>
+        <message>
+            <source>remove it, or add the code it belongs to</source>
+            <translation>去掉它，或加上它所属的代码</translation>
+        </message>
+        <message>
+            <source>remove it, or call the sub-program</source>
+            <translation>去掉它，或调用子程序</translation>
+        </message>
+        <message>
+            <source>remove it; numbers have no exponent here: write them out</source>
+            <translation>去掉它；这里的数没有指数：请写全</translation>
+        </message>
+        <message>
+            <source>remove one of them</source>
+            <translation>去掉其中一个</translation>
+        </message>
+        <message>
+            <source>remove them</source>
+            <translation>去掉它们</translation>
+        </message>
+        <message>
+            <source>repeats are a whole number from 0 to 1000000</source>
+            <translation>重复次数是 0 到 1000000 的整数</translation>
+        </message>
+        <message>
+            <source>rows may have %1 bytes</source>
+            <translation>一行最多 %1 字节</translation>
+        </message>
+        <message>
+            <source>rows need %1 values</source>
+            <translation>每行需要 %1 个值</translation>
+        </message>
+        <message>
+            <source>save it as UTF-8</source>
+            <translation>存为 UTF-8</translation>
+        </message>
+        <message>
+            <source>save it with M70 in the same program or sub-program</source>
+            <translation>在同一程序或子程序中用 M70 保存</translation>
+        </message>
+        <message>
+            <source>save them with numpy.savez, which does not compress</source>
+            <translation>用不压缩的 numpy.savez 保存</translation>
+        </message>
+        <message>
+            <source>see to what the program complains of</source>
+            <translation>处理程序所报告的问题</translation>
+        </message>
+        <message>
+            <source>set the rotation with G10 L2</source>
+            <translation>用 G10 L2 设置旋转</translation>
+        </message>
+        <message>
+            <source>split the expression</source>
+            <translation>拆分表达式</translation>
+        </message>
+        <message>
+            <source>split the spline</source>
+            <translation>拆分样条</translation>
+        </message>
+        <message>
+            <source>start cutter radius compensation farther away from the contour</source>
+            <translation>在离轮廓更远处开始刀具半径补偿</translation>
+        </message>
+        <message>
+            <source>start it with M3 before G84</source>
+            <translation>在 G84 之前用 M3 启动</translation>
+        </message>
+        <message>
+            <source>start it with M3 or M4</source>
+            <translation>用 M3 或 M4 启动</translation>
+        </message>
+        <message>
+            <source>start it with M4 before G74</source>
+            <translation>在 G74 之前用 M4 启动</translation>
+        </message>
+        <message>
+            <source>sub endsub call return if elseif else endif while endwhile do repeat endrepeat break continue</source>
+            <translation>可用：sub endsub call return if elseif else endif while endwhile do repeat endrepeat break continue</translation>
+        </message>
+        <message>
+            <source>take a faster timer clock or a lower top speed</source>
+            <translation>用更快的定时器时钟或更低的最高速度</translation>
+        </message>
+        <message>
+            <source>take a slower timer clock or a shorter move</source>
+            <translation>用更慢的定时器时钟或更短的移动</translation>
+        </message>
+        <message>
+            <source>take a slower timer clock or shorter ramps</source>
+            <translation>用更慢的定时器时钟或更短的加减速段</translation>
+        </message>
+        <message>
+            <source>take an end speed of %1, or a length of at least %2</source>
+            <translation>终点速度取 %1，或长度至少为 %2</translation>
+        </message>
+        <message>
+            <source>test the divisor before</source>
+            <translation>事先检查除数</translation>
+        </message>
+        <message>
+            <source>the header is t_s,x_mm,y_mm,z_mm[,a_deg,b_deg,c_deg],v_mm_s,a_mm_s2,j_mm_s3,line</source>
+            <translation>表头是 t_s,x_mm,y_mm,z_mm[,a_deg,b_deg,c_deg],v_mm_s,a_mm_s2,j_mm_s3,line</translation>
+        </message>
+        <message>
+            <source>the radius must be at least %1 mm</source>
+            <translation>半径至少为 %1 mm</translation>
+        </message>
+        <message>
+            <source>this is no text: is the file damaged?</source>
+            <translation>这不是文本：文件是否损坏？</translation>
+        </message>
+        <message>
+            <source>tool numbers are whole numbers from 0</source>
+            <translation>刀号是不小于 0 的整数</translation>
+        </message>
+        <message>
+            <source>turn it in a block before</source>
+            <translation>在前一程序段中转动它</translation>
+        </message>
+        <message>
+            <source>use .csv, .npy, .npz, .halstream or .semicolon.csv</source>
+            <translation>用 .csv、.npy、.npz、.halstream 或 .semicolon.csv</translation>
+        </message>
+        <message>
+            <source>use @ ^ or X Y, not both</source>
+            <translation>@ ^ 与 X Y 只用一种</translation>
+        </message>
+        <message>
+            <source>use G17</source>
+            <translation>用 G17</translation>
+        </message>
+        <message>
+            <source>use G17 or G18</source>
+            <translation>用 G17 或 G18</translation>
+        </message>
+        <message>
+            <source>use G18</source>
+            <translation>用 G18</translation>
+        </message>
+        <message>
+            <source>use G53 with G0 or G1</source>
+            <translation>G53 与 G0 或 G1 一起用</translation>
+        </message>
+        <message>
+            <source>use G90 with G53</source>
+            <translation>G53 与 G90 一起用</translation>
+        </message>
+        <message>
+            <source>use G94</source>
+            <translation>用 G94</translation>
+        </message>
+        <message>
+            <source>use a smaller tool</source>
+            <translation>换用更小的刀具</translation>
+        </message>
+        <message>
+            <source>use a smaller tool or a rounder corner</source>
+            <translation>换用更小的刀具，或把拐角改圆</translation>
+        </message>
+        <message>
+            <source>use a whole number behind #</source>
+            <translation># 后面用整数</translation>
+        </message>
+        <message>
+            <source>use another name</source>
+            <translation>用别的名称</translation>
+        </message>
+        <message>
+            <source>use another parameter</source>
+            <translation>用别的参数</translation>
+        </message>
+        <message>
+            <source>use fewer names</source>
+            <translation>减少名称的个数</translation>
+        </message>
+        <message>
+            <source>use global parameters</source>
+            <translation>用全局参数</translation>
+        </message>
+        <message>
+            <source>words are a letter and a number, such as T1 P1 D6 Z50</source>
+            <translation>字由字母和数组成，如 T1 P1 D6 Z50</translation>
+        </message>
+        <message>
+            <source>words begin with a plain letter; comments stand in ( ) or behind ;</source>
+            <translation>字以普通字母开头；注释写在 ( ) 中或 ; 之后</translation>
+        </message>
+        <message>
+            <source>write #number = value</source>
+            <translation>写成 #号 = 值</translation>
+        </message>
+        <message>
+            <source>write ATAN[y]/[x]</source>
+            <translation>写成 ATAN[y]/[x]</translation>
+        </message>
+        <message>
+            <source>write EXISTS[#&lt;name&gt;]</source>
+            <translation>写成 EXISTS[#&lt;name&gt;]</translation>
+        </message>
+        <message>
+            <source>write IF [..] GOTO n or IF [..] THEN #n = ..</source>
+            <translation>写成 IF [..] GOTO n 或 IF [..] THEN #n = ..</translation>
+        </message>
+        <message>
+            <source>write N and a number from 0</source>
+            <translation>写 N 和不小于 0 的数</translation>
+        </message>
+        <message>
+            <source>write O100 or O&lt;name&gt;</source>
+            <translation>写成 O100 或 O&lt;name&gt;</translation>
+        </message>
+        <message>
+            <source>write [%1]</source>
+            <translation>写成 [%1]</translation>
+        </message>
+        <message>
+            <source>write [axes.X]</source>
+            <translation>写成 [axes.X]</translation>
+        </message>
+        <message>
+            <source>write [condition]</source>
+            <translation>写成 [条件]</translation>
+        </message>
+        <message>
+            <source>write [servo] or [servo.X]</source>
+            <translation>写成 [servo] 或 [servo.X]</translation>
+        </message>
+        <message>
+            <source>write a name between &lt; and &gt;</source>
+            <translation>在 &lt; 与 &gt; 之间写名称</translation>
+        </message>
+        <message>
+            <source>write a number, a #parameter or an expression in []</source>
+            <translation>写数字、#参数或 [] 中的表达式</translation>
+        </message>
+        <message>
+            <source>write elsewhere or split the program</source>
+            <translation>写到别处，或拆分程序</translation>
+        </message>
+        <message>
+            <source>write it to a file and read that</source>
+            <translation>先写入文件再读取</translation>
+        </message>
+        <message>
+            <source>write repeat [count]</source>
+            <translation>写成 repeat [次数]</translation>
+        </message>
+    </context>
+    <context>
         <name>toolpace::studio::Actions</name>
         <message>
             <source>&amp;Open…</source>
@@ -1823,11 +2870,17 @@
             <source>Time lost by each NC line</source>
             <translation>各 NC 行损失的时间</translation>
         </message>
-        <message numerus="yes">
-            <source>%1 s (%2 %) more than at the programmed feed all along, on %n line(s)</source>
-            <translation>
-                <numerusform>比全程按编程进给多 %1 s（%2 %），涉及 %n 行</numerusform>
-            </translation>
+        <message>
+            <source>%1 s (%2 %) more than at the programmed feed all along, %3</source>
+            <translation>比全程按编程进给多用 %1 s（%2 %），%3</translation>
+        </message>
+        <message>
+            <source>on one line</source>
+            <translation>在 1 行上</translation>
+        </message>
+        <message>
+            <source>on %1 lines</source>
+            <translation>在 %1 行上</translation>
         </message>
     </context>
     <context>
@@ -2452,6 +3505,9 @@
             <source>Progress of the export</source>
             <translation>导出进度</translation>
         </message>
+    </context>
+    <context>
+        <name>toolpace::ui::PulsePlot</name>
         <message>
             <source>step rate  step/s</source>
             <translation>步频  步/s</translation>

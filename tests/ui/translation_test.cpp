@@ -5,9 +5,11 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTranslator>
 #include <algorithm>
 
 #include "models/diagnostic_codes.h"
+#include "models/remedy_text.h"
 
 namespace {
 
@@ -31,6 +33,31 @@ QStringList unfinished(const QString& messages) {
       texts << match.captured(1);
   }
   return texts;
+}
+
+/// The arguments from a place inside a call or an initialiser on, strings joined as a compiler joins them.
+QStringList arguments_from(const QString& text, qsizetype at) {
+  QStringList found = {QString()};
+  bool in_string = false;
+  for (int depth = 0; at < text.size(); ++at) {
+    const QChar c = text[at];
+    if (in_string) {
+      in_string = c != '"' || text[at - 1] == '\\';
+    } else if (c == '"') {
+      in_string = true;
+    } else if (QString("([{").contains(c)) {
+      ++depth;
+    } else if (QString(")]};").contains(c)) {
+      if (--depth < 0) break;
+    } else if (c == ',' && depth == 0) {
+      found << QString();
+      continue;
+    }
+    found.last() += c;
+  }
+  static const QRegularExpression joint("\"\\s+\"");
+  for (QString& argument : found) argument = argument.trimmed().remove(joint);
+  return found;
 }
 
 }  // namespace
@@ -69,7 +96,47 @@ class TranslationTest : public QObject {
     missing.removeDuplicates();
     QVERIFY2(missing.isEmpty(), qPrintable("without words: " + missing.join(' ')));
   }
+
+  // A remedy is the second argument behind a code; a flag there goes into a sentence.
+  void remedies_of_the_core_have_words_in_every_language() {
+    QSet<QString> known;
+    for (const char* sentence : toolpace::ui::remedy_sentences()) known << QString::fromUtf8(sentence);
+    static const QRegularExpression literal("^\"(?!--)([^\"]+)\"$");
+    QStringList missing;
+    int seen = 0;
+    for (QDirIterator files(kSource + "/core/toolpace", {"*.cpp", "*.h"}, QDir::Files, QDirIterator::Subdirectories);
+         files.hasNext();) {
+      const QString text = text_of(files.next());
+      for (const char* code : toolpace::ui::diagnostic_codes()) {
+        const QString quoted = '"' + QString(code) + '"';
+        for (qsizetype at = text.indexOf(quoted); at >= 0; at = text.indexOf(quoted, at + 1)) {
+          const auto remedy = literal.match(arguments_from(text, at).value(2));
+          if (!remedy.hasMatch()) continue;
+          ++seen;
+          if (!known.contains(remedy.captured(1))) missing << remedy.captured(1);
+        }
+      }
+    }
+    QVERIFY2(seen > 150, qPrintable(QString::number(seen)));
+    QVERIFY2(missing.isEmpty(), qPrintable("without words: " + missing.join(" | ")));
+  }
+
+  void remedies_are_said_with_what_varies_in_them() {
+    using toolpace::ui::remedy_text;
+    QTranslator translator;
+    QVERIFY(translator.load(":/translations/toolpace_zh_CN.qm"));
+    QCOMPARE(remedy_text("rows need 3 values"), QString("rows need 3 values"));
+    QVERIFY(QCoreApplication::installTranslator(&translator));
+    QCOMPARE(remedy_text("rows need 3 values"), QString("每行需要 3 个值"));
+    QCOMPARE(remedy_text("did you mean 'speed'?"), QString("是否想写“speed”？"));
+    QCOMPARE(remedy_text("write [condition]"), QString("写成 [条件]"));
+    QCOMPARE(remedy_text("take an end speed of 3, or a length of at least 0.5"),
+             QString("终点速度取 3，或长度至少为 0.5"));
+    QCOMPARE(remedy_text("nobody ever said this"), QString("nobody ever said this"));
+    QCOMPARE(remedy_text(""), QString());
+    QCoreApplication::removeTranslator(&translator);
+  }
 };
 
-QTEST_APPLESS_MAIN(TranslationTest)
+QTEST_GUILESS_MAIN(TranslationTest)
 #include "translation_test.moc"

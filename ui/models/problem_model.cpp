@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "models/remedy_text.h"
 #include "theme/icons.h"
 
 namespace toolpace::ui {
@@ -40,8 +41,9 @@ QVariant ProblemModel::data(const QModelIndex& index, int role) const {
     return icon(problem.severity == Severity::error ? "error" : "warning", tint);
   }
   const QString message = message_text(problem.code, problem.message);
+  const QString remedy = remedy_text(problem.remedy);
+  if (role == kRemedyRole) return remedy;
   if (role == Qt::ToolTipRole) {
-    const QString remedy = QString::fromStdString(problem.remedy);
     return remedy.isEmpty() ? message : message + "\n" + remedy;
   }
   if (role != Qt::DisplayRole) return {};

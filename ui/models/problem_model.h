@@ -15,6 +15,8 @@ class ProblemModel : public QAbstractTableModel {
  public:
   enum Column { kPlace, kMessage, kColumns };
 
+  static constexpr int kRemedyRole = Qt::UserRole;  ///< what to do about it, may be empty
+
   using QAbstractTableModel::QAbstractTableModel;
 
   void setProblems(Diagnostics problems);

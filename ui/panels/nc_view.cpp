@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "models/problem_model.h"
+#include "models/remedy_text.h"
 #include "models/units.h"
 #include "theme/appearance.h"
 
@@ -162,14 +163,14 @@ QString NcView::tipOf(int line) const {
   for (const auto& problem : problems_) {
     if (problem.where.line != static_cast<std::size_t>(line)) continue;
     lines << message_text(problem.code, problem.message);
-    if (!problem.remedy.empty()) lines << QString::fromStdString(problem.remedy);
+    if (!problem.remedy.empty()) lines << remedy_text(problem.remedy);
   }
   if (timeline_ && static_cast<std::size_t>(line) < timeline_->lines().size()) {
     const auto& stats = timeline_->lines()[static_cast<std::size_t>(line)];
     if (stats.begin >= 0) {
       lines << tr("mean %1, programmed %2")
-                   .arg(value_text(stats.mean_speed(), Quantity::speed, LengthUnit::mm, 4),
-                        value_text(stats.asked_speed(), Quantity::speed, LengthUnit::mm, 4));
+                   .arg(value_text(stats.mean_speed(), Quantity::speed, unit_, 4),
+                        value_text(stats.asked_speed(), Quantity::speed, unit_, 4));
       lines << tr("%1 s, of which %2 s lost").arg(stats.time, 0, 'f', 3).arg(stats.loss(), 0, 'f', 3);
     }
   }

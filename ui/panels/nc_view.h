@@ -8,6 +8,7 @@
 
 #include "models/document.h"
 #include "models/timeline.h"
+#include "models/units.h"
 #include "preview/colour_map.h"
 #include "theme/theme.h"
 
@@ -29,6 +30,7 @@ class NcView : public QAbstractScrollArea {
   void setProblems(const Diagnostics& problems);
   void setTheme(const Theme& theme);
   void setColourMap(ColourMap map);
+  void setUnit(LengthUnit unit) { unit_ = unit; }
   void setPlaceholder(const QString& text);
 
   const std::shared_ptr<const Document>& document() const { return document_; }
@@ -82,6 +84,7 @@ class NcView : public QAbstractScrollArea {
   ColourMap map_ = ColourMap::cividis;
   ColourTable colours_;
   QString placeholder_;
+  LengthUnit unit_ = LengthUnit::mm;
   double fastest_ = 0, worst_loss_ = 0;
   int current_ = 1, anchor_ = 1;
   QPointer<QLineEdit> editor_;

@@ -4,9 +4,15 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "panels/problem_delegate.h"
 #include "panels/results_panel.h"
 
 namespace toolpace::ui {
+namespace {
+
+constexpr int kPlaceWidth = 56;  // room for its title
+
+}  // namespace
 
 ProblemsPanel::ProblemsPanel(QWidget* parent)
     : QWidget(parent), model_(new ProblemModel(this)), table_(new QTableView(this)), empty_(new QLabel(this)) {
@@ -24,13 +30,16 @@ ProblemsPanel::ProblemsPanel(QWidget* parent)
   table_->setObjectName("problemTable");
   table_->setModel(model_);
   style_table(table_);
-  table_->setWordWrap(true);
+  delegate_ = new ProblemDelegate(table_);
+  table_->setItemDelegateForColumn(ProblemModel::kMessage, delegate_);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setMinimumSectionSize(kPlaceWidth);
   table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kPlace, QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kMessage, QHeaderView::Stretch);
   // Rows are as high as their text at the width that there is, also where that is known only once the tab is seen.
-  connect(table_->horizontalHeader(), &QHeaderView::sectionResized, table_, &QTableView::resizeRowsToContents);
+  connect(table_->horizontalHeader(), &QHeaderView::sectionResized, table_, &QTableView::resizeRowsToContents,
+          Qt::QueuedConnection);
   const auto go = [this](const QModelIndex& index) {
     const auto line = model_->at(index.row()).where.line;
     if (line > 0) emit lineRequested(static_cast<int>(line));
@@ -45,7 +54,10 @@ void ProblemsPanel::setProblems(const Diagnostics& problems) {
   showState();
 }
 
-void ProblemsPanel::setTheme(const Theme& theme) { model_->setTheme(theme); }
+void ProblemsPanel::setTheme(const Theme& theme) {
+  model_->setTheme(theme);
+  delegate_->setTheme(theme);
+}
 
 void ProblemsPanel::showState() {
   empty_->setText(tr("No errors, no warnings"));

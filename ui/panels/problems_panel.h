@@ -9,6 +9,8 @@
 
 namespace toolpace::ui {
 
+class ProblemDelegate;
+
 class ProblemsPanel : public QWidget {
   Q_OBJECT
 
@@ -29,6 +31,7 @@ class ProblemsPanel : public QWidget {
 
   ProblemModel* model_;
   QTableView* table_;
+  ProblemDelegate* delegate_;
   QLabel* empty_;
 };
 
