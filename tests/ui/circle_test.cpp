@@ -91,7 +91,7 @@ class CircleTest : public QObject {
     Opened window;
     open_circles(window);
     auto& panel = window.the<CirclePanel>("circlePanel");
-    QVERIFY(window.the<QLabel>("circleTitle").text().startsWith("line 8 "));  // the longest arc, before any choice
+    QVERIFY(window.the<QLabel>("circleTitle").text().startsWith("line 3 "));  // the longest circle, before any choice
     window.workspace().setCursorLine(5);
     QCOMPARE(panel.roundness().circle.line, 3u);
     QTest::mouseClick(&window.the<QToolButton>("nextCircle"), Qt::LeftButton);

@@ -99,10 +99,18 @@ std::optional<Circle> circle_at(const Outcome& outcome, std::size_t block) {
 
 std::optional<std::size_t> longest_arc(const Outcome& outcome) {
   const Moves& moves = outcome.job->program->moves;
+  const Path& path = *outcome.path;
+  const auto goes_on = [&](std::size_t row, std::size_t next) {
+    return next == row || (next == row + 1 && is_arc(moves, row) && continues(arc_of(moves, row), arc_of(moves, next)));
+  };
   std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < outcome.path->size(); ++i) {
-    if (!is_arc(moves, outcome.path->move[i])) continue;
-    if (!best || outcome.path->length[i] > outcome.path->length[*best]) best = i;
+  double most = 0, length = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!is_arc(moves, path.move[i])) continue;
+    length = i > 0 && goes_on(path.move[i - 1], path.move[i]) ? length + path.length[i] : path.length[i];
+    if (best && !(length > most)) continue;
+    best = i;
+    most = length;
   }
   return best;
 }

@@ -28,7 +28,8 @@ struct Circle {
 
 /// The circle that a block of the planned path belongs to; nothing where it is no arc.
 std::optional<Circle> circle_at(const Outcome& outcome, std::size_t block);
-/// A block of the longest arc of the program; nothing where there is none.
+/// A block of the longest circle, or part of one, of the program; nothing where there is no arc.
+/// Consecutive arcs about one centre are one.
 std::optional<std::size_t> longest_arc(const Outcome& outcome);
 /// A block of the next circle (direction +1) or the one before (−1), seen from a time [s].
 std::optional<std::size_t> next_circle(const Outcome& outcome, double time, int direction);
