@@ -62,6 +62,8 @@ void MainWindow::connectPanels() {
   });
   connect(circle_, &ui::CirclePanel::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
   connect(profile_, &ui::ProfileView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
+  connect(profile_, &ui::ProfileView::axesShown, &workspace_, &ui::Workspace::setShownAxes);
+  connect(&workspace_, &ui::Workspace::axesReady, profile_, &ui::ProfileView::showReadyAxes);
   profile_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(profile_, &QWidget::customContextMenuRequested, this, &MainWindow::showPlotMenu);
   connect(results_, &ui::ResultsPanel::pinRequested, &workspace_, &ui::Workspace::pin);

@@ -1,11 +1,11 @@
 /// What the whole window costs with long programs, in processor time so that a busy machine does not matter: pictures a
 /// second while a slider is dragged, the first picture of a million blocks, frames, memory.
 
-#include <QFile>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 #include <cmath>
-#include <ctime>
 
 #include "main_window.h"
 #include "memory_policy.h"
@@ -14,6 +14,8 @@
 #include "preview/contour_view.h"
 #include "screenshot.h"
 #include "support/events.h"
+#include "support/find.h"
+#include "support/meter.h"
 #include "support/screenshot.h"
 
 using namespace toolpace;
@@ -23,22 +25,6 @@ namespace {
 
 /// 15 is wanted (scripts/bench measures it); cores that other work shares count up to twice the time.
 constexpr double kLeastRate = 7.5;
-
-double processor_ms(clockid_t clock = CLOCK_PROCESS_CPUTIME_ID) {
-  timespec now;
-  clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
-/// A line of /proc/self/status [MB], such as "VmRSS".
-double memory_mb(const QByteArray& key) {
-  QFile file("/proc/self/status");
-  if (!file.open(QIODevice::ReadOnly)) return 0;
-  for (const QByteArray& line : file.readAll().split('\n')) {
-    if (line.startsWith(key + ":")) return line.mid(key.size() + 1).trimmed().split(' ').first().toDouble() / 1024;
-  }
-  return 0;
-}
 
 /// So many blocks of about 0.2 mm that wind over a plate, as text.
 QByteArray winding_text(int blocks) {
@@ -66,9 +52,7 @@ class FramesTest : public QObject {
 
   template <class T>
   T& the(const char* name) {
-    auto* found = window_->findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return *found;
+    return ui::find<T>(*window_, name);
   }
   void open(const QByteArray& text, const char* name) {
     window_->workspace().openText(text, name);
@@ -79,7 +63,7 @@ class FramesTest : public QObject {
     int shown = 0;
     const auto counting = connect(&window_->workspace(), &ui::Workspace::planChanged, this, [&shown] { ++shown; });
     auto& slider = the<QSlider>("lookaheadSlider");
-    const double begin = processor_ms();
+    const ui::Meter meter;
     emit slider.sliderPressed();
     QElapsedTimer clock;
     clock.start();
@@ -89,7 +73,7 @@ class FramesTest : public QObject {
       if (clock.elapsed() > 60'000) break;
     }
     emit slider.sliderReleased();
-    const double spent = processor_ms() - begin;
+    const double spent = meter.process_ms();
     disconnect(counting);
     settle(*window_);
     return shown / spent * 1e3;
@@ -129,14 +113,14 @@ class FramesTest : public QObject {
   }
 
   void a_million_blocks_open_draw_and_fit_into_memory() {
-    const double before = memory_mb("VmRSS");
-    double read_at = 0;
-    connect(&window_->workspace(), &ui::Workspace::documentChanged, this, [&] { read_at = processor_ms(); });
+    const double before = ui::memory_mb("VmRSS");
+    ui::Meter since_read;
+    connect(&window_->workspace(), &ui::Workspace::documentChanged, this, [&] { since_read = ui::Meter(); });
     open(winding_text(1'000'000), "million.ngc");
     window_->grab();
-    const double first = (processor_ms() - read_at) / 1e3;
+    const double first = since_read.process_ms() / 1e3;
     report("first picture of 1e6 blocks after reading", first, "s", 2);
-    const double memory = memory_mb("VmRSS") - before, peak = memory_mb("VmHWM") - before;
+    const double memory = ui::memory_mb("VmRSS") - before, peak = ui::memory_mb("VmHWM") - before;
     report("memory with 1e6 blocks", memory, "MB", 600);
     report("its peak while reading and planning", peak, "MB", 1200);
     QVERIFY(window_->workspace().timeline()->outcome()->summary.blocks >= 999'999);
@@ -144,6 +128,29 @@ class FramesTest : public QObject {
     QVERIFY(memory <= 600);
     frames();
     ui::screenshot(*window_, "window-million");
+  }
+
+  void axes_of_a_million_blocks_are_made_ready_by_a_worker() {
+    open(winding_text(1'000'000), "million.ngc");
+    const auto series = window_->workspace().plan().series;
+    QVERIFY(!series->is_axis_made(0));
+    QSignalSpy ready(&window_->workspace(), &ui::Workspace::axesReady);
+    const ui::Meter meter;
+    QTest::mouseClick(&the<QToolButton>("showAxisX"), Qt::LeftButton);
+    window_->grab();
+    const double clicked = meter.thread_ms();
+    report("showing an axis of 1e6 blocks, the window's thread", clicked, "ms", 50);
+    QVERIFY(clicked <= 50);
+    QVERIFY(ready.count() > 0 || ready.wait(20'000));
+    QVERIFY(series->is_axis_made(0) && !series->is_axis_made(1));
+    const ui::Meter drawing;
+    window_->grab();
+    report("drawing it", drawing.thread_ms(), "ms", 50);
+    ui::screenshot(*window_, "window-million-axis");
+    // The next plan brings it along.
+    window_->workspace().tuning().edit("A", "a", [](ui::Tuning& t) { t.machine.path.acceleration = 2000; });
+    settle(*window_);
+    QVERIFY(window_->workspace().plan().series != series && window_->workspace().plan().series->is_axis_made(0));
   }
 
   void a_program_that_is_still_read_leaves_the_window_alive_and_can_be_cancelled() {
@@ -155,11 +162,11 @@ class FramesTest : public QObject {
     // The window answers all the while: no turn of its event loop takes longer than a person notices.
     double longest = 0;
     for (int i = 0; i < 6 && window_->workspace().isBusy(); ++i) {
-      const double begin = processor_ms(CLOCK_THREAD_CPUTIME_ID);
+      const ui::Meter meter;
       QApplication::processEvents();
       window_->workspace().setCursorTime(0.1 * i);
       window_->grab();
-      longest = std::max(longest, processor_ms(CLOCK_THREAD_CPUTIME_ID) - begin);
+      longest = std::max(longest, meter.thread_ms());
       QTest::qWait(20);
     }
     report("a turn of the event loop while reading", longest, "ms", 100);
@@ -174,9 +181,9 @@ class FramesTest : public QObject {
   /// Mean of the frames that `turn` makes, of the window's own thread [ms].
   template <class Turn>
   static double mean_ms(int count, const Turn& turn) {
-    const double begin = processor_ms(CLOCK_THREAD_CPUTIME_ID);
+    const ui::Meter meter;
     for (int i = 0; i < count; ++i) turn(i);
-    return (processor_ms(CLOCK_THREAD_CPUTIME_ID) - begin) / count;
+    return meter.thread_ms() / count;
   }
 
   void frames() {

@@ -26,6 +26,8 @@ class PlannerService : public QObject {
   bool isLatest(quint64 generation) const { return generation == latest_; }
   /// What the preview shows, so that the worker makes its colours ready.
   void setShown(ColourBy by) { shown_ = by; }
+  /// And the curves of these axes.
+  void setShownAxes(const ShownAxes& axes) { axes_ = axes; }
 
  signals:
   void planned(const toolpace::ui::Planned& plan, quint64 generation);
@@ -46,6 +48,7 @@ class PlannerService : public QObject {
   std::shared_ptr<const Job> pending_;
   Last last_;
   ColourBy shown_ = ColourBy::speed;
+  ShownAxes axes_ = {};
   quint64 latest_ = 0;
 };
 

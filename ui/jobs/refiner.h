@@ -27,6 +27,7 @@ class Refiner : public QObject {
   /// A person has enough of waiting.
   void giveUp();
   State state() const { return state_; }
+  void setShownAxes(const ShownAxes& axes) { planner_.setShownAxes(axes); }
 
  signals:
   void refined(const toolpace::ui::Planned& plan);

@@ -28,6 +28,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
     emit busyChanged(isBusy());
     if (state == Refiner::State::given_up && plan_) proof_service_.request(plan_.scene);
   });
+  connect(&axis_worker_, &Background::finished, this, &Workspace::makeAxes);
   connect(&watcher_, &FileWatcher::changed, this, &Workspace::reload);
   connect(&playback_, &Playback::advanced, this, &Workspace::setCursorTime);
   const auto busy = [this] { emit busyChanged(isBusy()); };
@@ -60,13 +61,7 @@ void Workspace::reload() {
 
 void Workspace::editLine(int line, const QString& text) {
   if (!document_ || line < 1 || line > document_->line_count()) return;
-  const qsizetype begin = document_->line_starts[static_cast<std::size_t>(line - 1)];
-  qsizetype end = begin;
-  const QByteArray& old = document_->text;
-  while (end < old.size() && old[end] != '\n' && old[end] != '\r') ++end;
-  QByteArray edited = old;
-  edited.replace(begin, end - begin, text.toUtf8());
-  reader_.readText(edited, document_->name, document_->path);
+  reader_.readEdited(document_, line, text);
 }
 
 void Workspace::cancel() {
@@ -127,7 +122,23 @@ void Workspace::show(const Planned& plan) {
   plan_ = plan;
   collectProblems(plan_.timeline->outcome()->warnings);
   emit planChanged();
+  makeAxes();
   setCursorTime(cursor_);
+}
+
+void Workspace::setShownAxes(const ShownAxes& axes) {
+  shown_axes_ = axes;
+  planner_.setShownAxes(axes);
+  refiner_.setShownAxes(axes);
+  makeAxes();
+}
+
+void Workspace::makeAxes() {
+  if (!plan_ || axis_worker_.isBusy() || has_axes(*plan_.series, shown_axes_)) return;
+  axis_worker_.start([this, series = plan_.series, axes = shown_axes_](const Monitor&) -> Background::Delivery {
+    make_axes(*series, axes);
+    return [this] { emit axesReady(); };
+  });
 }
 
 void Workspace::takeProof(std::shared_ptr<const Proof> proof) {
@@ -175,6 +186,7 @@ void Workspace::swap() {
   const auto& job = *plan_.timeline->outcome()->job;
   emit pinnedChanged();
   emit planChanged();
+  makeAxes();
   tuning_.replace(tr("Swap A and B"), {job.machine, job.options});
 }
 

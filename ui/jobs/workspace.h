@@ -44,6 +44,8 @@ class Workspace : public QObject {
   void editLine(int line, const QString& text);
   void cancel();
   void setShown(ColourBy by) { planner_.setShown(by); }  ///< what the preview is coloured by
+  /// Axes whose curves the plots show; axesReady() follows where a worker has to make them.
+  void setShownAxes(const ShownAxes& axes);
 
   void pin();  ///< the present plan becomes B
   void unpin();
@@ -59,6 +61,7 @@ class Workspace : public QObject {
   void planChanged();
   void pinnedChanged();
   void proofChanged();
+  void axesReady();
   void problemsChanged();
   void cursorChanged(double time);
   void staleChanged(bool stale);
@@ -77,6 +80,7 @@ class Workspace : public QObject {
   void takeProof(std::shared_ptr<const Proof> proof);
   void collectProblems(const Diagnostics& of_plan);
   void setStale(bool stale);
+  void makeAxes();
 
   TuningModel tuning_;
   ReaderService reader_;
@@ -85,6 +89,8 @@ class Workspace : public QObject {
   ProofService proof_service_;
   FileWatcher watcher_;
   Playback playback_;
+  Background axis_worker_;
+  ShownAxes shown_axes_ = {};
   std::shared_ptr<const Document> document_;
   Planned plan_, pinned_;
   Diagnostics problems_;

@@ -7,6 +7,7 @@ namespace {
 
 constexpr std::array kQuantities = {Quantity::speed, Quantity::acceleration, Quantity::jerk};
 constexpr std::array<const char*, MotionRow::kinds> kSymbols = {"v", "a", "j"};
+constexpr float kDenseInk = 0.7f;  // of the strokes that stand for many phases: whole blocks of them stay calm
 constexpr double kMargin = 0.09, kFloorMargin = 0.03;  // of the height
 
 void fill_graph(QCPGraph* graph, const Curve& curve, double factor) {
@@ -120,6 +121,9 @@ void MotionRow::showOwn(const MotionCurves& curves, bool dense) {
   fill(curve_, mine(curves));
   QPen pen = curve_->pen();
   pen.setWidthF(dense ? 1.0 : 1.6);
+  QColor colour = pen.color();
+  colour.setAlphaF(dense ? kDenseInk : 1.0f);
+  pen.setColor(colour);
   curve_->setPen(pen);
 }
 

@@ -5,8 +5,8 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr double kLeastSpan = 1e-7;  // of the plan
-constexpr const char* kCursorLayer = "cursor";
+constexpr double kLeastSpan = 1e-7;                // of the plan
+constexpr std::size_t kMostBlocksAtOnce = 20'000;  // whose axes are looked through while a picture is made
 
 const Extent& extent_of(const MotionExtent& e, std::size_t row) {
   return row == MotionRow::speed ? e.speed : row == MotionRow::acceleration ? e.acceleration : e.jerk;
@@ -101,8 +101,18 @@ void ProfilePlot::setGhost(std::shared_ptr<const ProfileSeries> series) {
 
 void ProfilePlot::setAxisShown(std::size_t axis, bool shown) {
   shown_.at(axis) = shown;
+  showReadyAxes();
+}
+
+void ProfilePlot::showReadyAxes() {
   updateScales();
   refill();
+}
+
+/// Of long programs only what a worker has made ready.
+bool ProfilePlot::isAxisDrawn(std::size_t axis) const {
+  return shown_[axis] && series_ && !series_->is_empty() &&
+         (series_->is_axis_made(axis) || series_->blocks.size() <= kMostBlocksAtOnce);
 }
 
 // The whole plan decides, not the visible part: zooming in time leaves the heights alone, so they can be compared.
@@ -116,7 +126,7 @@ void ProfilePlot::updateScales() {
       if (s && !s->is_empty()) extent.add(extent_of(s->whole, i));
     }
     for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
-      if (shown_[axis] && series_ && !series_->is_empty()) extent.add(extent_of(axis_whole(*series_, axis), i));
+      if (isAxisDrawn(axis)) extent.add(extent_of(axis_whole(*series_, axis), i));
     }
     rows_[i].scale(extent, any_axis, unit_);
   }
@@ -167,7 +177,7 @@ void ProfilePlot::gather() {
     row.showCaps(caps);
   }
   for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
-    const MotionCurves curves = shown_[axis] && series_ ? axis_curves(*series_, window, axis) : MotionCurves{};
+    const MotionCurves curves = isAxisDrawn(axis) ? axis_curves(*series_, window, axis) : MotionCurves{};
     for (auto& row : rows_) row.showAxis(axis, curves);
   }
   error_->show(window);
@@ -200,85 +210,6 @@ void ProfilePlot::setMeasures(std::optional<double> first, std::optional<double>
 
 std::pair<double, double> ProfilePlot::edges() const {
   return {rows_[0].rect()->left(), rows_[0].rect()->right() + 1.0};
-}
-
-double ProfilePlot::timeAt(double x) const { return time_axes_.front()->pixelToCoord(x); }
-
-std::optional<std::size_t> ProfilePlot::measureAt(double x) const {
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (cursor_->measures[i] && std::abs(cursor_->xOf(*cursor_->measures[i]) - x) < 6) return i;
-  }
-  return std::nullopt;
-}
-
-void ProfilePlot::wheelEvent(QWheelEvent* event) {
-  const QPoint delta = event->angleDelta();
-  const double x = event->position().x();
-  event->accept();
-  if (delta.x() != 0 || (event->modifiers() & Qt::ShiftModifier)) {
-    const double notches = (delta.x() != 0 ? delta.x() : delta.y()) / 120.0, step = range().size() * 0.1 * notches;
-    return setRange(range().lower - step, range().upper - step);
-  }
-  if (x < edges().first) {
-    for (auto& row : rows_) {
-      if (row.rect()->top() <= event->position().y() && event->position().y() <= row.rect()->bottom()) {
-        row.value()->scaleRange(std::pow(0.85, delta.y() / 120.0), 0.0);
-      }
-    }
-    return replot(rpQueuedReplot);
-  }
-  zoom(std::pow(1.3, delta.y() / 120.0), timeAt(x));
-}
-
-void ProfilePlot::mousePressEvent(QMouseEvent* event) {
-  pressed_at_ = event->position();
-  pressed_begin_ = range().lower;
-  dragging_ = false;
-  dragged_measure_ = event->button() == Qt::LeftButton ? measureAt(event->position().x()) : std::nullopt;
-  setFocus(Qt::MouseFocusReason);
-}
-
-void ProfilePlot::mouseMoveEvent(QMouseEvent* event) {
-  const double x = event->position().x();
-  if (event->buttons() == Qt::NoButton) return setCursor(measureAt(x) ? Qt::SizeHorCursor : Qt::ArrowCursor);
-  if (!dragging_ && (event->position() - pressed_at_).manhattanLength() < 4) return;
-  dragging_ = true;
-  if (dragged_measure_) {
-    cursor_->measures[*dragged_measure_] = std::clamp(timeAt(x), 0.0, duration());
-    layer(kCursorLayer)->replot();
-    if (cursor_->measures[0] && cursor_->measures[1]) emit measured(*cursor_->measures[0], *cursor_->measures[1]);
-    return;
-  }
-  const double width = range().size(), shift = (x - pressed_at_.x()) / (edges().second - edges().first) * width;
-  setRange(pressed_begin_ - shift, pressed_begin_ - shift + width);
-}
-
-void ProfilePlot::mouseReleaseEvent(QMouseEvent* event) {
-  const double x = event->position().x();
-  const bool clicked = !dragging_ && event->button() == Qt::LeftButton && x >= edges().first && x <= edges().second;
-  dragging_ = false;
-  if (clicked && !dragged_measure_ && series_ && !series_->is_empty()) {
-    emit timeClicked(std::clamp(timeAt(x), 0.0, duration()));
-  }
-  dragged_measure_.reset();
-}
-
-void ProfilePlot::mouseDoubleClickEvent(QMouseEvent*) {
-  updateScales();
-  fit();
-}
-
-void ProfilePlot::keyPressEvent(QKeyEvent* event) {
-  const QCPRange now = range();
-  switch (event->key()) {
-    case Qt::Key_Plus:
-    case Qt::Key_Equal: return zoom(1.5, cursor_->time.value_or(now.center()));
-    case Qt::Key_Minus: return zoom(1 / 1.5, cursor_->time.value_or(now.center()));
-    case Qt::Key_PageUp: return setRange(now.lower - now.size() / 2, now.upper - now.size() / 2);
-    case Qt::Key_PageDown: return setRange(now.lower + now.size() / 2, now.upper + now.size() / 2);
-    case Qt::Key_F: return fit();
-    default: QCustomPlot::keyPressEvent(event);
-  }
 }
 
 /// All plots equally high, the last one with the numbers of the time axis below it, their title where the titles of the

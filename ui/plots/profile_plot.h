@@ -13,6 +13,8 @@
 
 namespace toolpace::ui {
 
+inline constexpr const char* kCursorLayer = "cursor";
+
 class ProfilePlot : public QCustomPlot {
   Q_OBJECT
 
@@ -24,6 +26,7 @@ class ProfilePlot : public QCustomPlot {
   void setTheme(const Theme& theme);
   void setUnit(LengthUnit unit);
   void setAxisShown(std::size_t axis, bool shown);  ///< X, Y, Z
+  void showReadyAxes();                             ///< curves of axes that were being made are there
   void setErrorShown(bool shown);                   ///< the contour error as a fourth plot
   /// What it shows; null = not known yet.
   void setErrorTrace(std::shared_ptr<const ErrorTrace> trace);
@@ -63,6 +66,7 @@ class ProfilePlot : public QCustomPlot {
   void refill();  // the curves are gathered before the next picture
   void gather();
   void updateMarks();
+  bool isAxisDrawn(std::size_t axis) const;
   double timeAt(double x) const;
   std::optional<std::size_t> measureAt(double x) const;
   double duration() const;

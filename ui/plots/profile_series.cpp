@@ -88,12 +88,27 @@ MotionExtent axis_extent_of_blocks(const Outcome& outcome, std::size_t first, st
 
 const ProfileSeries::AxisPyramid& ProfileSeries::axis(std::size_t axis) const {
   std::call_once(axis_made_.at(axis), [&] {
-    if (blocks.size() == 0) return;
-    axes_[axis] = AxisPyramid(blocks.size(), [&](std::size_t first, std::size_t last) {
-      return axis_extent_of_blocks(*outcome, first, last, axis);
-    });
+    if (blocks.size() > 0) {
+      axes_[axis] = AxisPyramid(blocks.size(), [&](std::size_t first, std::size_t last) {
+        return axis_extent_of_blocks(*outcome, first, last, axis);
+      });
+    }
+    axis_ready_[axis] = true;
   });
   return axes_[axis];
+}
+
+void make_axes(const ProfileSeries& series, const ShownAxes& shown) {
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (shown[i]) (void)series.axis(i);
+  }
+}
+
+bool has_axes(const ProfileSeries& series, const ShownAxes& shown) {
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (shown[i] && !series.is_axis_made(i)) return false;
+  }
+  return true;
 }
 
 MotionExtent axis_whole(const ProfileSeries& series, std::size_t axis) {

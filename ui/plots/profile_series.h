@@ -3,6 +3,7 @@
 /// themselves are evaluated from the exact phases when they are drawn, for the visible time alone.
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -44,6 +45,8 @@ struct CapExtent {
   }
 };
 
+using ShownAxes = std::array<bool, 3>;  // X, Y, Z
+
 struct ProfileSeries {
   std::shared_ptr<const Outcome> outcome;
   Pyramid<MotionExtent, 8> phases;  // a phase's extremes cost a hundred times what reading a number does
@@ -55,12 +58,14 @@ struct ProfileSeries {
   using AxisPyramid = Pyramid<MotionExtent, 8>;  // a block each
   /// What an axis does in each block; made when it is first asked for, from any thread. Empty without node_time.
   const AxisPyramid& axis(std::size_t axis) const;
+  bool is_axis_made(std::size_t axis) const { return axis_ready_.at(axis); }
 
   double duration() const { return outcome ? outcome->plan.cycle_time() : 0.0; }
   bool is_empty() const { return !outcome || outcome->plan.phases.empty() || duration() <= 0; }
 
  private:
   mutable std::array<std::once_flag, kAxes> axis_made_;
+  mutable std::array<std::atomic<bool>, kAxes> axis_ready_ = {};
   mutable std::array<AxisPyramid, kAxes> axes_;
 };
 
@@ -79,6 +84,10 @@ MotionExtent axis_whole(const ProfileSeries& series, std::size_t axis);
 
 /// Pure and without a window: call it on the worker. Linear in phases and blocks.
 std::shared_ptr<const ProfileSeries> make_profile_series(std::shared_ptr<const Outcome> outcome);
+
+/// Makes what these axes take; from any thread.
+void make_axes(const ProfileSeries& series, const ShownAxes& shown);
+bool has_axes(const ProfileSeries& series, const ShownAxes& shown);
 
 /// Extents of the phases [first, last) and of what the blocks [first, last) allow.
 MotionExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_t last);

@@ -3,16 +3,11 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QEvent>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QPainter>
-#include <QPdfWriter>
-#include <QSaveFile>
 #include <QStackedWidget>
-#include <QSvgGenerator>
 #include <QTableView>
 #include <QToolButton>
 
@@ -103,7 +98,10 @@ void ProfileView::buildHeader() {
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     axes_[i] = button(names[i], true);
     axes_[i]->setText(QString(QChar('X' + static_cast<int>(i))));
-    connect(axes_[i], &QToolButton::toggled, this, [this, i](bool on) { plot_->setAxisShown(i, on); });
+    connect(axes_[i], &QToolButton::toggled, this, [this, i](bool on) {
+      plot_->setAxisShown(i, on);
+      emit axesShown({axes_[0]->isChecked(), axes_[1]->isChecked(), axes_[2]->isChecked()});
+    });
   }
   measure_ = button("measure", true);
   fit_ = button("fitTime", false);
@@ -215,6 +213,8 @@ std::optional<double> ProfileView::timeAt(const QPoint& at) const {
   return std::clamp(begin + (inside.x() - left) / (right - left) * (end - begin), 0.0, series_->duration());
 }
 
+void ProfileView::showReadyAxes() { plot_->showReadyAxes(); }
+
 void ProfileView::setAxisShown(std::size_t axis, bool shown) { axes_.at(axis)->setChecked(shown); }
 
 bool ProfileView::isMeasuring() const { return measure_->isChecked(); }
@@ -261,54 +261,6 @@ void ProfileView::alignStrips() {
   const auto [left, right] = plot_->edges();
   ribbon_->setEdges(left, right);
   overview_->setEdges(left, right);
-}
-
-void ProfileView::paintAll(QPainter& painter) const {
-  const auto [left, right] = plot_->edges();
-  painter.drawPicture(0, 0, [&] {
-    QPicture picture;
-    QCPPainter into(&picture);
-    into.setMode(QCPPainter::pmVectorized);
-    plot_->toPainter(&into, plot_->width(), plot_->height());
-    into.end();
-    return picture;
-  }());
-  ribbon_->paintInto(painter, QRectF(left, plot_->height() + 4, right - left, 10), visibleRange().first,
-                     visibleRange().second);
-}
-
-bool ProfileView::exportPicture(const QString& file) const {
-  const QString kind = QFileInfo(file).suffix().toLower();
-  const QSize size(plot_->width(), plot_->height() + 18);
-  QSaveFile out(file);
-  if (!out.open(QIODevice::WriteOnly)) return false;
-  if (kind == "svg") {
-    QSvgGenerator svg;
-    svg.setOutputDevice(&out);
-    svg.setSize(size);
-    svg.setViewBox(QRect({0, 0}, size));
-    QPainter painter(&svg);
-    paintAll(painter);
-  } else if (kind == "pdf") {
-    QPdfWriter pdf(&out);
-    pdf.setResolution(96);
-    pdf.setPageSize(QPageSize(QSizeF(size) * 0.75, QPageSize::Point));
-    pdf.setPageMargins({});
-    QPainter painter(&pdf);
-    paintAll(painter);
-  } else {
-    QImage image(size * 2, QImage::Format_RGB32);
-    image.setDevicePixelRatio(2);
-    image.fill(Qt::white);
-    QPainter painter(&image);
-    painter.drawPixmap(0, 0, plot_->toPixmap(size.width(), plot_->height(), 2.0));
-    const auto [left, right] = plot_->edges();
-    ribbon_->paintInto(painter, QRectF(left, plot_->height() + 4, right - left, 10), visibleRange().first,
-                       visibleRange().second);
-    painter.end();
-    if (!image.save(&out, "PNG")) return false;
-  }
-  return out.commit();
 }
 
 }  // namespace toolpace::ui

@@ -45,6 +45,7 @@ class ProfileView : public QWidget {
   void setVisibleRange(double begin, double end);  ///< [s]
   void setMeasuring(bool on);
   void setAxisShown(std::size_t axis, bool shown);  ///< 0 = X …
+  void showReadyAxes();                             ///< axes that were being made are there
   void setTableShown(bool shown);                   ///< the visible values as a table instead of curves
   void fit();
 
@@ -63,6 +64,7 @@ class ProfileView : public QWidget {
   void cursorTimeRequested(double time);               ///< [s] somebody clicked
   void visibleRangeChanged(double begin, double end);  ///< [s]
   void measuringChanged(bool on);
+  void axesShown(const toolpace::ui::ShownAxes& shown);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -77,6 +79,8 @@ class ProfileView : public QWidget {
   QString steadyText(double core_value, Quantity quantity, int decimals) const;
   void alignStrips();
   void paintAll(QPainter& painter) const;
+  void paintRibbon(QPainter& painter) const;
+  QImage picture(const QSize& size) const;
 
   QWidget* header_;
   QLabel* readout_;
