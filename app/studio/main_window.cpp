@@ -32,18 +32,6 @@ namespace {
 
 constexpr auto kExample = ":/butterfly.ngc";
 
-/// Which of A, B and C a program turns.
-std::array<bool, 3> turned_axes(const Moves& moves) {
-  std::array<bool, 3> turned = {};
-  for (const auto& end : moves.end) {
-    for (std::size_t i = 0; i < turned.size(); ++i) {
-      const auto axis = static_cast<Eigen::Index>(3 + i);
-      turned[i] = turned[i] || end[axis] != moves.start[axis];
-    }
-  }
-  return turned;
-}
-
 }  // namespace
 
 MainWindow::MainWindow(bool remember)
@@ -95,7 +83,7 @@ void MainWindow::showDocument() {
   const auto& document = workspace_.document();
   nc_->view().setDocument(document);
   nc_->setHintVisible(document->path.isEmpty());
-  tuning_->setRotaryAxes(turned_axes(document->reading->moves));
+  tuning_->setRotaryAxes(document->turned);
   showWholeTuning();
   if (!document->path.isEmpty()) {
     preferences_.last_program = QFileInfo(document->path).absoluteFilePath();

@@ -17,8 +17,8 @@ quint64 PlannerService::submit(std::shared_ptr<const Job> job) {
   if (worker_.isBusy()) {
     pending_ = std::move(job);
   } else {
-    emit busyChanged(true);
     start(std::move(job), latest_);
+    emit busyChanged(true);
   }
   return latest_;
 }
@@ -30,8 +30,8 @@ void PlannerService::cancel() {
 
 void PlannerService::start(std::shared_ptr<const Job> job, quint64 generation) {
   if (last_.outcome && last_.outcome->job->program != job->program) last_ = {};
-  worker_.start([this, job = std::move(job), generation, before = last_,
-                 by = shown_](const Monitor& monitor) -> Background::Delivery {
+  worker_.start([this, job = std::move(job), generation, before = last_, by = shown_,
+                 axes = axes_](const Monitor& monitor) -> Background::Delivery {
     auto outcome = before.outcome ? replan(job, *before.outcome, monitor) : run(job, monitor);
     if (!outcome) {
       return [this, error = outcome.error(), generation] { emit failed(error, generation); };
@@ -41,6 +41,7 @@ void PlannerService::start(std::shared_ptr<const Job> job, quint64 generation) {
                  make_profile_series(shared), nullptr};
     // What will be drawn first is made here rather than when it is drawn.
     if (plan.scene->can_colour_by(by)) (void)plan.scene->colours->shades(by);
+    make_axes(*plan.series, axes);
     return [this, plan = std::move(plan), generation] {
       last_ = {plan.timeline->outcome(), plan.scene->geometry};
       emit planned(plan, generation);

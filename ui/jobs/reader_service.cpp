@@ -20,7 +20,18 @@ DocumentResult make_document(QByteArray text, const QString& name, const QString
   auto reading = toolpace::read_text(view, name.toStdString(), options, monitor);
   if (!reading) return tl::unexpected(reading.error());
   document->reading = std::make_shared<const Reading>(std::move(*reading));
+  document->turned = turned_axes(document->reading->moves);
   return document;
+}
+
+/// Its text with another one in a line.
+QByteArray with_line(const Document& document, int line, const QString& text) {
+  const QByteArray& old = document.text;
+  const qsizetype begin = document.line_starts[static_cast<std::size_t>(line - 1)];
+  qsizetype end = begin;
+  while (end < old.size() && old[end] != '\n' && old[end] != '\r') ++end;
+  QByteArray edited = old;
+  return edited.replace(begin, end - begin, text.toUtf8());
 }
 
 DocumentResult load(const QString& path, const Monitor& monitor) {
@@ -60,6 +71,14 @@ void ReaderService::readText(const QByteArray& text, const QString& name, const 
   });
 }
 
+void ReaderService::readEdited(std::shared_ptr<const Document> document, int line, const QString& text) {
+  const quint64 number = ++latest_;
+  submit([this, document = std::move(document), line, text, number](const Monitor& monitor) {
+    auto edited = make_document(with_line(*document, line, text), document->name, document->path, monitor);
+    return deliver(std::move(edited), document->path, number);
+  });
+}
+
 void ReaderService::cancel() {
   ++latest_;
   pending_ = nullptr;
@@ -72,8 +91,8 @@ void ReaderService::submit(Request request) {
     worker_.cancel();
     return;
   }
-  emit busyChanged(true);
   worker_.start(std::move(request));
+  emit busyChanged(true);
 }
 
 Background::Delivery ReaderService::deliver(DocumentResult result, const QString& path, quint64 number) {

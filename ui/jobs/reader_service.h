@@ -23,6 +23,8 @@ class ReaderService : public QObject {
   /// @param name  its extension chooses the format
   /// @param path  file that the text stands for, may be empty
   void readText(const QByteArray& text, const QString& name, const QString& path = {});
+  /// Reads a document again with another text in one of its lines, which must be there.
+  void readEdited(std::shared_ptr<const Document> document, int line, const QString& text);
   void cancel();
   bool isBusy() const { return worker_.isBusy(); }
 

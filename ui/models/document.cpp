@@ -17,6 +17,17 @@ QString Document::line(qsizetype number) const {
   return decoder.hasError() ? QString::fromLatin1(bytes) : decoded;
 }
 
+std::array<bool, 3> turned_axes(const Moves& moves) {
+  std::array<bool, 3> turned = {};
+  for (const auto& end : moves.end) {
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+      const auto axis = static_cast<Eigen::Index>(3 + i);
+      turned[i] = turned[i] || end[axis] != moves.start[axis];
+    }
+  }
+  return turned;
+}
+
 std::vector<qsizetype> find_line_starts(const QByteArray& text) {
   std::vector<qsizetype> starts{0};
   starts.reserve(static_cast<std::size_t>(text.count('\n')) + 1);

@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <algorithm>
 
 #include "preview/cause_style.h"
 #include "theme/icons.h"
@@ -11,10 +12,7 @@ namespace {
 
 constexpr std::array kRates = {0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0};
 constexpr int kRealTime = 3;
-
-QString fixed(double value, int decimals, int width) {
-  return QString::number(value, 'f', decimals).rightJustified(width, QChar(0x2007));  // a space as wide as a digit
-}
+constexpr int kPatienceMs = 200;
 
 }  // namespace
 
@@ -60,6 +58,9 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent) {
   progress_->setFixedWidth(120);
   row->addWidget(progress_);
   cancel_ = addButton("cancelButton", "cancel", &TransportBar::cancelRequested);
+  patience_.setSingleShot(true);
+  patience_.setInterval(kPatienceMs);
+  connect(&patience_, &QTimer::timeout, this, [this] { showBusy(true); });
   setTheme(theme_);
   retranslate();
   setBusy(false);
@@ -80,8 +81,15 @@ void TransportBar::setInstant(const std::optional<Instant>& instant) {
   showInstant();
 }
 
+QString TransportBar::steady(Number number, double value, int decimals) {
+  const QString text = QString::number(value, 'f', decimals);
+  widths_[number] = std::max(widths_[number], static_cast<int>(text.size()));
+  return text.rightJustified(widths_[number], QChar(0x2007));  // a space as wide as a digit
+}
+
 void TransportBar::showInstant() {
   if (!instant_) {
+    widths_ = {};
     for (auto* label : {time_, place_, motion_}) label->clear();
     return;
   }
@@ -90,18 +98,20 @@ void TransportBar::showInstant() {
   const auto acceleration = display_unit(Quantity::acceleration, unit_);
   const int decimals = unit_ == LengthUnit::inch ? 4 : 3;
   const auto& p = instant_->position;
-  time_->setText(QString("t %1 s   N%2").arg(fixed(instant_->time, 3, 8)).arg(instant_->line));
+  const QString line = instant_->line > 0 ? QString::number(instant_->line) : QStringLiteral("–");
+  time_->setText(QString("t %1 s   N%2").arg(steady(kTime, instant_->time, 3), line));
   QString place;
   for (int axis = 0; axis < 3; ++axis) {
     if (axis > 0) place += "   ";
     place += QLatin1Char(kAxisNames[static_cast<std::size_t>(axis)]) + QString(" ") +
-             fixed(p[axis] * length.factor, decimals, 8);
+             steady(kPlace, p[axis] * length.factor, decimals);
   }
   place_->setText(place + " " + length.text);
   motion_->setText(QString("v %1 %2   a %3 %4")
-                       .arg(fixed(instant_->state.speed * speed.factor, 2, 7), speed.text,
-                            fixed(instant_->state.acceleration * acceleration.factor, 0, 6), acceleration.text));
-  setMessage(cause_title(instant_->cause));
+                       .arg(steady(kSpeed, instant_->state.speed * speed.factor, 2), speed.text,
+                            steady(kAcceleration, instant_->state.acceleration * acceleration.factor, 0),
+                            acceleration.text));
+  showCause(instant_->cause);
 }
 
 void TransportBar::setPlaying(bool playing) {
@@ -112,21 +122,39 @@ void TransportBar::setPlaying(bool playing) {
 }
 
 void TransportBar::setBusy(bool busy) {
+  if (busy) {
+    if (progress_->isHidden() && !patience_.isActive()) (setProgress(0), patience_.start());
+    return;
+  }
+  patience_.stop();
+  showBusy(false);
+}
+
+void TransportBar::showBusy(bool busy) {
   for (auto* widget : std::initializer_list<QWidget*>{busy_, progress_, cancel_}) widget->setVisible(busy);
-  if (busy) setProgress(0);
 }
 
 void TransportBar::setTask(const QString& text) { busy_->setText(text); }
 
 void TransportBar::setProgress(double fraction) { progress_->setValue(static_cast<int>(fraction * 100)); }
 
+/// With a patch of the colour that stands for it in the ribbon.
+void TransportBar::showCause(Cause cause) {
+  const QColor colour = cause_colour(cause, theme_.dark ? Ground::dark : Ground::light);
+  setMessage(cause_title(cause));
+  message_->setTextFormat(Qt::RichText);
+  message_->setText(QString("<span style='color:%1'>■</span>&nbsp; %2").arg(colour.name(), cause_title(cause)));
+}
+
 void TransportBar::setMessage(const QString& text) {
+  message_->setTextFormat(Qt::PlainText);
   message_->setText(text);
   message_->setToolTip(text);
 }
 
 void TransportBar::setLengthUnit(LengthUnit unit) {
   unit_ = unit;
+  widths_ = {};
   showInstant();
 }
 

@@ -4,8 +4,10 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QProgressBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QWidget>
+#include <array>
 #include <optional>
 
 #include "models/timeline.h"
@@ -42,16 +44,24 @@ class TransportBar : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  enum Number : std::size_t { kTime, kPlace, kSpeed, kAcceleration, kNumbers };
+
   QToolButton* addButton(const char* name, const char* icon_name, void (TransportBar::*signal)());
   void retranslate();
   void showInstant();
+  void showBusy(bool busy);
+  QString steady(Number number, double value, int decimals);
+  void showCause(Cause cause);
 
   QToolButton *first_, *previous_, *play_, *next_, *last_, *cancel_;
   QComboBox* rate_;
   QLabel *time_, *place_, *motion_, *message_, *busy_;
   QProgressBar* progress_;
+  QTimer patience_;  // what is done before it ends needs no bar
   std::optional<Instant> instant_;
   LengthUnit unit_ = LengthUnit::mm;
+  // Characters that each number has taken so far, so that they do not jump while it plays.
+  std::array<int, kNumbers> widths_ = {};
   Theme theme_ = light_theme();
   bool playing_ = false;
 };
