@@ -92,14 +92,6 @@ void Actions::setTheme(const ui::Theme& theme) {
   }
 }
 
-std::vector<const QAction*> Actions::withShortcuts() const {
-  std::vector<const QAction*> result;
-  for (const auto* action : all_) {
-    if (!action->shortcut().isEmpty()) result.push_back(action);
-  }
-  return result;
-}
-
 void Actions::retranslate() {
   open->setText(tr("&Open…"));
   open->setIconText(tr("Open"));

@@ -19,7 +19,6 @@ class Actions : public QObject {
   void retranslate();
   void setTheme(const ui::Theme& theme);
   /// For the list of keys.
-  std::vector<const QAction*> withShortcuts() const;
 
   QAction *open, *reload, *open_example, *close_window;
   QAction *export_setpoints, *export_pulses, *axis_derivatives, *decimal_comma, *export_picture, *export_plots,

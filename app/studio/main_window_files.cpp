@@ -3,7 +3,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QMenu>
 #include <QMessageBox>
+#include <QRegularExpression>
 
 #include "import_machine.h"
 #include "main_window.h"
@@ -44,6 +46,22 @@ Result<Setup> read_any_machine(const QString& path, const Setup& base) {
   const std::string text = file.readAll().toStdString();
   const std::string name = path.toStdString();
   return ini ? import_linuxcnc_ini(text, name, base) : import_grbl_dump(text, name, base);
+}
+
+/// Rows of a menu's keys below its title, those of its submenus among them.
+QString keys_of(const QMenu& menu, bool titled = true) {
+  QString rows;
+  if (titled) {
+    rows = QString("<tr><td colspan='2' style='padding-top:8px'><b>%1</b></td></tr>")
+               .arg(QString(menu.title()).remove('&').remove(QRegularExpression("\\(.\\)$")).toHtmlEscaped());
+  }
+  for (const QAction* action : menu.actions()) {
+    if (action->menu()) rows += keys_of(*action->menu(), false);
+    if (action->shortcut().isEmpty()) continue;
+    rows += QString("<tr><td style='padding-right:24px'>%1</td><td align='right'>%2</td></tr>")
+                .arg(action->text().remove('&').toHtmlEscaped(), action->shortcut().toString(QKeySequence::NativeText));
+  }
+  return rows;
 }
 
 }  // namespace
@@ -249,12 +267,13 @@ void MainWindow::goToSlowest() {
 }
 
 void MainWindow::showKeys() {
-  QString rows;
-  for (const QAction* action : actions_->withShortcuts()) {
-    rows += QString("<tr><td style='padding-right:24px'>%1</td><td>%2</td></tr>")
-                .arg(action->text().remove('&').toHtmlEscaped(), action->shortcut().toString(QKeySequence::NativeText));
-  }
-  QMessageBox box(QMessageBox::NoIcon, tr("Keys"), "<table>" + rows + "</table>", QMessageBox::Close, this);
+  // By menu, in two columns of about the same height.
+  const QString left = keys_of(*file_menu_) + keys_of(*edit_menu_) + keys_of(*view_menu_);
+  const QString right = keys_of(*plan_menu_) + keys_of(*help_menu_);
+  const QString column = QStringLiteral("<td><table cellspacing='2'>%1</table></td>");
+  QMessageBox box(QMessageBox::NoIcon, tr("Keys"),
+                  "<table><tr>" + column.arg(left) + "<td width='40'></td>" + column.arg(right) + "</tr></table>",
+                  QMessageBox::Close, this);
   box.setObjectName("keysBox");
   box.exec();
 }

@@ -65,6 +65,7 @@ void MainWindow::setInch(bool inch) {
   preferences_.inch = inch;
   actions_->inch->setChecked(inch);
   const auto unit = inch ? ui::LengthUnit::inch : ui::LengthUnit::mm;
+  nc_->view().setUnit(unit);
   contour_->setUnit(unit);
   profile_->setUnit(unit);
   tuning_->setLengthUnit(unit);

@@ -136,6 +136,35 @@ class SmoothTest : public QObject {
     window.workspace().cancel();
   }
 
+  void a_feed_hold_stops_on_the_smooth_motion_and_is_taken_away_again() {
+    Opened window;
+    window.open(kZigzag);
+    limit_axes(window.workspace());
+    choose_corner(window, CornerRule::smooth);
+    studio::settle(window);
+    const double free = window.workspace().timeline()->duration(), moment = 0.4 * free;
+    window.workspace().setCursorTime(moment);
+    window.actions().hold->trigger();
+    studio::settle(window);
+    const auto held = window.workspace().plan().timeline->outcome();
+    QVERIFY2(!held->plan.splines.empty(), "still through the tube");
+    QCOMPARE(held->job->options.hold_at, std::optional(moment));
+    QVERIFY(held->plan.cycle_time() > free);
+    double stands = 1e9, slowest = 1e9;
+    for (double t = moment; t < moment + 0.5; t += 1e-4) {
+      const double speed = window.workspace().timeline()->at(t).state.speed;
+      if (speed < slowest) (slowest = speed, stands = t);
+    }
+    QVERIFY2(slowest < 1e-3 && stands < moment + 0.3, qPrintable(QString("%1 mm/s at %2 s").arg(slowest).arg(stands)));
+    window.waitForProof();
+    QVERIFY(window.workspace().plan().proof->report.passes());
+    screenshot(window, "smooth-hold");
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    studio::settle(window);
+    QVERIFY(!window.workspace().tuning().value().options.hold_at);
+    QCOMPARE(window.workspace().timeline()->duration(), free);
+  }
+
   void the_band_follows_the_programmed_path_and_never_exceeds_the_tolerance() {
     for (const CornerRule rule : {CornerRule::blend, CornerRule::smooth}) {
       Opened window;

@@ -104,12 +104,15 @@ class TextCheck {
   void check(const QTableView& table) {
     const QHeaderView& head = *table.horizontalHeader();
     const QAbstractItemModel& model = *table.model();
+    if (table.isVisible()) need(table, "all columns", head.length(), table.viewport()->width());
     for (int column = 0; column < model.columnCount(); ++column) {
       if (table.isColumnHidden(column)) continue;
       const int room = head.sectionSize(column);
       if (head.isVisible()) {
         const QString title = model.headerData(column, Qt::Horizontal).toString();
-        need(head, title, head.fontMetrics().horizontalAdvance(title) + kCellPadding, room);
+        for (const QString& line : title.split('\n')) {
+          need(head, line, head.fontMetrics().horizontalAdvance(line) + kCellPadding, room);
+        }
       }
       for (int row = 0; row < std::min(model.rowCount(), 40); ++row) {
         const QModelIndex index = model.index(row, column);

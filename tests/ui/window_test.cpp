@@ -1,5 +1,7 @@
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QLabel>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -13,6 +15,7 @@
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
 #include "screenshot.h"
+#include "support/find.h"
 #include "support/screenshot.h"
 
 using namespace toolpace;
@@ -30,9 +33,7 @@ class Opened : public MainWindow {
   }
   template <class T>
   T& the(const char* name) {
-    auto* found = findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return *found;
+    return ui::find<T>(*this, name);
   }
 };
 
@@ -182,6 +183,41 @@ class WindowTest : public QObject {
     QVERIFY(window.the<QLabel>("positionReadout").text().endsWith(" in"));
     QCOMPARE(window.the<ui::NumberField>("vmaxEdit").unitText(), QString("in/s"));
     ui::screenshot(window, "window-inch");
+  }
+
+  void two_plans_with_dwells_and_rotary_axes_need_no_scrolling_in_a_small_window() {
+    Opened window;
+    window.workspace().openText("G21 G90 G94 F1200\nG1 X30 A90\nG4 P1.5\nG0 Y20 B10 C5\nG4 P0.5\nG1 Y0\nM2\n",
+                                "dwells.ngc");
+    settle(window);
+    window.workspace().pin();
+    window.workspace().tuning().edit("A", "a", [](ui::Tuning& t) { t.machine.path.acceleration = 1500; });
+    settle(window);
+    QTRY_VERIFY_WITH_TIMEOUT(!window.workspace().isProving(), 60000);
+    for (const char* language : {"en", "zh_CN"}) {
+      window.setLanguage(language);
+      QTest::qWait(50);
+      auto& table = window.the<QTableView>("resultTable");
+      QCOMPARE(table.verticalScrollBar()->maximum(), 0);
+      QCOMPARE(table.horizontalScrollBar()->maximum(), 0);
+      ui::screenshot(window, QString("two-plans-dwells-rotary-") + language);
+    }
+  }
+
+  void rows_of_results_are_as_high_as_each_other_for_fingers_too() {
+    Opened window;
+    auto& table = window.the<QTableView>("resultTable");
+    for (const bool touch : {true, false}) {
+      window.setTouch(touch);
+      // A dwell and a rapid bring rows that were hidden while the height changed.
+      window.workspace().openText(touch ? "G21 G90 G94 F600\nG1 X10\nG4 P1\nG0 X0\nM2\n" : "G1 X10 F600\nM2\n",
+                                  "a.ngc");
+      settle(window);
+      for (int row = 0; row < table.model()->rowCount(); ++row) {
+        if (!table.isRowHidden(row)) QCOMPARE(table.rowHeight(row), table.verticalHeader()->defaultSectionSize());
+      }
+      QCOMPARE(table.verticalHeader()->defaultSectionSize() > 40, touch);
+    }
   }
 };
 

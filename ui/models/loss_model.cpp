@@ -56,10 +56,10 @@ QVariant LossModel::headerData(int section, Qt::Orientation orientation, int rol
   const QString speed = display_unit(Quantity::speed, unit_).text;
   switch (section) {
     case kLine: return tr("Line");
-    case kAsked: return tr("Feed") + "  " + speed;
-    case kMean: return tr("Mean") + "  " + speed;
-    case kTime: return tr("Time") + "  s";
-    default: return tr("Loss") + "  s";
+    case kAsked: return tr("Feed") + "\n" + speed;
+    case kMean: return tr("Mean") + "\n" + speed;
+    case kTime: return tr("Time") + "\ns";
+    default: return tr("Loss") + "\ns";
   }
 }
 

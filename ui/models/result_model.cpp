@@ -9,6 +9,8 @@ namespace {
 
 const Summary& summary(const Planned& plan) { return plan.timeline->outcome()->summary; }
 
+constexpr double kNoError = 1e-9;  // [mm]: rounding
+
 double violations(const Planned& plan) {
   if (!plan.proof) return 0;
   const auto& checks = plan.proof->report.checks;
@@ -93,6 +95,7 @@ QString ResultModel::text_of(const Row& row, double value) const {
   if (row.shown == Shown::share) return QString::number(value * 1e2, 'f', 1);
   if (row.shown == Shown::count) return number_text(value, 12);
   if (row.quantity == Quantity::time) return QString::number(value, 'f', 3);
+  if (row.shown == Shown::error && std::abs(value) < kNoError) value = 0;
   return number_text(value * unit_of(row).factor, 5);
 }
 

@@ -32,8 +32,7 @@ LossPanel::LossPanel(QWidget* parent)
   table_->setSortingEnabled(true);
   table_->sortByColumn(LossModel::kLoss, Qt::DescendingOrder);
   table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(LossModel::kLine, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);  // every column is always in sight
   table_->horizontalHeader()->setMinimumSectionSize(40);
   column->addWidget(table_, 1);
   const auto go = [this](const QModelIndex& index) {
@@ -70,10 +69,10 @@ void LossPanel::showTotal() {
   if (!timeline_) return total_->clear();
   const double loss = timeline_->total_loss();
   const double share = timeline_->duration() > 0 ? loss / timeline_->duration() * 100 : 0;
-  total_->setText(tr("%1 s (%2 %) more than at the programmed feed all along, on %n line(s)", nullptr,
-                     static_cast<int>(timeline_->losing_lines()))
-                      .arg(loss, 0, 'f', 3)
-                      .arg(share, 0, 'f', 1));
+  const auto lines = static_cast<qulonglong>(timeline_->losing_lines());
+  const QString where = lines == 1 ? tr("on one line") : tr("on %1 lines").arg(lines);
+  total_->setText(tr("%1 s (%2 %) more than at the programmed feed all along, %3")
+                      .arg(QString::number(loss, 'f', 3), QString::number(share, 'f', 1), where));
 }
 
 void LossPanel::changeEvent(QEvent* event) {

@@ -4,7 +4,9 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "panels/unit_delegate.h"
 #include "theme/icons.h"
 
 namespace toolpace::ui {
@@ -76,6 +78,8 @@ ResultsPanel::ResultsPanel(QWidget* parent)
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setMinimumSectionSize(kLeastColumn);
   table_->horizontalHeader()->setSectionResizeMode(ResultModel::kTitle, QHeaderView::Stretch);
+  titles_ = new UnitDelegate(table_);
+  table_->setItemDelegateForColumn(ResultModel::kTitle, titles_);
   column->addWidget(table_, 1);
   connect(pin_, &QToolButton::clicked, this, &ResultsPanel::pinRequested);
   connect(swap_, &QToolButton::clicked, this, &ResultsPanel::swapRequested);
@@ -96,6 +100,31 @@ void ResultsPanel::setPlans(const Planned& a, const Planned& b) {
   table_->horizontalHeader()->setVisible(static_cast<bool>(b_));  // one column explains itself
   for (int row = 0; row < model_->rowCount(); ++row) table_->setRowHidden(row, model_->isIdle(row));
   showHeadline();
+  fitRows();
+}
+
+/// Where there is little room, rows come closer before anything has to be scrolled for.
+void ResultsPanel::fitRows() {
+  auto& rows = *table_->verticalHeader();
+  // Rows that were hidden while the height changed keep the old one.
+  const auto make_even = [&] {
+    for (int row = 0; row < rows.count(); ++row) {
+      if (!table_->isRowHidden(row)) rows.resizeSection(row, rows.defaultSectionSize());
+    }
+  };
+  if (rows.defaultSectionSize() > kRowHeight) return make_even();  // for fingers
+  int shown = 0;
+  for (int row = 0; row < model_->rowCount(); ++row) shown += table_->isRowHidden(row) ? 0 : 1;
+  const int least = std::min(table_->fontMetrics().height() + 1, kRowHeight);
+  const int fair = table_->viewport()->height() / std::max(shown, 1);
+  rows.setMinimumSectionSize(least);
+  rows.setDefaultSectionSize(std::clamp(fair, least, kRowHeight));
+  make_even();
+}
+
+void ResultsPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitRows();
 }
 
 void ResultsPanel::showHeadline() {
@@ -114,6 +143,7 @@ void ResultsPanel::setLengthUnit(LengthUnit unit) { model_->setUnit(unit); }
 void ResultsPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   model_->setTheme(theme);
+  titles_->setTheme(theme);
   pin_->setIcon(icon("pin", theme));
   swap_->setIcon(icon("swap", theme));
   unpin_->setIcon(icon("cancel", theme));

@@ -10,6 +10,8 @@
 
 namespace toolpace::ui {
 
+class UnitDelegate;
+
 class ResultsPanel : public QWidget {
   Q_OBJECT
 
@@ -27,13 +29,16 @@ class ResultsPanel : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void retranslate();
   void showHeadline();
+  void fitRows();
 
   ResultModel* model_;
   QTableView* table_;
+  UnitDelegate* titles_;
   QLabel *cycle_, *versus_;
   QToolButton *pin_, *swap_, *unpin_;
   Planned a_, b_;
