@@ -40,8 +40,8 @@ bool is_exact(const Moves& moves, std::uint32_t row) {
 std::vector<SegmentRule> rules_of(const ProgrammedPath& program) {
   std::vector<SegmentRule> rules(program.path.size());
   for (std::size_t i = 0; i < rules.size(); ++i) {
-    rules[i].is_exact = is_exact(program.moves, program.path.move[i]);
     if (!program.segment_tolerance.empty()) rules[i].tolerance = program.segment_tolerance[i];
+    rules[i].is_exact = is_exact(program.moves, program.path.move[i]) || rules[i].tolerance <= kSmoothing;
   }
   return rules;
 }
@@ -172,9 +172,10 @@ void PathCheck::take_crossings(const RowStream& stream, std::size_t local, const
   if (chord_.would_take(off, 0.0)) chord_.take(off, 0.0, stream, local);
 }
 
-/// Nothing smooths a corner at which G61 or G61.1 begins or ends, however near beside it a blend may lie.
+/// Nothing smooths a corner at which G61 or G61.1 or a rule that stays on the path begins or ends, however near beside it a
+/// blend may lie.
 bool PathCheck::is_passed_exactly(std::size_t left) const {
-  return is_exact(moves_, path_.move[left]) || is_exact(moves_, path_.move[left + 1]);
+  return vertices_.rule(left).is_exact || vertices_.rule(left + 1).is_exact;
 }
 
 void PathCheck::log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt) {

@@ -30,7 +30,8 @@ struct PathVertex {
 /// What is asked of one segment.
 struct SegmentRule {
   double tolerance = std::numeric_limits<double>::infinity();  ///< [mm]
-  bool is_exact = false;  ///< nothing smooths its ends, however near a blend may lie beside them (G61, G61.1)
+  bool is_exact =
+      false;  ///< nothing smooths its ends, however near a blend may lie beside them (G61, G61.1, the job's rule)
 };
 
 /// Cell j leads from vertex j to vertex j + 1. Vertices are made when asked for and forgotten when passed, so memory is
@@ -51,7 +52,8 @@ class PathVertices {
     return end.sector == PathVertex::kNoSector ? nullptr : &sectors_[end.sector - first_sector_];
   }
   /// Of the segment that a vertex ends or belongs to.
-  SegmentRule rule(const PathVertex& end) const { return rules_.empty() ? SegmentRule{} : rules_[end.segment]; }
+  SegmentRule rule(const PathVertex& end) const { return rule(end.segment); }
+  SegmentRule rule(std::size_t segment) const { return rules_.empty() ? SegmentRule{} : rules_[segment]; }
 
   /// Point at the share t 0 … 1 of a cell that there is (weighted).
   AxisVector point(std::size_t cell, double t);

@@ -200,6 +200,21 @@ TEST(PathCheck, ExemptsACornerOfG61BesideABlend) {
   EXPECT_TRUE(report.passes()) << broken(report);
 }
 
+// The corner at which G64 begins is passed as the job's rule says; the row behind it is on a blend already.
+TEST(PathCheck, ExemptsACornerOfTheJobsRuleBesideABlend) {
+  toolpace::Setup setup = default_setup();
+  setup.machine.path = {294.6, 6108, 5136, 283829, 234932};
+  setup.options.law = LawKind::trapezoid;
+  setup.options.corner.rule = CornerRule::junction;
+  setup.options.corner.junction_deviation = 0.01;
+  const VerifyReport report = proven(
+      "G21 G90 G94 G17\nG0 X-0.3399 Y0.1883 Z-0.5067\nG1 X-0.3672 Y0.2062 Z0.3929 F3121.9\nG64 P0.0027\n"
+      "G1 X-0.3744 Y0.2117 Z0.3929 F594.3\nG5 X-0.6971 Y0.2403 I-0.0828 J0.0693 P0.0937 Q0.0536 F13217.8\n"
+      "G2 X-0.4604 Y-0.2400 Z0.3652 I-0.0321 J-0.3143 F435.1\nM2\n",
+      setup);
+  EXPECT_TRUE(report.passes()) << broken(report);
+}
+
 TEST(PathCheck, NoticesAMissingEndAndAWrongLine) {
   const TemporaryDirectory dir;
   Program program;
