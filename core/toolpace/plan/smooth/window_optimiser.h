@@ -37,11 +37,11 @@ class WindowOptimiser {
     double weight;
     int rounds;  ///< at most: a level is left once a round gains too little
   };
-  static constexpr Level kLevels[] = {{0.1, 3}, {0.03, 2}, {0.01, 2}, {0.003, 2}, {0.001, 20}, {0.0003, 5}};
+  static constexpr Level kLevels[] = {{0.1, 20}, {0.03, 2}, {0.01, 2}, {0.003, 2}, {0.001, 20}, {0.0003, 5}};
   static constexpr double kGain = 0.003;  ///< share of the duration
   static constexpr double kSettlingWeight = 0.0005;
 
-  static constexpr int kAttempts = 10, kRounds = 8;  // of settling, a little slower each time; of steps in each
+  static constexpr int kAttempts = 10, kRounds = 14;  // of settling, a little slower each time; of steps in each
   static constexpr double kSlower = 0.0025;          // first share of slowing down, doubled each time
   static constexpr int kPresses = 2;
   static constexpr double kFaster = 0.001;  // share of pressing
