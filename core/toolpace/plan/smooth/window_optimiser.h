@@ -42,7 +42,7 @@ class WindowOptimiser {
   static constexpr double kSettlingWeight = 0.0005;
 
   static constexpr int kAttempts = 10, kRounds = 14;  // of settling, a little slower each time; of steps in each
-  static constexpr double kSlower = 0.0025;          // first share of slowing down, doubled each time
+  static constexpr double kSlower = 0.0025;           // first share of slowing down, doubled each time
   static constexpr int kPresses = 2;
   static constexpr double kFaster = 0.001;  // share of pressing
 
