@@ -39,8 +39,10 @@ ContourCanvas::ContourCanvas(QWidget* parent) : QWidget(parent) {
 void ContourCanvas::setScene(std::shared_ptr<const ContourScene> scene) {
   const bool was_empty = !scene_ || scene_->is_empty();
   // Plans that follow each other quickly are a drag: it is drawn quickly, too, and smoothly when no other one comes.
+  // The same plan with its contour errors is none.
+  const bool another_plan = !was_empty && scene && scene->outcome != scene_->outcome;
   const qint64 interval = since_scene_.isValid() ? since_scene_.elapsed() : kDragMs;
-  if (interval < kDragMs) {
+  if (another_plan && interval < kDragMs) {
     moving_ = true;
     settle_.start(static_cast<int>(std::clamp<qint64>(2 * interval, kSettleMs, kLongestSettleMs)));
   }
