@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "toolpace/nc/block_reader.h"
+#include "toolpace/nc/text/block_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace toolpace::nc;

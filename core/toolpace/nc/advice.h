@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "toolpace/nc/scanner.h"
+#include "toolpace/nc/text/scanner.h"
 
 namespace toolpace::nc {
 

@@ -3,9 +3,9 @@
 
 #include "toolpace/nc/fault.h"
 #include "toolpace/nc/move_writer.h"
-#include "toolpace/nc/parameters.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/nc/state.h"
+#include "toolpace/nc/text/parameters.h"
 
 namespace toolpace::nc {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "toolpace/nc/motion.h"
+#include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/text/whole_number.h"
 #include "toolpace/nc/tool_table.h"
-#include "toolpace/nc/whole_number.h"
 
 namespace toolpace::nc {
 namespace {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
-#include "toolpace/nc/compensation.h"
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/interpreter.h"
-#include "toolpace/nc/lathe_cycles.h"
-#include "toolpace/nc/motion.h"
+#include "toolpace/nc/motion/compensation.h"
+#include "toolpace/nc/motion/lathe_cycles.h"
+#include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/tool_table.h"
 
 namespace toolpace::nc {

@@ -4,13 +4,13 @@
 #include <unordered_set>
 
 #include "toolpace/base/monitor.h"
-#include "toolpace/nc/block_reader.h"
 #include "toolpace/nc/context.h"
 #include "toolpace/nc/diagnostic_log.h"
-#include "toolpace/nc/flow.h"
-#include "toolpace/nc/lathe_contour.h"
-#include "toolpace/nc/lathe_cycles.h"
+#include "toolpace/nc/flow/flow.h"
+#include "toolpace/nc/motion/lathe_contour.h"
+#include "toolpace/nc/motion/lathe_cycles.h"
 #include "toolpace/nc/reader.h"
+#include "toolpace/nc/text/block_reader.h"
 
 namespace toolpace::nc {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "toolpace/nc/interpreter.h"
-#include "toolpace/nc/motion.h"
+#include "toolpace/nc/motion/motion.h"
 
 namespace toolpace::nc {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "toolpace/nc/words.h"
+#include "toolpace/nc/text/words.h"
 
 namespace toolpace {
 namespace {

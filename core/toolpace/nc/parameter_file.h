@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "toolpace/nc/fault.h"
-#include "toolpace/nc/parameters.h"
+#include "toolpace/nc/text/parameters.h"
 
 namespace toolpace::nc {
 

@@ -5,10 +5,10 @@
 
 #include "toolpace/base/mapped_file.h"
 #include "toolpace/nc/coordinates.h"
-#include "toolpace/nc/dialects.h"
 #include "toolpace/nc/interpreter.h"
 #include "toolpace/nc/parameter_file.h"
 #include "toolpace/nc/polyline.h"
+#include "toolpace/nc/text/dialects.h"
 #include "toolpace/nc/tool_table.h"
 
 namespace toolpace {

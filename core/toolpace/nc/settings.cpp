@@ -4,10 +4,10 @@
 
 #include <limits>
 
-#include "toolpace/nc/compensation.h"
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/interpreter.h"
-#include "toolpace/nc/motion.h"
+#include "toolpace/nc/motion/compensation.h"
+#include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/tool_table.h"
 
 namespace toolpace::nc {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "toolpace/base/axes.h"
-#include "toolpace/nc/offset_geometry.h"
-#include "toolpace/nc/words.h"
+#include "toolpace/nc/motion/offset_geometry.h"
+#include "toolpace/nc/text/words.h"
 
 namespace toolpace::nc {
 

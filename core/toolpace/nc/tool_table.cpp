@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "toolpace/nc/coordinates.h"
-#include "toolpace/nc/motion.h"
-#include "toolpace/nc/scanner.h"
-#include "toolpace/nc/whole_number.h"
+#include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/text/scanner.h"
+#include "toolpace/nc/text/whole_number.h"
 
 namespace toolpace::nc {
 namespace {

@@ -1,4 +1,4 @@
-#include "toolpace/nc/dialects.h"
+#include "toolpace/nc/text/dialects.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "toolpace/nc/expression.h"
+#include "toolpace/nc/text/expression.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "toolpace/nc/scanner.h"
+#include "toolpace/nc/text/scanner.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include "toolpace/nc/flow/flow.h"
+
+namespace toolpace::nc {
+
+bool Flow::run_goto(Scanner& text) {
+  const std::size_t column = text.column();
+  double number = 0.0;
+  if (!reader_.expressions().read_value(text, number)) {
+    lost_ = true;
+    return false;
+  }
+  std::size_t offset = 0, line = 0;
+  if (!index().find_number(number, here_.offset, offset, line)) {
+    return lose("line-number-unknown", fmt::format("there is no line N{:g}", number), "check the number behind GOTO",
+                column);
+  }
+  const bool backward = offset <= begin_;
+  jump(offset, line - 1);
+  return !backward || count_turn();
+}
+
+bool Flow::run_fanuc_statement(Scanner& text, bool& good) {
+  good = true;
+  Scanner ahead = text;
+  if (ahead.take_word("goto")) {
+    text = ahead;
+    good = run_goto(text);
+    return true;
+  }
+  if (ahead.take_word("if") && ahead.peek() == '[') {
+    text = ahead;
+    bool holds = false;
+    good = read_condition(text, holds);
+    if (!good) return true;
+    if (text.take_word("goto")) {
+      if (holds) good = run_goto(text);
+      return true;
+    }
+    if (text.take_word("then")) {
+      if (!holds) return true;
+      return false;  // the rest of the line is a block
+    }
+    good = faults_.fail("then-missing", "GOTO or THEN is missing behind IF []",
+                        "write IF [..] GOTO n or IF [..] THEN #n = ..", text.column());
+    return true;
+  }
+  ahead = text;
+  const bool has_condition = ahead.take_word("while") && ahead.peek() == '[';
+  const bool is_do = !has_condition && (ahead = text, ahead.take_word("do")) && is_digit(ahead.peek());
+  const bool is_end = !has_condition && !is_do && (ahead = text, ahead.take_word("end")) && is_digit(ahead.peek());
+  if (!has_condition && !is_do && !is_end) return false;
+  text = ahead;
+  bool holds = true;
+  if (has_condition) good = read_condition(text, holds);
+  if (!good) return true;
+  int at = kNoMatch;
+  const ControlLine* const line = current_line(at);
+  if (line == nullptr || line->head == kNoMatch || line->tail == kNoMatch) {
+    good = lose("loop-unmatched", "WHILE … DO and END do not pair up", "close DO1 with END1 in the same program",
+                text.column());
+    return true;
+  }
+  if (is_end) {
+    jump_to(line->head);
+    good = count_turn();
+  } else if (!holds) {
+    jump_after(line->tail);
+  }
+  return true;
+}
+
+}  // namespace toolpace::nc

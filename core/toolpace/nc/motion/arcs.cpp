@@ -1,0 +1,222 @@
+#include "toolpace/nc/motion/arcs.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "toolpace/nc/motion/compensation.h"
+#include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/text/whole_number.h"
+
+namespace toolpace::nc {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+// Start and end radius may differ by as much as LinuxCNC allows.
+constexpr double kRadiusDifference = 0.005;  // [mm]
+constexpr double kRadiusDifferenceInch = 0.0005 * kMmPerInch;
+constexpr double kSpiralRelative = 0.001;
+constexpr double kSpiralAbsolute = 0.5;   // [mm]
+constexpr double kNearSemicircle = 1e-5;  // of the radius: half chord nearly as long as the radius
+
+// The same under cutter compensation, as measured on LinuxCNC 2.9: arcs are not rejected until 0.0283 mm.
+constexpr double kRadiusFactorCompensated = 4.0 * std::numbers::sqrt2;
+
+double radius_tolerance(const Modal& modal) { return modal.units == 200 ? kRadiusDifferenceInch : kRadiusDifference; }
+
+bool find_centre_by_offset(Context& context, const Block& block, PlaneArc& arc) {
+  const Modal& modal = context.state.modal;
+  const PlaneAxes plane = plane_axes(modal.plane);
+  const char first = static_cast<char>('i' + plane.first);
+  const char second = static_cast<char>('i' + plane.second);
+  const bool absolute = modal.arc_distance == 901;
+  if (absolute && !(block.has(first) && block.has(second))) {
+    return context.faults.fail(
+        "arc-centre-incomplete", "an arc with absolute centre (G90.1) needs both centre words",
+        fmt::format("give {} and {}", static_cast<char>(first - 32), static_cast<char>(second - 32)),
+        block.column_of(GGroup::motion));
+  }
+  arc.centre = {block.of(first, 0.0) * modal.unit(), block.of(second, 0.0) * modal.unit()};
+  if (!absolute) {
+    arc.centre[0] += arc.start[0];
+    arc.centre[1] += arc.start[1];
+  }
+  const double r1 = std::hypot(arc.start[0] - arc.centre[0], arc.start[1] - arc.centre[1]);
+  const double r2 = std::hypot(arc.end[0] - arc.centre[0], arc.end[1] - arc.centre[1]);
+  return check_radii(context, r1, r2, block.column_of(first));
+}
+
+bool find_centre_by_radius(Context& context, const Block& block, bool clockwise, PlaneArc& arc) {
+  const double radius = length_of(context.state, block, 'r');
+  const double dx = arc.end[0] - arc.start[0];
+  const double dy = arc.end[1] - arc.start[1];
+  const double chord = std::hypot(dx, dy);
+  if (chord == 0.0) {
+    return context.faults.fail("arc-same-point", "an arc given by its radius ends where it starts",
+                               "give a full circle by its centre (I J K)", block.column_of('r'));
+  }
+  const double half = chord / 2.0;
+  double size = std::fabs(radius);
+  if (half - size > radius_tolerance(context.state.modal)) {
+    return context.faults.fail("arc-radius-too-small",
+                               fmt::format("radius {:.4f} mm cannot reach the end point {:.4f} mm away", size, chord),
+                               fmt::format("the radius must be at least {:.4f} mm", half), block.column_of('r'));
+  }
+  if (half / size > 1.0 - kNearSemicircle) size = half;
+  // The centre lies beside the middle of the chord; short arcs that go clockwise have it on the right.
+  const double beside = std::sqrt(std::max(0.0, size * size - half * half));
+  const double side = clockwise == (radius > 0.0) ? -1.0 : 1.0;
+  arc.centre = {arc.start[0] + dx / 2.0 - side * beside * dy / chord,
+                arc.start[1] + dy / 2.0 + side * beside * dx / chord};
+  return true;
+}
+
+constexpr int kMostTurns = 1'000'000;
+
+bool find_turns(Context& context, const Block& block, bool clockwise, int& turns) {
+  turns = 1;
+  if (block.has('p')) {
+    const double p = block.of('p');
+    const auto number = whole_number(p, 1, kMostTurns);
+    if (!number) {
+      return context.faults.fail("arc-turns", fmt::format("P{:g} is no number of turns", p),
+                                 "P of an arc is a whole number from 1", block.column_of('p'));
+    }
+    turns = *number;
+  }
+  if (clockwise) turns = -turns;
+  return true;
+}
+
+double length_of_arc(const PlaneArc& arc, double rise) {
+  const double r = std::hypot(arc.start[0] - arc.centre[0], arc.start[1] - arc.centre[1]);
+  return std::hypot(r * sweep_of(arc), rise);
+}
+
+bool check_words(Context& context, const Block& block, const PlaneAxes& plane) {
+  const char normal = static_cast<char>('i' + plane.normal);
+  const auto fail = [&](const char* code, std::string what, const char* remedy) {
+    return context.faults.fail(code, std::move(what), remedy, block.column_of(GGroup::motion));
+  };
+  const bool by_radius = block.has('r');
+  if (by_radius && block.has_any(kCentreBits)) {
+    return fail("arc-radius-and-centre", "an arc with both a radius and a centre", "give R, or I J K, not both");
+  }
+  if (!by_radius && block.has(normal)) {
+    return fail("arc-centre-off-plane",
+                fmt::format("{} does not belong to the plane of this arc", static_cast<char>(normal - 32)),
+                "check G17 G18 G19");
+  }
+  const bool in_plane =
+      block.has(kAxisLetters[plane.first]) || block.has(kAxisLetters[plane.second]) || block.has_any(kPolarBits);
+  if (!by_radius && !block.has_any(kCentreBits)) {
+    return fail("arc-incomplete", "an arc without radius and centre", "give R, or I J K");
+  }
+  if (by_radius && !in_plane)
+    return fail("arc-incomplete", "an arc given by its radius without an end point", "give the end point");
+  return true;
+}
+
+}  // namespace
+
+double sweep_of(const PlaneArc& arc) {
+  const double x0 = arc.start[0] - arc.centre[0], y0 = arc.start[1] - arc.centre[1];
+  const double x1 = arc.end[0] - arc.centre[0], y1 = arc.end[1] - arc.centre[1];
+  double sweep = std::atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1);  // −π … π
+  // Below this angle the end counts as the start, and the arc as a full turn.
+  const double same = 1e-7 / std::max(std::hypot(x0, y0), 1e-3);
+  const int more = std::abs(arc.turns) - 1;
+  if (arc.turns > 0) {
+    if (sweep <= same) sweep += kTwoPi;
+    return sweep + kTwoPi * more;
+  }
+  if (sweep >= -same) sweep -= kTwoPi;
+  return sweep - kTwoPi * more;
+}
+
+void write_arc(Context& context, const PlaneArc& arc, const Position& from, const Position& end, double feed_mm_min) {
+  const Offsets& offsets = context.state.offsets;
+  const PlaneAxes plane = plane_axes(context.state.modal.plane);
+  Position centre = from;
+  centre[plane.first] = arc.centre[0];
+  centre[plane.second] = arc.centre[1];
+  ArcDetail detail;
+  detail.centre = machine_vector(offsets, centre).head<3>();
+  Eigen::Vector3d normal = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(plane.normal));
+  if (offsets.rotation != 0.0 && plane.normal != 2) {
+    const double angle = offsets.rotation * kRadiansPerDegree;
+    const double x = normal.x(), y = normal.y();
+    normal = {x * std::cos(angle) - y * std::sin(angle), x * std::sin(angle) + y * std::cos(angle), 0.0};
+  }
+  detail.normal = normal;
+  detail.sweep = sweep_of(arc);
+  context.out.arc(offsets, end, detail, feed_mm_min);
+}
+
+bool check_radii(Context& context, double at_start, double at_end, std::size_t column) {
+  const double tolerance = radius_tolerance(context.state.modal);
+  if (at_start < tolerance || at_end < tolerance) {
+    return context.faults.fail("arc-radius-zero", "an arc with its centre at its start or end",
+                               "check the centre words I J K", column);
+  }
+  const double difference = std::fabs(at_start - at_end);
+  const bool compensated = context.state.compensation.radius > 0.0;
+  const double allowed = compensated ? tolerance * kRadiusFactorCompensated : tolerance;
+  if (difference > kSpiralAbsolute || (difference > allowed && difference > kSpiralRelative * at_start)) {
+    return context.faults.fail(
+        "arc-radius-differs",
+        fmt::format("the end of the arc lies {:.4f} mm off its radius: {:.4f} mm at the start, {:.4f} mm at the end",
+                    difference, at_start, at_end),
+        "check the centre words I J K, G90.1/G91.1, and the plane");
+  }
+  return true;
+}
+
+bool run_arc(Context& context, const Block& block, Code code) {
+  const State& state = context.state;
+  const PlaneAxes plane = plane_axes(state.modal.plane);
+  if (!check_words(context, block, plane)) return false;
+  if (block.code(GGroup::once) == 530) {
+    return context.faults.fail("g53-with-arc", "G53 with an arc", "use G53 with G0 or G1",
+                               block.column_of(GGroup::once));
+  }
+  const Position& from = programmed_position(state);
+  Position end;
+  if (!find_end(context, block, end)) return false;
+  const bool clockwise = code == 20;
+  PlaneArc arc;
+  arc.start = {from[plane.first], from[plane.second]};
+  arc.end = {end[plane.first], end[plane.second]};
+  if (!find_turns(context, block, clockwise, arc.turns)) return false;
+  const bool found = block.has('r') ? find_centre_by_radius(context, block, clockwise, arc)
+                                    : find_centre_by_offset(context, block, arc);
+  return found && go_around(context, block, arc, end);
+}
+
+bool go_around(Context& context, const Block& block, const PlaneArc& arc, const Position& end) {
+  State& state = context.state;
+  const PlaneAxes plane = plane_axes(state.modal.plane);
+  const Position& from = programmed_position(state);
+  if (!(std::hypot(arc.start[0] - arc.centre[0], arc.start[1] - arc.centre[1]) <= kFarthest)) {
+    return context.faults.fail("arc-radius-too-large",
+                               fmt::format("an arc with a radius of more than {:g} mm", kFarthest), "check I J K or R",
+                               block.column_of(GGroup::motion));
+  }
+  Feedrate feed;
+  if (!find_feedrate(context, block, {length_of_arc(arc, end[plane.normal] - from[plane.normal]), 0.0, from[0], end[0]},
+                     feed))
+    return false;
+  if (state.compensation.radius > 0.0) return compensate_arc(context, arc, end, feed);
+  if (state.compensation.arc_forbidden) {
+    return context.faults.fail("compensation-exit-arc",
+                               "the move after the end of cutter radius compensation is an arc",
+                               "leave compensation on a straight move", block.column_of(GGroup::motion));
+  }
+  write_arc(context, arc, state.position, end, feed.linear);
+  state.position = end;
+  return true;
+}
+
+}  // namespace toolpace::nc

@@ -1,0 +1,260 @@
+#include "toolpace/nc/text/block_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "toolpace/nc/advice.h"
+
+namespace toolpace::nc {
+namespace {
+
+constexpr double kCodeWithin = 1e-3;  // tenths
+
+std::string word_text(std::size_t index) {
+  if (index == kRadiusWord) return "@";
+  if (index == kAngleWord) return "^";
+  return std::string(1, static_cast<char>('A' + index));
+}
+
+bool follows_digit(const Scanner& text, std::size_t column) {
+  return column >= 2 && (is_digit(text.line()[column - 2]) || text.line()[column - 2] == '.');
+}
+
+}  // namespace
+
+std::string code_text(char letter, Code code) {
+  return code % 10 == 0 || letter == 'M' ? fmt::format("{}{}", letter, letter == 'M' ? code : code / 10)
+                                         : fmt::format("{}{}.{}", letter, code / 10, code % 10);
+}
+
+bool BlockReader::skip_comments(Scanner& text, std::string* last_comment) {
+  for (char c = text.peek(); c == '(' || c == ';'; c = text.peek()) {
+    if (c == ';') {
+      text.move_to(text.end());
+      return true;
+    }
+    const std::string_view rest = text.rest();
+    const std::size_t close = rest.find(')');
+    if (close == std::string_view::npos) {
+      return faults_.fail("comment-not-closed", "a comment that begins with '(' has no ')'",
+                          "close the comment with ')'", text.column());
+    }
+    if (dialect_ == Dialect::linuxcnc && rest.substr(1, close - 1).find('(') != std::string_view::npos) {
+      return faults_.fail("comment-nested", "a comment within a comment",
+                          "comments do not nest: remove the inner parenthesis", text.column());
+    }
+    if (last_comment != nullptr) *last_comment = rest.substr(1, close - 1);
+    text.move_to(text.position() + close + 1);
+  }
+  return true;
+}
+
+bool BlockReader::read(Scanner& text, Block& block) {
+  block.clear();
+  assignments_.clear();
+  std::string* const message = dialect_ == Dialect::fanuc ? &block.message : nullptr;
+  for (char c = text.peek(); c != '\0'; c = text.peek()) {
+    if (is_letter(c)) {
+      if (!read_word(text, c, block)) return false;
+    } else if (c == '(' || c == ';') {
+      if (!skip_comments(text, message)) return false;
+    } else if (c == '#') {
+      if (!read_assignment(text)) return false;
+    } else if (c == '@' || c == '^') {
+      const std::size_t column = text.column();
+      text.take();
+      double value = 0.0;
+      if (!expressions_.read_value(text, value)) return false;
+      if (!store_word(c == '@' ? kRadiusWord : kAngleWord, value, column, block)) return false;
+    } else if (c == '*' && dialect_ == Dialect::grbl) {
+      text.move_to(text.end());  // a sender's checksum
+    } else {
+      return faults_.fail("bad-character", fmt::format("{} begins no word", shown_character(text.rest())),
+                          meant_as_word(c), text.column());
+    }
+  }
+  return is_at_end(text) && (assignments_.empty() || assign());
+}
+
+bool BlockReader::is_at_end(const Scanner& text) {
+  if (text.position() == text.end()) return true;
+  return faults_.fail("bad-character", "byte 0x00 begins no word", "this is no text: is the file damaged?",
+                      text.column());
+}
+
+bool BlockReader::fail_without_value(const Scanner& text, char letter, std::size_t column) {
+  const bool behind_digit = letter == 'o' && follows_digit(text, column);
+  return faults_.fail("number-expected", word_without_number(text, letter),
+                      behind_digit ? kMeantZero : meant_as_number(text), column);
+}
+
+bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
+  const std::size_t column = text.column();
+  text.take();
+  const char next = text.peek();
+  if (!is_digit(next) && next != '-' && !ExpressionReader::begins_value(text)) {
+    return fail_without_value(text, letter, column);
+  }
+  double value = 0.0;
+  if (!expressions_.read_value(text, value)) return false;
+  if (is_vacant(value)) return true;  // a word with a vacant value is as if it were not there
+  if (letter == 'g') return read_g(value, column, block);
+  const bool is_argument = block.has(GGroup::macro) && letter != 'n' && letter != 'o';
+  if (is_argument) return store_word(word_index(letter), value, column, block);  // M U V W too
+  if (letter == 'm') return read_m(value, column, block) && skip_printer_text(text, block);
+  if (letter == 'n') {
+    if (dialect_ == Dialect::linuxcnc) {
+      return faults_.fail("bad-line-number", "a line number within a block", "N stands at the beginning of the line",
+                          column);
+    }
+    if (value >= 0.0) return true;
+    return faults_.fail("bad-line-number", "a line number below 0", "write N and a number from 0", column);
+  }
+  if (letter == 'o') {
+    return faults_.fail("o-word-misplaced", "an O word inside a block",
+                        follows_digit(text, column) ? kMeantZero : "an O word stands first in its line", column);
+  }
+  return store_word(word_index(letter), value, column, block);
+}
+
+bool BlockReader::store_word(std::size_t index, double value, std::size_t column, Block& block) {
+  if (block.has(GGroup::macro) && index < kRadiusWord)
+    block.arguments.push_back({static_cast<char>('a' + index), value});
+  const std::uint32_t bit = 1u << index;
+  if ((block.words & bit) != 0 && !block.has(GGroup::macro)) {
+    return faults_.fail("word-twice", fmt::format("word {} stands twice in this block", word_text(index)),
+                        "remove one of them", column);
+  }
+  block.words |= bit;
+  block.value[index] = value;
+  block.column[index] = static_cast<std::uint32_t>(column);
+  return true;
+}
+
+bool BlockReader::read_g(double value, std::size_t column, Block& block) {
+  const double tenths = std::round(value * 10.0);
+  const bool plausible = std::fabs(value * 10.0 - tenths) < kCodeWithin && tenths >= 0.0 && tenths < 10000.0;
+  const auto use = plausible ? g_code_use(static_cast<Code>(tenths), dialect_) : std::nullopt;
+  if (!use) {
+    if (const char* const does = plausible ? unfollowed_code(static_cast<Code>(tenths), dialect_) : nullptr) {
+      return faults_.fail("g-code-unfollowed", fmt::format("G{:g} {}, which is not followed here", value, does),
+                          "post the program without it", column);
+    }
+    return faults_.fail("g-code-unknown", fmt::format("unknown code G{:g}", value), "check the code or the dialect",
+                        column);
+  }
+  const auto code = static_cast<Code>(tenths);
+  if (!use->by_dialect) {
+    const std::string what =
+        fmt::format("{} is no code of the dialect {}", code_text('G', code), dialect_name(dialect_));
+    if (dialect_ == Dialect::linuxcnc)
+      return faults_.fail("g-code-unknown", what, "choose the dialect with --dialect", column);
+    faults_.warn("code-not-in-dialect", what + "; it is read as LinuxCNC reads it",
+                 "check what your controller does with it", column);
+  }
+  const auto group = static_cast<std::size_t>(use->group);
+  if (use->group == GGroup::ignored) {
+    faults_.warn("g-code-ignored", fmt::format("{} has no effect on the path here", code_text('G', code)), "", column);
+    block.g_groups |= 1u << group;
+    return true;
+  }
+  if (use->group == GGroup::motion && block.has(GGroup::motion) && (code == 800 || block.g[group] == 800)) {
+    if (code != 800) block.g[group] = code;  // G80 beside another motion code only ends what cycle is on
+    return true;
+  }
+  if (block.has(use->group)) {
+    return faults_.fail(
+        "modal-group-twice",
+        fmt::format("{} and {} belong to the same modal group", code_text('G', block.g[group]), code_text('G', code)),
+        "keep one of them in this block", column);
+  }
+  block.g_groups |= 1u << group;
+  block.g[group] = code;
+  block.g_column[group] = static_cast<std::uint32_t>(column);
+  return true;
+}
+
+bool BlockReader::read_m(double value, std::size_t column, Block& block) {
+  const double whole = std::round(value);
+  const bool plausible = std::fabs(value - whole) < kCodeWithin && whole >= 0.0 && whole < 30000.0;
+  const auto use = plausible ? m_code_use(static_cast<int>(whole), dialect_) : std::nullopt;
+  if (!use) {
+    return faults_.fail("m-code-unknown", fmt::format("unknown code M{:g}", value), "check the code or the dialect",
+                        column);
+  }
+  const auto code = static_cast<Code>(whole);
+  if (!use->by_dialect) {
+    faults_.warn("code-not-in-dialect", fmt::format("M{} is no code of the dialect {}", code, dialect_name(dialect_)),
+                 "check what your controller does with it", column);
+  }
+  if (use->group == MGroup::ignored) {
+    faults_.warn("m-code-ignored", fmt::format("M{} has no effect on the path here", code), "", column);
+  }
+  const auto group = static_cast<std::size_t>(use->group);
+  if (block.has(use->group) && use->group != MGroup::ignored) {
+    return faults_.fail("modal-group-twice",
+                        fmt::format("M{} and M{} belong to the same modal group", block.m[group], code),
+                        "keep one of them in this block", column);
+  }
+  block.m_groups |= 1u << group;
+  block.m[group] = code;
+  block.m_column[group] = static_cast<std::uint32_t>(column);
+  return true;
+}
+
+// M117 and its like carry free text up to the end of the line.
+bool BlockReader::skip_printer_text(Scanner& text, const Block& block) {
+  if (dialect_ != Dialect::grbl || !block.has(MGroup::ignored)) return true;
+  const Code code = block.code(MGroup::ignored);
+  if (code == 117 || code == 118 || code == 23 || code == 28) text.move_to(text.end());
+  return true;
+}
+
+bool BlockReader::read_assignment(Scanner& text) {
+  Assignment assignment;
+  assignment.column = text.column();
+  text.take();
+  if (text.peek() != '<' && !ExpressionReader::begins_value(text)) {
+    return faults_.fail("number-expected", "'#' without the number of a parameter",
+                        "write #1 = value or #<name> = value; comments stand in ( ) or behind ;", assignment.column);
+  }
+  if (!expressions_.read_target(text, assignment.target)) return false;
+  if (text.peek() != '=') {
+    return faults_.fail("equals-missing", "'=' is missing after the parameter", "write #number = value", text.column());
+  }
+  text.take();
+  // A name begins to exist, with value 0, as soon as an assignment mentions it.
+  const auto& target = assignment.target;
+  if (target.index < 0 && !parameters_.named(target.name)) parameters_.set_named(target.name, 0.0);
+  if (!expressions_.read_assigned(text, assignment.value)) return false;
+  assignments_.push_back(std::move(assignment));
+  return true;
+}
+
+// All at the end of the block: within it, the old values count.
+bool BlockReader::assign() {
+  for (const auto& assignment : assignments_) {
+    const auto& target = assignment.target;
+    if (target.index >= 0) {
+      if (parameters_.is_read_only(target.index)) {
+        return faults_.fail("parameter-read-only", fmt::format("parameter #{} cannot be assigned", target.index),
+                            "use another parameter", assignment.column);
+      }
+      parameters_.set_numbered(target.index, assignment.value);
+      continue;
+    }
+    if (parameters_.is_state_name(target.name)) {
+      return faults_.fail("parameter-read-only", fmt::format("#<{}> is kept by the controller", target.name),
+                          "use another name", assignment.column);
+    }
+    if (!parameters_.set_named(target.name, assignment.value)) {
+      return faults_.fail("too-many-names", fmt::format("more than {} named parameters", kMostNames), "use fewer names",
+                          assignment.column);
+    }
+  }
+  return true;
+}
+
+}  // namespace toolpace::nc

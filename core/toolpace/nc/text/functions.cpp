@@ -1,0 +1,110 @@
+/// ABS ACOS … TAN and EXISTS.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "toolpace/base/axes.h"
+#include "toolpace/nc/text/expression.h"
+
+namespace toolpace::nc {
+namespace {
+
+constexpr double kDegrees = 1.0 / kRadiansPerDegree;
+
+// Longer names first where one begins another.
+constexpr std::array<std::string_view, 14> kFunctions = {"abs", "acos", "asin", "atan",  "cos", "exists", "exp",
+                                                         "fix", "fup",  "ln",   "round", "sin", "sqrt",   "tan"};
+
+}  // namespace
+
+bool ExpressionReader::read_exists(Scanner& text, double& value) {
+  const std::size_t column = text.column();
+  Target target;
+  if (text.peek() != '[')
+    return faults_.fail("bracket-missing", "EXISTS needs [#<name>]", "write EXISTS[#<name>]", column);
+  text.take();
+  if (text.peek() != '#')
+    return faults_.fail("exists-needs-name", "EXISTS needs a named parameter", "write EXISTS[#<name>]", column);
+  text.take();
+  if (!read_target(text, target)) return false;
+  if (text.peek() != ']')
+    return faults_.fail("bracket-missing", "']' is missing after EXISTS", "close the bracket", text.column());
+  text.take();
+  value = target.index >= 0 || parameters_.named(target.name) ? 1.0 : 0.0;
+  return true;
+}
+
+bool ExpressionReader::begins_value(Scanner text) {
+  const char c = text.peek();
+  if (!is_letter(c)) return is_digit(c) || c == '.' || c == '-' || c == '+' || c == '[' || c == '#';
+  const auto begins = [&](std::string_view name) { return Scanner(text).take_word(name); };
+  return std::any_of(kFunctions.begin(), kFunctions.end(), begins) || begins("sqr") || begins("rnd");
+}
+
+bool ExpressionReader::read_function(Scanner& text, double& value) {
+  const std::size_t column = text.column();
+  for (const std::string_view name : kFunctions) {
+    if (!text.take_word(name)) continue;
+    return name == "exists" ? read_exists(text, value) : apply_function(name, column, text, value);
+  }
+  if (fanuc_) {
+    if (text.take_word("sqr")) return apply_function("sqrt", column, text, value);
+    if (text.take_word("rnd")) return apply_function("round", column, text, value);
+  }
+  return faults_.fail("function-unknown", fmt::format("'{}' begins no function", text.peek()),
+                      "functions are ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN", column);
+}
+
+bool ExpressionReader::apply_function(std::string_view name, std::size_t column, Scanner& text, double& value) {
+  if (text.peek() != '[') {
+    return faults_.fail("bracket-missing", fmt::format("'[' is missing after {}", name), "put the argument in []",
+                        text.column());
+  }
+  double x = 0.0;
+  if (!read_bracketed(text, x)) return false;
+  x = number_or_zero(x);
+  const auto domain = [&](const char* what) {
+    return faults_.fail("function-domain", fmt::format("{}[{:g}]: {}", name, x, what), "check the argument", column);
+  };
+  if (name == "atan") {
+    if (text.peek() != '/') {
+      if (!fanuc_)
+        return faults_.fail("atan-needs-two", "ATAN needs two arguments", "write ATAN[y]/[x]", text.column());
+      value = std::atan(x) * kDegrees;
+      return true;
+    }
+    text.take();
+    double other = 0.0;
+    if (text.peek() != '[')
+      return faults_.fail("bracket-missing", "'[' is missing after ATAN[]/", "write ATAN[y]/[x]", text.column());
+    if (!read_bracketed(text, other)) return false;
+    value = std::atan2(x, number_or_zero(other)) * kDegrees;
+    return true;
+  }
+  if (name == "abs") value = std::fabs(x);
+  if (name == "acos" || name == "asin") {
+    if (!(std::fabs(x) <= 1.0)) return domain("the argument lies outside -1 to 1");
+    value = (name == "acos" ? std::acos(x) : std::asin(x)) * kDegrees;
+  }
+  if (name == "cos") value = std::cos(x * kRadiansPerDegree);
+  if (name == "sin") value = std::sin(x * kRadiansPerDegree);
+  if (name == "tan") value = std::tan(x * kRadiansPerDegree);
+  if (name == "exp") value = std::exp(x);
+  if (name == "fix") value = std::floor(x);
+  if (name == "fup") value = std::ceil(x);
+  if (name == "round") value = std::round(x);
+  if (name == "ln") {
+    if (!(x > 0.0)) return domain("the logarithm needs a positive argument");
+    value = std::log(x);
+  }
+  if (name == "sqrt") {
+    if (!(x >= 0.0)) return domain("the square root of a negative number");
+    value = std::sqrt(x);
+  }
+  return true;
+}
+
+}  // namespace toolpace::nc
