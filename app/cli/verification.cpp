@@ -55,9 +55,9 @@ std::string check_title(const Check& check) {
     case CheckKind::path_deceleration: return "path deceleration";
     case CheckKind::path_jerk: return "path jerk";
     case CheckKind::time_step: return "clock error";
-    case CheckKind::speed_column: return "v column against positions";
-    case CheckKind::acceleration_column: return "a column against v";
-    case CheckKind::jerk_column: return "j column against a";
+    case CheckKind::speed_column: return axis + "v column against positions";
+    case CheckKind::acceleration_column: return axis + "a column against " + (check.axis ? "positions" : "v");
+    case CheckKind::jerk_column: return axis + "j column against " + (check.axis ? "positions" : "a");
     case CheckKind::line_column: return "lines not under the tool";
     case CheckKind::follows_path: return "follows the path within";
     case CheckKind::deviation: return "deviation from the path";

@@ -99,7 +99,7 @@ class NumpySetpoints final : public SetpointFile {
     if (!linear && !rotary)
       return tl::unexpected(shape_error("7 or 10 columns are due, or 16 or 28 with axis derivatives"));
     axes_ = rotary ? kAxisCount : 3;
-    if (width_ > 10) columns_.ignored = {"speed, acceleration and jerk of each axis"};
+    columns_.axis_derivatives = width_ > 10;
     std::fill_n(columns_.axis.begin(), axes_, true);
     columns_.time = columns_.profile = true;
     return {};
@@ -124,6 +124,11 @@ class NumpySetpoints final : public SetpointFile {
       finite &= append(rows.position[axis], column++, n, is_rotary(axis) ? kRadiansPerDegree : 1.0);
     }
     for (auto* values : {&rows.speed, &rows.acceleration, &rows.jerk}) finite &= append(*values, column++, n, 1.0);
+    for (std::size_t order = 0; columns_.axis_derivatives && order < kDerivatives; ++order) {
+      for (std::size_t axis = 0; axis < axes_; ++axis) {
+        finite &= append(rows.derivative[order][axis], column++, n, is_rotary(axis) ? kRadiansPerDegree : 1.0);
+      }
+    }
     if (!finite) {
       return tl::unexpected(
           setpoints_error("setpoints-broken", "a number is not finite", {name_, first_bad_row(n) + 1, 0}));
@@ -169,7 +174,7 @@ class NumpySetpoints final : public SetpointFile {
 
   std::uint64_t first_bad_row(std::size_t n) const {
     for (std::uint64_t row = at_; row < at_ + n; ++row) {
-      for (std::uint64_t c = 0; c < axes_ + 4; ++c) {
+      for (std::uint64_t c = 0; c < width_; ++c) {
         if (!std::isfinite(little_endian<double>(data_, (row * width_ + c) * sizeof(double)))) return row;
       }
     }

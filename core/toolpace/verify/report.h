@@ -22,7 +22,7 @@ enum class CheckKind : std::uint8_t {
   time_step,  ///< largest error of t against k·Ts [s]
   speed_column,
   acceleration_column,
-  jerk_column,  ///< largest disagreement with the differences
+  jerk_column,  ///< largest disagreement with the differences; of the columns of an axis where there is one
   line_column,  ///< rows whose line is not the one under the tool
   follows_path,
   deviation,
@@ -35,7 +35,7 @@ const char* key_of(CheckKind kind);
 /// One thing that was checked, with the worst that was found.
 struct Check {
   CheckKind kind = CheckKind::axis_speed;
-  std::optional<std::size_t> axis = {};  ///< for the axis_… and travel_… kinds
+  std::optional<std::size_t> axis = {};  ///< for the axis_… and travel_… kinds, and columns of an axis
   double value = 0.0;                    ///< the worst
   /// What it may be; infinite = measured but not judged.
   double limit = std::numeric_limits<double>::infinity();

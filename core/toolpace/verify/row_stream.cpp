@@ -22,6 +22,9 @@ void RowStream::drop_judged() {
   const std::size_t gone = end_ - kReach;
   for (auto* column : {&rows_.time, &rows_.speed, &rows_.acceleration, &rows_.jerk}) drop_front(*column, gone);
   for (auto& column : rows_.position) drop_front(column, gone);
+  for (auto& order : rows_.derivative) {
+    for (auto& column : order) drop_front(column, gone);
+  }
   drop_front(rows_.line, gone);
   rows_.count -= gone;
   offset_ += static_cast<std::int64_t>(gone);
@@ -34,6 +37,9 @@ void RowStream::append_copies(bool in_front) {
     if (!column.empty()) pad(column, in_front, end_of(column));
   }
   for (auto* column : {&rows_.speed, &rows_.acceleration, &rows_.jerk}) pad(*column, in_front, 0.0);
+  for (auto& order : rows_.derivative) {
+    for (auto& column : order) pad(column, in_front, 0.0);
+  }
   if (!rows_.line.empty()) pad(rows_.line, in_front, end_of(rows_.line));
   rows_.count += kReach;
 }

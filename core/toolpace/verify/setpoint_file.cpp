@@ -9,6 +9,9 @@ void SetpointRows::clear() {
   count = 0;
   for (auto* column : {&time, &speed, &acceleration, &jerk}) column->clear();
   for (auto& column : position) column.clear();
+  for (auto& order : derivative) {
+    for (auto& column : order) column.clear();
+  }
   line.clear();
 }
 

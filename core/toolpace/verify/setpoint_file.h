@@ -13,12 +13,15 @@
 
 namespace toolpace {
 
+inline constexpr std::size_t kDerivatives = 3;  ///< of a position by time: speed, acceleration, jerk
+
 /// What a file holds.
 struct SetpointColumns {
   std::array<bool, kAxisCount> axis = {};
   bool time = false;
   bool profile = false;  ///< speed, acceleration, jerk along the path
   bool line = false;
+  bool axis_derivatives = false;          ///< of any axis
   std::vector<std::string> ignored = {};  ///< names of columns that mean nothing here
 };
 
@@ -29,6 +32,8 @@ struct SetpointRows {
   std::array<std::vector<double>, kAxisCount> position;  ///< [mm, rad]
   std::vector<double> speed, acceleration, jerk;         ///< [mm/s, mm/s², mm/s³]
   std::vector<std::uint32_t> line;
+  /// Speed, acceleration, jerk of each axis [mm or rad, s].
+  std::array<std::array<std::vector<double>, kAxisCount>, kDerivatives> derivative;
   std::size_t count = 0;
 
   void clear();

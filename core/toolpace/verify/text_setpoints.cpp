@@ -12,27 +12,41 @@
 namespace toolpace::verify_detail {
 namespace {
 
-enum class Meaning : std::uint8_t { ignored, time, position, speed, acceleration, jerk, line };
+enum class Meaning : std::uint8_t { ignored, time, position, speed, acceleration, jerk, line, derivative };
 
 struct Column {
   Meaning meaning = Meaning::ignored;
   std::size_t axis = 0;
+  std::size_t order = 0;  ///< of a derivative: 0 = speed
+
+  bool operator==(const Column&) const = default;
 };
 
 constexpr std::size_t kBytesBetweenReleases = std::size_t{1} << 24;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kLongestNumber = 64;  // no double that reads back needs more
 
+/// v_x_mm_s, a_x_mm_s2, …, j_c_deg_s3.
+std::optional<Column> derivative_of(std::string_view name) {
+  constexpr std::string_view kOrders = "vaj", kAxes = "xyzabc";
+  constexpr std::array<std::array<std::string_view, 2>, kDerivatives> kUnits = {
+      {{"mm_s", "deg_s"}, {"mm_s2", "deg_s2"}, {"mm_s3", "deg_s3"}}};
+  if (name.size() < 5 || name[1] != '_' || name[3] != '_') return {};
+  const std::size_t order = kOrders.find(name[0]), axis = kAxes.find(name[2]);
+  if (order >= kDerivatives || axis >= kAxisCount || name.substr(4) != kUnits[order][is_rotary(axis)]) return {};
+  return Column{Meaning::derivative, axis, order};
+}
+
 Column meaning_of(std::string_view name) {
   constexpr std::array<std::string_view, kAxisCount> kAxes = {"x_mm", "y_mm", "z_mm", "a_deg", "b_deg", "c_deg"};
   const auto axis = std::find(kAxes.begin(), kAxes.end(), name);
-  if (axis != kAxes.end()) return {Meaning::position, static_cast<std::size_t>(axis - kAxes.begin())};
-  if (name == "t_s") return {Meaning::time, 0};
-  if (name == "v_mm_s") return {Meaning::speed, 0};
-  if (name == "a_mm_s2") return {Meaning::acceleration, 0};
-  if (name == "j_mm_s3") return {Meaning::jerk, 0};
-  if (name == "line") return {Meaning::line, 0};
-  return {};
+  if (axis != kAxes.end()) return {Meaning::position, static_cast<std::size_t>(axis - kAxes.begin()), 0};
+  if (name == "t_s") return {Meaning::time};
+  if (name == "v_mm_s") return {Meaning::speed};
+  if (name == "a_mm_s2") return {Meaning::acceleration};
+  if (name == "j_mm_s3") return {Meaning::jerk};
+  if (name == "line") return {Meaning::line};
+  return derivative_of(name).value_or(Column{});
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -50,12 +64,16 @@ class TextSetpoints final : public SetpointFile {
 
   Result<void> read_header() {
     const std::string_view header = take_line();
+    std::vector<std::string_view> names;
     for (std::size_t at = 0; at <= header.size();) {
       const std::size_t end = std::min(header.find(separator_, at), header.size());
-      const std::string_view name = trimmed(header.substr(at, end - at));
-      add(meaning_of(name));
-      if (order_.back().meaning == Meaning::ignored) columns_.ignored.emplace_back(name);
+      names.push_back(trimmed(header.substr(at, end - at)));
+      add(meaning_of(names.back()));
       at = end + 1;
+    }
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      if (order_[i].meaning == Meaning::derivative && !columns_.axis[order_[i].axis]) order_[i] = {};
+      if (order_[i].meaning == Meaning::ignored) columns_.ignored.emplace_back(names[i]);
     }
     return finish_header();
   }
@@ -64,7 +82,7 @@ class TextSetpoints final : public SetpointFile {
   Result<void> assume_positions() {
     const std::string_view line = text_.substr(at_, text_.find('\n') - at_);
     const auto count = static_cast<std::size_t>(std::count(line.begin(), line.end(), ' ')) + 1;
-    for (std::size_t axis = 0; axis < std::min(count, kAxisCount); ++axis) add({Meaning::position, axis});
+    for (std::size_t axis = 0; axis < std::min(count, kAxisCount); ++axis) add({Meaning::position, axis, 0});
     return finish_header();
   }
 
@@ -97,6 +115,7 @@ class TextSetpoints final : public SetpointFile {
       case Meaning::position: columns_.axis[column.axis] = true; break;
       case Meaning::jerk: columns_.profile = true; break;
       case Meaning::line: columns_.line = true; break;
+      case Meaning::derivative: columns_.axis_derivatives = true; break;
       default: break;
     }
   }
@@ -112,8 +131,7 @@ class TextSetpoints final : public SetpointFile {
     }
     for (std::size_t i = 0; i < order_.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) {
-        const bool twice = order_[i].meaning != Meaning::ignored && order_[i].meaning == order_[k].meaning;
-        if (twice && order_[i].axis == order_[k].axis)
+        if (order_[i].meaning != Meaning::ignored && order_[i] == order_[k])
           return tl::unexpected(header_error("a column stands there twice"));
       }
     }
@@ -187,6 +205,10 @@ class TextSetpoints final : public SetpointFile {
       case Meaning::line:
         if (!(value >= 0 && value < 4294967296.0) || value != std::floor(value)) return false;
         rows.line.push_back(static_cast<std::uint32_t>(value));
+        break;
+      case Meaning::derivative:
+        rows.derivative[column.order][column.axis].push_back(is_rotary(column.axis) ? value * kRadiansPerDegree
+                                                                                    : value);
         break;
       case Meaning::ignored: break;
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "toolpace/verify/derivative_check.h"
 #include "toolpace/verify/limit_check.h"
 #include "toolpace/verify/path_check.h"
 #include "toolpace/verify/profile_check.h"
@@ -63,7 +64,7 @@ bool has_broken_steps(const VerifyReport& report) {
   });
 }
 
-/// Columns that are passed over, such as the derivatives of each axis.
+/// Columns that are passed over.
 std::string not_judged(const std::vector<std::string>& columns) {
   std::string names;
   for (const std::string& name : columns) names += (names.empty() ? "" : ", ") + (name.empty() ? "(no name)" : name);
@@ -76,6 +77,7 @@ Result<Pass> run_pass(SetpointFile& file, const Machine& machine, double period,
   RowStream stream(file);
   LimitCheck limits(machine, period, path != nullptr ? std::optional<double>(path->extent()) : std::nullopt);
   ProfileCheck profile(machine, period);
+  DerivativeCheck derivatives(period);
   const CornerLog none;
   Pass pass;
   for (;;) {
@@ -88,12 +90,14 @@ Result<Pass> run_pass(SetpointFile& file, const Machine& machine, double period,
     if (path != nullptr && !pass.followed) return pass;
     limits.take(stream, path != nullptr ? path->corners() : none);
     profile.take(stream);
+    if (file.columns().axis_derivatives) derivatives.take(stream);
   }
   if (path != nullptr) pass.followed = path->has_followed();
   pass.report.rows = stream.rows_read();
   pass.report.period = period;
   limits.report(pass.report);
   profile.report(pass.report);
+  derivatives.report(pass.report);
   return pass;
 }
 

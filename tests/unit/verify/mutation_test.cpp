@@ -49,6 +49,18 @@ double largest_change(const std::vector<T>& a, const std::vector<T>& b) {
         judge("position", largest_change(was.position[axis], is.position[axis]), report.position_resolution);
     if (!position) return position;
   }
+  for (std::size_t order = 0; order < kDerivatives; ++order) {
+    constexpr std::array kKinds = {CheckKind::speed_column, CheckKind::acceleration_column, CheckKind::jerk_column};
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      if (was.derivative[order][axis].empty()) continue;
+      const Check& check = check_of(report, kKinds[order], axis);
+      const double noise = 1e-12 * std::pow(report.period, -1.0 - static_cast<double>(order));  // positions below 1 m
+      const auto column =
+          judge("column of an axis", largest_change(was.derivative[order][axis], is.derivative[order][axis]),
+                check.value + noise);
+      if (!column) return column;
+    }
+  }
   if (const auto line = judge("line", largest_change(was.line, is.line), 0.0); !line) return line;
   if (was.speed.empty() && is.speed.empty()) return ::testing::AssertionSuccess();
   const double acceleration = check_of(report, CheckKind::acceleration_column).bound;
@@ -150,6 +162,16 @@ TEST(Mutation, OfSemicolonsAndDecimalCommasIsCaughtOrWithinTheStatedBound) {
   commas.decimal_comma = true;
   expect_caught(lines(), stopping_setup(), {".semicolon.csv", true, commas}, 4);
   expect_caught(arcs(), stopping_setup(), {".semicolon.csv", true}, 5);
+}
+
+TEST(Mutation, OfTheColumnsOfEachAxisIsCaughtOrWithinTheStatedBound) {
+  SetpointFileOptions options;
+  options.axis_derivatives = true;
+  Program turning;
+  turning.line(10, 0).rotate(2.0, 1.0).line(0, 5);
+  expect_caught(lines(), stopping_setup(), {".csv", true, options}, 11, 150);
+  expect_caught(turning, stopping_setup(), {".csv", true, options}, 12, 150);
+  expect_caught(turning, stopping_setup(), {".npy", false, options}, 13, 150);
 }
 
 TEST(Mutation, OfHalstreamsIsCaughtOrWithinTheStatedBound) {
