@@ -1086,6 +1086,14 @@
             <source>two-codes-want-axes</source>
             <translation>两个代码都要坐标字</translation>
         </message>
+        <message>
+            <source>g43.1-without-axes</source>
+            <translation>G43.1 没有轴字</translation>
+        </message>
+        <message>
+            <source>g43.2-without-h</source>
+            <translation>G43.2 没有刀具号 H</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -2132,6 +2140,34 @@
         <message>
             <source>write repeat [count]</source>
             <translation>写成 repeat [次数]</translation>
+        </message>
+        <message>
+            <source>give it in seconds with P</source>
+            <translation>用 P 给出秒数</translation>
+        </message>
+        <message>
+            <source>write #1 = value or #&lt;name&gt; = value; comments stand in ( ) or behind ;</source>
+            <translation>写成 #1 = 值 或 #&lt;名称&gt; = 值；注释写在 ( ) 内或 ; 之后</translation>
+        </message>
+        <message>
+            <source>D of G96 is above 0, in turns a minute</source>
+            <translation>G96 的 D 须大于 0，单位为转/分</translation>
+        </message>
+        <message>
+            <source>select the tool with T, such as T1 M6</source>
+            <translation>用 T 选择刀具，例如 T1 M6</translation>
+        </message>
+        <message>
+            <source>use G17, or give X Y Z</source>
+            <translation>用 G17，或给出 X Y Z</translation>
+        </message>
+        <message>
+            <source>give the offset, such as Z10</source>
+            <translation>给出偏置，例如 Z10</translation>
+        </message>
+        <message>
+            <source>name the tool with H</source>
+            <translation>用 H 指定刀具</translation>
         </message>
     </context>
     <context>

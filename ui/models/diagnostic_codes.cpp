@@ -83,6 +83,8 @@ constexpr std::array kCodes = {QT_TRANSLATE_NOOP("codes", "arc-centre-incomplete
                                QT_TRANSLATE_NOOP("codes", "g10-rotation"),
                                QT_TRANSLATE_NOOP("codes", "g10-system"),
                                QT_TRANSLATE_NOOP("codes", "g10-without-p"),
+                               QT_TRANSLATE_NOOP("codes", "g43.1-without-axes"),
+                               QT_TRANSLATE_NOOP("codes", "g43.2-without-h"),
                                QT_TRANSLATE_NOOP("codes", "g53-incremental"),
                                QT_TRANSLATE_NOOP("codes", "g53-polar"),
                                QT_TRANSLATE_NOOP("codes", "g53-with-arc"),
