@@ -197,8 +197,10 @@ void PathFollower::take_match(const AxisVector& point) {
     least = std::min(least, place.distance + sagitta);
   }
   const std::size_t first = reachable_.front().cell, last = reachable_.back().cell;
-  if (places_.empty()) {  // only places before the last match are left: stay there
-    match_.distance = tolerance_;
+  if (places_.empty()) {  // only places before the last match are left: stay there, and be as near as they are
+    match_.distance = std::numeric_limits<double>::infinity();
+    for (const Stretch& stretch : reachable_)
+      match_.distance = std::min(match_.distance, nearest_in(stretch, point).distance);
   } else {
     const auto too_far = [&](const PathMatch& p) {
       return p.distance - vertices_.at(p.cell + 1)->sagitta > as_near(least);
