@@ -1,12 +1,5 @@
 # cmake -P: makes the Debian packages of BUILD_DIR in SCRATCH and looks into the one with the programs.
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    string(JOIN " " command ${ARGN})
-    message(FATAL_ERROR "${command}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${SCRATCH})
 run(cpack --config ${BUILD_DIR}/CPackConfig.cmake -B ${SCRATCH})

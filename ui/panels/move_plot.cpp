@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "models/units.h"
+#include "plots/axis_look.h"
 #include "theme/appearance.h"
 
 namespace toolpace::ui {
@@ -184,17 +185,7 @@ void MovePlot::setTheme(const Theme& theme) {
   setBackground(theme.surface);
   for (Row& row : rows_) {
     for (auto* axis : row.rect->axes()) {
-      axis->setBasePen(QPen(theme.line));
-      axis->setTickPen(QPen(theme.line));
-      axis->setSubTicks(false);
-      axis->setTickLength(0, 3);
-      axis->setTickLabelColor(theme.secondary);
-      axis->setLabelColor(theme.secondary);
-      axis->setTickLabelFont(font());
-      axis->setLabelFont(font());
-      axis->setNumberPrecision(5);
-      axis->setNumberFormat("gbc");
-      axis->grid()->setPen(QPen(theme.line, 1, Qt::DotLine));
+      dressAxis(*axis, theme, font(), 5);
       axis->grid()->setZeroLinePen(QPen(theme.secondary, 1));
     }
     row.curve->setPen(QPen(theme.accent, 1.5));

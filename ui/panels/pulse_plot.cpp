@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "plots/axis_look.h"
+
 namespace toolpace::ui {
 namespace {
 
@@ -44,19 +46,7 @@ void PulsePlot::setPreview(const PulsePreview& preview) {
 void PulsePlot::setTheme(const Theme& theme) {
   setBackground(theme.surface);
   for (Row* row : {&rate_, &interval_}) {
-    for (auto* axis : row->rect->axes()) {
-      axis->setBasePen(QPen(theme.line));
-      axis->setTickPen(QPen(theme.line));
-      axis->setSubTicks(false);
-      axis->setTickLength(0, 3);
-      axis->setTickLabelColor(theme.secondary);
-      axis->setLabelColor(theme.secondary);
-      axis->setTickLabelFont(font());
-      axis->setLabelFont(font());
-      axis->setNumberFormat("gbc");
-      axis->setNumberPrecision(6);
-      axis->grid()->setPen(QPen(theme.line, 1, Qt::DotLine));
-    }
+    for (auto* axis : row->rect->axes()) dressAxis(*axis, theme, font(), 6);
     row->curve->setPen(QPen(theme.accent, 1.5));
   }
   replot(rpQueuedReplot);

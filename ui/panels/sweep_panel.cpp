@@ -10,6 +10,7 @@
 
 #include "models/problem_model.h"
 #include "models/units.h"
+#include "plots/axis_look.h"
 
 namespace toolpace::ui {
 namespace {
@@ -136,16 +137,7 @@ void SweepPanel::pick(double x) {
 void SweepPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   plot_->setBackground(theme.surface);
-  for (auto* axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setBasePen(QPen(theme.line));
-    axis->setTickPen(QPen(theme.line));
-    axis->setSubTicks(false);
-    axis->setTickLabelColor(theme.secondary);
-    axis->setLabelColor(theme.secondary);
-    axis->setTickLabelFont(font());
-    axis->setLabelFont(font());
-    axis->grid()->setPen(QPen(theme.line, 1, Qt::DotLine));
-  }
+  for (auto* axis : {plot_->xAxis, plot_->yAxis}) dressAxis(*axis, theme, font(), 6);
   curve_->setPen(QPen(theme.accent, 1.5));
   curve_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, theme.accent, theme.accent, 4));
   mark_->setLineStyle(QCPGraph::lsNone);

@@ -1,0 +1,19 @@
+#include "plots/axis_look.h"
+
+namespace toolpace::ui {
+
+void dressAxis(QCPAxis& axis, const Theme& theme, const QFont& font, int digits) {
+  axis.setBasePen(QPen(theme.line));
+  axis.setTickPen(QPen(theme.line));
+  axis.setSubTicks(false);
+  axis.setTickLength(0, 3);
+  axis.setTickLabelColor(theme.secondary);
+  axis.setLabelColor(theme.secondary);
+  axis.setTickLabelFont(font);
+  axis.setLabelFont(font);
+  axis.setNumberFormat("gbc");
+  axis.setNumberPrecision(digits);
+  axis.grid()->setPen(QPen(theme.line, 1, Qt::DotLine));
+}
+
+}  // namespace toolpace::ui
