@@ -185,7 +185,7 @@ void MovePlot::setTheme(const Theme& theme) {
   setBackground(theme.surface);
   for (Row& row : rows_) {
     for (auto* axis : row.rect->axes()) {
-      dressAxis(*axis, theme, font(), 5);
+      dressAxis(*axis, theme, font());
       axis->grid()->setZeroLinePen(QPen(theme.secondary, 1));
     }
     row.curve->setPen(QPen(theme.accent, 1.5));

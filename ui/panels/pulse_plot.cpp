@@ -46,7 +46,7 @@ void PulsePlot::setPreview(const PulsePreview& preview) {
 void PulsePlot::setTheme(const Theme& theme) {
   setBackground(theme.surface);
   for (Row* row : {&rate_, &interval_}) {
-    for (auto* axis : row->rect->axes()) dressAxis(*axis, theme, font(), 6);
+    for (auto* axis : row->rect->axes()) dressAxis(*axis, theme, font());
     row->curve->setPen(QPen(theme.accent, 1.5));
   }
   replot(rpQueuedReplot);

@@ -137,7 +137,7 @@ void SweepPanel::pick(double x) {
 void SweepPanel::setTheme(const Theme& theme) {
   theme_ = theme;
   plot_->setBackground(theme.surface);
-  for (auto* axis : {plot_->xAxis, plot_->yAxis}) dressAxis(*axis, theme, font(), 6);
+  for (auto* axis : {plot_->xAxis, plot_->yAxis}) dressAxis(*axis, theme, font());
   curve_->setPen(QPen(theme.accent, 1.5));
   curve_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, theme.accent, theme.accent, 4));
   mark_->setLineStyle(QCPGraph::lsNone);

@@ -1,8 +1,13 @@
 #include "plots/axis_look.h"
 
 namespace toolpace::ui {
+namespace {
 
-void dressAxis(QCPAxis& axis, const Theme& theme, const QFont& font, int digits) {
+constexpr int kDigits = 6;
+
+}  // namespace
+
+void dressAxis(QCPAxis& axis, const Theme& theme, const QFont& font) {
   axis.setBasePen(QPen(theme.line));
   axis.setTickPen(QPen(theme.line));
   axis.setSubTicks(false);
@@ -12,7 +17,7 @@ void dressAxis(QCPAxis& axis, const Theme& theme, const QFont& font, int digits)
   axis.setTickLabelFont(font);
   axis.setLabelFont(font);
   axis.setNumberFormat("gbc");
-  axis.setNumberPrecision(digits);
+  axis.setNumberPrecision(kDigits);
   axis.grid()->setPen(QPen(theme.line, 1, Qt::DotLine));
 }
 

@@ -7,7 +7,7 @@
 
 namespace toolpace::ui {
 
-/// Colours, fonts and numbers of an axis, with `digits` at most.
-void dressAxis(QCPAxis& axis, const Theme& theme, const QFont& font, int digits);
+/// Gives an axis its colours, fonts and form of numbers.
+void dressAxis(QCPAxis& axis, const Theme& theme, const QFont& font);
 
 }  // namespace toolpace::ui
