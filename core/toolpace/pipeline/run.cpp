@@ -213,11 +213,14 @@ std::shared_ptr<Job> with_blends(const Job& job) {
   return blended;
 }
 
+bool is_proven(const Outcome& outcome, const Monitor& monitor) {
+  const auto report = prove(outcome, {monitor.stop, {}});
+  return report && report->passes();
+}
+
 /// Whether one plan may stand for another: faster, and proven by its setpoints.
 bool is_better(const Outcome& one, const Outcome& other, const Monitor& monitor) {
-  if (!(one.summary.cycle_time < other.summary.cycle_time)) return false;
-  const auto report = prove(one, {monitor.stop, {}});
-  return report && report->passes();
+  return one.summary.cycle_time < other.summary.cycle_time && is_proven(one, monitor);
 }
 
 /// What no motion through the job's tube beats, whichever was taken.
@@ -233,8 +236,8 @@ Result<Outcome> with_tube_bound(Outcome outcome) {
   return outcome;
 }
 
-Diagnostic not_smoothed(const Error& why) {
-  return {Severity::warning, "smooth-fell-back", why.message + ", so corners are blended", why.remedy, {}, {}};
+Diagnostic not_smoothed(const std::string& why, const std::string& remedy) {
+  return {Severity::warning, "smooth-fell-back", why + ", so corners are blended", remedy, {}, {}};
 }
 
 }  // namespace
@@ -248,8 +251,13 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   if (!smooth && !(unbounded && blended)) return smooth;
   if (!blended) return with_tube_bound(std::move(*smooth));
   blended->job = std::move(job);
-  if (unbounded) blended->warnings.push_back(not_smoothed(smooth.error()));
-  const bool takes_blended = unbounded || is_better(*blended, *smooth, monitor);
+  if (unbounded) blended->warnings.push_back(not_smoothed(smooth.error().message, smooth.error().remedy));
+  bool takes_blended = unbounded || is_better(*blended, *smooth, monitor);
+  // The tube is held at some places of each step; where a dwell is no whole number of periods, setpoints fall between them.
+  if (!takes_blended && !is_proven(*smooth, monitor) && is_proven(*blended, monitor)) {
+    takes_blended = true;
+    blended->warnings.push_back(not_smoothed("setpoints of the motion through the tube do not pass every check", ""));
+  }
   if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
   monitor.report(1.0);
   return with_tube_bound(std::move(takes_blended ? *blended : *smooth));
