@@ -31,7 +31,6 @@ void DockTitle::setBadge(const QString& text, const QString& tip) {
   badge_->setVisible(!text.isEmpty());
 }
 
-
 QSize DockTitle::sizeHint() const { return {QWidget::sizeHint().width(), kHeight}; }
 
 QSize DockTitle::minimumSizeHint() const { return {QWidget::minimumSizeHint().width(), kHeight}; }
