@@ -175,7 +175,7 @@ void CirclePanel::retranslate() {
   enlargement_->setItemText(0, tr("auto"));
   plot_->setAccessibleName(tr("Radial error of the simulated drives over the angle"));
   plot_->setToolTip(tr("Click on the curve to go there"));
-  plot_->setPlaceholder(tr("no arc in this program, or not simulated yet"));
+  plot_->setEmptyHint(tr("no arc in this program, or not simulated yet"));
   figures_->setAccessibleName(tr("Circular deviation"));
   showFigures();
 }

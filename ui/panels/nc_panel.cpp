@@ -91,7 +91,7 @@ void NcPanel::retranslate() {
   none_->setText(tr("not found"));
   view_->setAccessibleName(tr("NC program"));
   hint_->setText(tr("drop an NC program here"));
-  view_->setPlaceholder(tr("drop an NC program here"));
+  view_->setEmptyHint(tr("drop an NC program here"));
 }
 
 }  // namespace toolpace::ui

@@ -72,8 +72,8 @@ void NcView::setColourMap(ColourMap map) {
   viewport()->update();
 }
 
-void NcView::setPlaceholder(const QString& text) {
-  placeholder_ = text;
+void NcView::setEmptyHint(const QString& text) {
+  empty_hint_ = text;
   viewport()->update();
 }
 

@@ -31,7 +31,7 @@ class NcView : public QAbstractScrollArea {
   void setTheme(const Theme& theme);
   void setColourMap(ColourMap map);
   void setUnit(LengthUnit unit) { unit_ = unit; }
-  void setPlaceholder(const QString& text);
+  void setEmptyHint(const QString& text);
 
   const std::shared_ptr<const Document>& document() const { return document_; }
   int currentLine() const { return current_; }
@@ -83,7 +83,7 @@ class NcView : public QAbstractScrollArea {
   Theme theme_ = light_theme();
   ColourMap map_ = ColourMap::cividis;
   ColourTable colours_;
-  QString placeholder_;
+  QString empty_hint_;
   LengthUnit unit_ = LengthUnit::mm;
   double fastest_ = 0, worst_loss_ = 0;
   int current_ = 1, anchor_ = 1;

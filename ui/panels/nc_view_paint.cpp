@@ -33,7 +33,7 @@ void NcView::paintEvent(QPaintEvent*) {
   painter.fillRect(viewport()->rect(), theme_.surface);
   if (lineCount() == 0) {
     painter.setPen(theme_.secondary);
-    painter.drawText(viewport()->rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, placeholder_);
+    painter.drawText(viewport()->rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, empty_hint_);
     return;
   }
   const Gutter g = gutter();

@@ -54,8 +54,8 @@ void PolarPlot::setTheme(const Theme& theme) {
   update();
 }
 
-void PolarPlot::setPlaceholder(const QString& text) {
-  placeholder_ = text;
+void PolarPlot::setEmptyHint(const QString& text) {
+  empty_hint_ = text;
   update();
 }
 
@@ -88,7 +88,7 @@ void PolarPlot::paintEvent(QPaintEvent*) {
   if (!roundness_ || roundness_->is_empty()) {
     painter.setPen(theme_.secondary);
     painter.drawText(rect().adjusted(16, 8, -16, -8), static_cast<int>(Qt::AlignCenter) | Qt::TextWordWrap,
-                     placeholder_);
+                     empty_hint_);
     return;
   }
   drawRings(painter);

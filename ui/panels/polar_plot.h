@@ -21,7 +21,7 @@ class PolarPlot : public QWidget {
   void setCursorTime(std::optional<double> time);     ///< [s]
   void setUnit(LengthUnit unit);
   void setTheme(const Theme& theme);
-  void setPlaceholder(const QString& text);
+  void setEmptyHint(const QString& text);
 
   /// How much the error is enlarged against the circle as it is drawn.
   double enlargement() const;
@@ -49,7 +49,7 @@ class PolarPlot : public QWidget {
   std::optional<double> factor_, cursor_;
   LengthUnit unit_ = LengthUnit::mm;
   Theme theme_ = light_theme();
-  QString placeholder_;
+  QString empty_hint_;
 };
 
 }  // namespace toolpace::ui
