@@ -6,9 +6,9 @@
 #include <memory>
 #include <utility>
 
+#include "toolpace/machine/setup.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/pipeline/job.h"
-#include "toolpace/pipeline/setup.h"
 
 namespace {
 

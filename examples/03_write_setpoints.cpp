@@ -11,9 +11,9 @@
 
 #include "toolpace/base/numbers.h"
 #include "toolpace/io/setpoint_writer.h"
+#include "toolpace/machine/setup.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/pipeline/job.h"
-#include "toolpace/pipeline/setup.h"
 #include "toolpace/sample/sampler.h"
 
 namespace {

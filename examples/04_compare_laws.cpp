@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "toolpace/law/law_table.h"
+#include "toolpace/machine/setup.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/pipeline/job.h"
-#include "toolpace/pipeline/setup.h"
 
 int main(int argc, char** argv) {
   const std::string program = argc > 1 ? argv[1] : TOOLPACE_EXAMPLES_DIR "/nc/butterfly.ngc";

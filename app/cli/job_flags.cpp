@@ -6,7 +6,7 @@
 #include "flags.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
-#include "toolpace/pipeline/setup_keys.h"
+#include "toolpace/machine/setup_keys.h"
 
 namespace toolpace::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 
 namespace toolpace::cli {
 

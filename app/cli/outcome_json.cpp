@@ -5,7 +5,7 @@
 #include <string>
 
 #include "toolpace/law/law_table.h"
-#include "toolpace/pipeline/setup_keys.h"
+#include "toolpace/machine/setup_keys.h"
 
 namespace toolpace::cli {
 namespace {

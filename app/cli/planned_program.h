@@ -2,8 +2,8 @@
 /// From flags to a plan, for commands that need one.
 
 #include "reading_flags.h"
+#include "toolpace/machine/setup.h"
 #include "toolpace/pipeline/job.h"
-#include "toolpace/pipeline/setup.h"
 
 namespace toolpace::cli {
 

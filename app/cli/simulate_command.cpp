@@ -15,8 +15,8 @@
 #include "toolpace/base/numbers.h"
 #include "toolpace/io/output_file.h"
 #include "toolpace/io/setpoint_table.h"
+#include "toolpace/machine/setup_keys.h"
 #include "toolpace/pipeline/follow.h"
-#include "toolpace/pipeline/setup_keys.h"
 
 namespace toolpace::cli {
 namespace {

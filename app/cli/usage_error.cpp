@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "failure.h"
-#include "toolpace/pipeline/setup_keys.h"
+#include "toolpace/machine/setup_keys.h"
 
 namespace toolpace::cli {
 namespace {

@@ -9,9 +9,9 @@
 #include "interrupt.h"
 #include "reading_flags.h"
 #include "report.h"
+#include "toolpace/machine/setup.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/prove.h"
-#include "toolpace/pipeline/setup.h"
 #include "verification.h"
 
 namespace toolpace::cli {

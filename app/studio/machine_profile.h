@@ -5,7 +5,7 @@
 #include <QStringList>
 
 #include "toolpace/base/result.h"
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 
 namespace toolpace::studio {
 

@@ -7,7 +7,6 @@
 #include <QMessageBox>
 #include <QRegularExpression>
 
-#include "import_machine.h"
 #include "main_window.h"
 #include "panels/nc_panel.h"
 #include "panels/problems_panel.h"
@@ -16,6 +15,7 @@
 #include "preview/contour_view.h"
 #include "report.h"
 #include "toolpace/io/output_file.h"
+#include "toolpace/machine/import_machine.h"
 
 namespace toolpace::studio {
 namespace {

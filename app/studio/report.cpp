@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 
 #include "models/result_model.h"
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 
 namespace toolpace::studio {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "smooth_moves.h"
 #include "toolpace/limits/limit_speed.h"
+#include "toolpace/machine/setup.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job.h"
-#include "toolpace/pipeline/setup.h"
 #include "toolpace/sample/sampler.h"
 
 namespace {

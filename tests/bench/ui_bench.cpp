@@ -17,7 +17,7 @@
 #include "preview/contour_view.h"
 #include "screenshot.h"
 #include "smooth_moves.h"
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 
 namespace {
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
+#include "toolpace/machine/setup.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/pipeline/job.h"
-#include "toolpace/pipeline/setup.h"
 
 namespace {
 

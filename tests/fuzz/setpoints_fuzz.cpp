@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 #include "toolpace/verify/verify.h"
 
 namespace {

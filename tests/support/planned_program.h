@@ -9,9 +9,9 @@
 
 #include "temporary_directory.h"
 #include "toolpace/io/setpoint_writer.h"
+#include "toolpace/machine/setup.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job.h"
-#include "toolpace/pipeline/setup.h"
 #include "toolpace/sample/sampler.h"
 #include "toolpace/verify/verify.h"
 

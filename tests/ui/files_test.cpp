@@ -7,13 +7,13 @@
 #include <QTest>
 #include <QUrl>
 
-#include "import_machine.h"
 #include "main_window.h"
 #include "panels/nc_panel.h"
 #include "preferences.h"
 #include "preview/contour_view.h"
 #include "screenshot.h"
 #include "support/screenshot.h"
+#include "toolpace/machine/import_machine.h"
 
 using namespace toolpace;
 using namespace toolpace::studio;

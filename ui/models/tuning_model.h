@@ -5,7 +5,7 @@
 #include <QUndoStack>
 #include <functional>
 
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 
 namespace toolpace::ui {
 

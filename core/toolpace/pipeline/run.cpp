@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "toolpace/limits/limit_speed.h"
+#include "toolpace/machine/setup.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job.h"
 #include "toolpace/pipeline/job_rules.h"
@@ -12,7 +13,6 @@
 #include "toolpace/pipeline/pauses.h"
 #include "toolpace/pipeline/prove.h"
 #include "toolpace/pipeline/replan.h"
-#include "toolpace/pipeline/setup.h"
 #include "toolpace/pipeline/summarise.h"
 #include "toolpace/pipeline/travel.h"
 #include "toolpace/pipeline/tube_bound.h"

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "toolpace/law/law_table.h"
+#include "toolpace/machine/setup_keys.h"
 #include "toolpace/pipeline/many.h"
-#include "toolpace/pipeline/setup_keys.h"
 
 namespace toolpace {
 namespace {

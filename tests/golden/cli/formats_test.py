@@ -36,7 +36,7 @@ class Formats(CommandLineTest):
     def test_no_key_of_a_machine_file_is_left_out(self):
         # Keys of axes are put together from parts in the sources; the test above tries them.
         documented = {key for _, keys in table("Machine files") for key in names(keys)}
-        sources = (SOURCE_DIR / "core/toolpace/pipeline/setup_keys.cpp").read_text()
+        sources = (SOURCE_DIR / "core/toolpace/machine/setup_keys.cpp").read_text()
         known = set(re.findall(r'"((?:max|travel|steps|period|tool|tacc|tdec|tolerance|junction|kv|velocity|acceleration|bandwidth'
                                r'|damping|backlash|resonance)_?\w*?[a-z0-9])"', sources))
         self.assertGreater(len(known), 15)

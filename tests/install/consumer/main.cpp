@@ -2,9 +2,9 @@
 /// library and CMake package fit together.
 
 #include <toolpace/io/setpoint_writer.h>
+#include <toolpace/machine/setup.h>
 #include <toolpace/nc/reader.h>
 #include <toolpace/pipeline/job.h>
-#include <toolpace/pipeline/setup.h>
 #include <toolpace/sample/sampler.h>
 
 #include <cmath>

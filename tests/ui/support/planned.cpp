@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 
 namespace toolpace::ui {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "toolpace/machine/setup.h"
 #include "toolpace/nc/reader.h"
-#include "toolpace/pipeline/setup.h"
 
 namespace toolpace {
 namespace {

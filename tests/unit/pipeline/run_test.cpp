@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "toolpace/machine/setup.h"
 #include "toolpace/pipeline/job.h"
-#include "toolpace/pipeline/setup.h"
 
 namespace toolpace {
 namespace {

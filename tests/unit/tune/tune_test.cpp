@@ -5,8 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include "toolpace/machine/setup.h"
 #include "toolpace/pipeline/many.h"
-#include "toolpace/pipeline/setup.h"
 #include "toolpace/tune/savings.h"
 #include "toolpace/tune/sweep.h"
 

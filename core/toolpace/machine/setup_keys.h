@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 
 namespace toolpace {
 

@@ -1,4 +1,4 @@
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "toolpace/base/mapped_file.h"
 #include "toolpace/law/law_table.h"
-#include "toolpace/pipeline/setup_keys.h"
+#include "toolpace/machine/setup_keys.h"
 
 namespace toolpace {
 namespace {

@@ -1,4 +1,4 @@
-#include "toolpace/pipeline/setup_keys.h"
+#include "toolpace/machine/setup_keys.h"
 
 #include <algorithm>
 #include <numeric>

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "toolpace/base/result.h"
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 
-namespace toolpace::studio {
+namespace toolpace {
 
 /// A LinuxCNC .ini: [TRAJ] MAX_LINEAR_VELOCITY, MAX_LINEAR_ACCELERATION, [EMCMOT] SERVO_PERIOD (ns), and of each
 /// [AXIS_X] MAX_VELOCITY, MAX_ACCELERATION, MAX_JERK, MIN_LIMIT, MAX_LIMIT (else of its [JOINT_n]). LINEAR_UNITS inch
@@ -20,4 +20,4 @@ Result<Setup> import_linuxcnc_ini(std::string_view text, const std::string& name
 /// "import-empty".
 Result<Setup> import_grbl_dump(std::string_view text, const std::string& name, const Setup& base);
 
-}  // namespace toolpace::studio
+}  // namespace toolpace

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "toolpace/base/numbers.h"
-#include "toolpace/pipeline/setup.h"
-#include "toolpace/pipeline/setup_keys.h"
+#include "toolpace/machine/setup.h"
+#include "toolpace/machine/setup_keys.h"
 
 namespace toolpace {
 namespace {

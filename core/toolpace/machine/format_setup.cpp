@@ -9,8 +9,8 @@
 
 #include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
-#include "toolpace/pipeline/setup.h"
-#include "toolpace/pipeline/setup_keys.h"
+#include "toolpace/machine/setup.h"
+#include "toolpace/machine/setup_keys.h"
 
 namespace toolpace {
 namespace {

@@ -1,4 +1,4 @@
-#include "toolpace/pipeline/setup.h"
+#include "toolpace/machine/setup.h"
 
 #include <gtest/gtest.h>
 

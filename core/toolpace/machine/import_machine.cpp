@@ -1,4 +1,4 @@
-#include "import_machine.h"
+#include "toolpace/machine/import_machine.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace toolpace::studio {
+namespace toolpace {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
@@ -157,4 +157,4 @@ Result<Setup> import_grbl_dump(std::string_view text, const std::string& name, c
   return checked(std::move(setup));
 }
 
-}  // namespace toolpace::studio
+}  // namespace toolpace
