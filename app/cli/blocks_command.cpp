@@ -1,11 +1,10 @@
 /// toolpace blocks: what the interpreter understood of a program.
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
+#include "json.h"
 
 #include "commands.h"
-#include "flags.h"
 #include "reading_flags.h"
 #include "report.h"
 #include "toolpace/io/block_writer.h"
@@ -29,7 +28,7 @@ const char* dialect_text(Dialect dialect) {
   return "linuxcnc";
 }
 
-nlohmann::ordered_json blocks_json(const BlocksFlags& flags, const Reading& reading) {
+Json blocks_json(const BlocksFlags& flags, const Reading& reading) {
   std::size_t motion = 0;
   for (const MoveKind kind : reading.moves.kind) motion += is_motion(kind) ? 1 : 0;
   return {{"program", flags.reading.program},
@@ -37,7 +36,7 @@ nlohmann::ordered_json blocks_json(const BlocksFlags& flags, const Reading& read
           {"refused", reading.refused},
           {"rows", reading.moves.size()},
           {"motion_blocks", motion},
-          {"csv", flags.csv.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(flags.csv)},
+          {"csv", flags.csv.empty() ? Json() : Json(flags.csv)},
           {"diagnostics", to_json(reading.diagnostics)}};
 }
 
@@ -58,11 +57,12 @@ Done run_blocks(const BlocksFlags& flags) {
 
 }  // namespace
 
-void add_blocks_command(CLI::App& app, Action& action) {
+void add_blocks_command(CommandLine& line) {
   auto flags = std::make_shared<BlocksFlags>();
-  CLI::App& command = *app.add_subcommand("blocks", "Write what was understood of a program, one motion block a row");
-  add_word(command, "--csv FILE", flags->csv, "Table to write; - = standard output, also without --csv and --json");
-  command.add_flag("--json", flags->json, "Print one JSON object: counts and diagnostics");
+  Command command = line.add("blocks", "Write what was understood of a program, one motion block a row",
+                             [flags] { return run_blocks(*flags); });
+  command.word("--csv FILE", flags->csv, "Table to write; - = standard output, also without --csv and --json");
+  command.toggle("--json", flags->json, "Print one JSON object: counts and diagnostics");
   flags->reading.add_to(command);
   command.footer(
       "Rows in machine coordinates, lengths in mm, angles in deg, feeds in mm/min. A program with errors is written up "
@@ -72,7 +72,6 @@ void add_blocks_command(CLI::App& app, Action& action) {
       "  toolpace blocks part.ngc\n"
       "  toolpace blocks part.nc --dialect fanuc --csv part.csv\n"
       "  toolpace blocks part.ngc --json");
-  command.callback([flags, &action] { action = [flags] { return run_blocks(*flags); }; });
 }
 
 }  // namespace toolpace::cli

@@ -1,22 +1,16 @@
 #pragma once
-/// The commands of the command line, one file each. A command adds its flags to the parser and, when it is the one that
-/// was named, sets `action`; main runs the action after parsing.
+/// The commands of the command line, one file each.
 
-#include <CLI/CLI.hpp>
-#include <functional>
-
-#include "failure.h"
+#include "command_line.h"
 
 namespace toolpace::cli {
 
-using Action = std::function<Done()>;
-
-void add_plan_command(CLI::App& app, Action& action);
-void add_blocks_command(CLI::App& app, Action& action);
-void add_move_command(CLI::App& app, Action& action);
-void add_report_command(CLI::App& app, Action& action);
-void add_simulate_command(CLI::App& app, Action& action);
-void add_steps_command(CLI::App& app, Action& action);
-void add_verify_command(CLI::App& app, Action& action);
+void add_plan_command(CommandLine& line);
+void add_blocks_command(CommandLine& line);
+void add_move_command(CommandLine& line);
+void add_report_command(CommandLine& line);
+void add_simulate_command(CommandLine& line);
+void add_steps_command(CommandLine& line);
+void add_verify_command(CommandLine& line);
 
 }  // namespace toolpace::cli

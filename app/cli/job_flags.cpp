@@ -3,7 +3,6 @@
 #include <charconv>
 #include <utility>
 
-#include "flags.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/machine/setup_keys.h"
@@ -88,41 +87,33 @@ void set_path_limits(const JobFlags& f, PathLimits& path) {
 
 }  // namespace
 
-void JobFlags::add_to(CLI::App& c) {
-  constexpr char kLimits[] = "Machine and limits along the path (they override the machine file's)";
-  add_word(c, "--machine FILE", machine, "Machine file (TOML); without one 100 mm/s, 3000 mm/s², 1e6 mm/s³, 1 ms")
-      ->group(kLimits);
-  add_number(c, "--vmax MM/S", vmax, "Top speed")->group(kLimits);
-  add_number(c, "--am MM/S2", am, "Acceleration")->group(kLimits);
-  add_number(c, "--dm MM/S2", dm, "Deceleration; default am")->group(kLimits);
-  add_number(c, "--jm MM/S3", jm, "Jerk")->group(kLimits);
-  add_number(c, "--jd MM/S3", jd, "Jerk while slowing down; default jm")->group(kLimits);
-  add_number(c, "--override-percent PERCENT", override_percent, "Feed override, up to 200; default 100")
-      ->group(kLimits);
-  add_number(c, "--rapid-percent PERCENT", rapid_percent, "Rapid override, up to 100; default 100")->group(kLimits);
-  add_number(c, "--period-ms MS", period_ms, "Interpolation period; default 1")->group(kLimits);
+void JobFlags::add_to(Command& command) {
+  Flags limits = command.titled("Machine and limits along the path (they override the machine file's)");
+  limits.word("--machine FILE", machine, "Machine file (TOML); without one 100 mm/s, 3000 mm/s², 1e6 mm/s³, 1 ms");
+  limits.number("--vmax MM/S", vmax, "Top speed");
+  limits.number("--am MM/S2", am, "Acceleration");
+  limits.number("--dm MM/S2", dm, "Deceleration; default am");
+  limits.number("--jm MM/S3", jm, "Jerk");
+  limits.number("--jd MM/S3", jd, "Jerk while slowing down; default jm");
+  limits.number("--override-percent PERCENT", override_percent, "Feed override, up to 200; default 100");
+  limits.number("--rapid-percent PERCENT", rapid_percent, "Rapid override, up to 100; default 100");
+  limits.number("--period-ms MS", period_ms, "Interpolation period; default 1");
 
-  constexpr char kLaw[] = "Law and look-ahead";
-  add_word(c, "--law LAW", law, law_ids() + "; default quintic")->group(kLaw);
-  add_number(c, "--tacc-ms MS", tacc_ms, "five-phase-time: least duration of a ramp up; default 50")->group(kLaw);
-  add_number(c, "--tdec-ms MS", tdec_ms, "five-phase-time: least duration of a ramp down; default 50")->group(kLaw);
-  add_word(c, "--lookahead N", lookahead, "Depth in blocks, or all (default); 1 = full stop at every node")
-      ->group(kLaw);
-  add_word(c, "--ramps KIND", ramps, "block (default): ramps end inside their block; span: they run across blocks")
-      ->group(kLaw);
-  add_number(c, "--hold-at-s S", hold_at, "Feed hold at this time: a jerk-limited stop on the path, then a resume")
-      ->group(kLaw);
+  Flags laws = command.titled("Law and look-ahead");
+  laws.word("--law LAW", law, law_ids() + "; default quintic");
+  laws.number("--tacc-ms MS", tacc_ms, "five-phase-time: least duration of a ramp up; default 50");
+  laws.number("--tdec-ms MS", tdec_ms, "five-phase-time: least duration of a ramp down; default 50");
+  laws.word("--lookahead N", lookahead, "Depth in blocks, or all (default); 1 = full stop at every node");
+  laws.word("--ramps KIND", ramps, "block (default): ramps end inside their block; span: they run across blocks");
+  laws.number("--hold-at-s S", hold_at, "Feed hold at this time: a jerk-limited stop on the path, then a resume");
 
-  constexpr char kCorners[] = "Corners";
-  add_word(c, "--corner RULE", corner,
-           "stop; servo (default): speed steps that a servo follows within a period; junction: by\n"
-           "junction deviation; blend: corner curves; smooth: optimised through the tolerance tube")
-      ->group(kCorners);
-  add_number(c, "--corner-step-mm-s MM/S", corner_step, "Instead of --corner: largest step of the velocity vector")
-      ->group(kCorners);
-  add_number(c, "--tolerance-mm MM", tolerance, "Largest distance from the path for blend and smooth; default 0.01")
-      ->group(kCorners);
-  add_number(c, "--junction-deviation-mm MM", junction_deviation, "Junction deviation; default 0.01")->group(kCorners);
+  Flags corners = command.titled("Corners");
+  corners.word("--corner RULE", corner,
+               "stop; servo (default): speed steps that a servo follows within a period; junction: by\n"
+               "junction deviation; blend: corner curves; smooth: optimised through the tolerance tube");
+  corners.number("--corner-step-mm-s MM/S", corner_step, "Instead of --corner: largest step of the velocity vector");
+  corners.number("--tolerance-mm MM", tolerance, "Largest distance from the path for blend and smooth; default 0.01");
+  corners.number("--junction-deviation-mm MM", junction_deviation, "Junction deviation; default 0.01");
 }
 
 Result<Setup> JobFlags::setup() const {

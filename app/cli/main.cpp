@@ -8,7 +8,6 @@
 #include "commands.h"
 #include "interrupt.h"
 #include "report.h"
-#include "usage_error.h"
 
 namespace {
 
@@ -26,14 +25,10 @@ Done flush_output(Done done) {
                               {}});
 }
 
-Done run_command(CLI::App& app, const Action& action, int argc, char** argv) {
+Done run_command(CommandLine& line, int argc, char** argv) {
   try {
-    app.parse(argc, argv);
-    return flush_output(action());
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() != 0) return tl::unexpected(explain_usage(app, e));
-    app.exit(e);  // help or version
-    return flush_output(kFine);
+    const auto action = line.parse(argc, argv);
+    return action ? flush_output((*action)()) : tl::unexpected<Failure>(action.error());
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{ErrorKind::input,
                                 "out-of-memory",
@@ -58,29 +53,17 @@ bool wants_json(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Plans the motion of CNC machines: NC programs in, proven setpoints out.", "toolpace"};
-  app.set_version_flag("--version", "toolpace " TOOLPACE_VERSION, "Print the version and exit");
-  app.set_help_flag("-h,--help", "Print this help and exit");
-  app.get_formatter()->column_width(34);
-  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app.get_formatter()->label("Subcommands", "Commands");
-  app.get_formatter()->label("Positionals", "Arguments");
-  app.require_subcommand(1);
-  app.footer(
-      "toolpace COMMAND --help lists the flags of a command, with examples.\n"
-      "Exit codes: 0 fine; 1 a limit check failed; 2 bad usage; 3 bad input; 4 a file could not be read or written;\n"
-      "130 interrupted. Results go to standard output, everything else to standard error.");
-  Action action;
-  add_plan_command(app, action);
-  add_blocks_command(app, action);
-  add_move_command(app, action);
-  add_steps_command(app, action);
-  add_verify_command(app, action);
-  add_simulate_command(app, action);
-  add_report_command(app, action);
+  CommandLine line;
+  add_plan_command(line);
+  add_blocks_command(line);
+  add_move_command(line);
+  add_steps_command(line);
+  add_verify_command(line);
+  add_simulate_command(line);
+  add_report_command(line);
   catch_interrupts();
 
-  const Done done = run_command(app, action, argc, argv);
+  const Done done = run_command(line, argc, argv);
   if (done) return *done;
   end_progress();
   const int code = report(done.error().error);

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include "json.h"
 
 #include "commands.h"
-#include "flags.h"
-#include "outcome_json.h"
 #include "report.h"
 #include "toolpace/law/single_move.h"
 
@@ -57,8 +55,8 @@ Dynamics dynamics_of(const LawRow& law, const MoveFlags& flags) {
   return {{am, jm, 0.0}, {flags.dm.value_or(am), flags.jd.value_or(jm), 0.0}};
 }
 
-nlohmann::ordered_json move_json(const LawRow& law, const SingleMove& move) {
-  nlohmann::ordered_json phases = nlohmann::ordered_json::array();
+Json move_json(const LawRow& law, const SingleMove& move) {
+  Json phases = Json::array();
   for (const Phase& p : move.phases) {
     const PhaseState first = evaluate(p, 0.0), last = evaluate(p, p.duration);
     phases.push_back({{"begin", p.begin},
@@ -79,10 +77,10 @@ nlohmann::ordered_json move_json(const LawRow& law, const SingleMove& move) {
           {"t_cruise", move.cruise_time},
           {"t_dec", move.down.time},
           {"t_total", move.total_time()},
-          {"j_acc", number(move.up.peak_jerk)},
-          {"j_dec", number(move.down.peak_jerk)},
-          {"a_peak", number(move.up.peak_acceleration)},
-          {"d_peak", number(move.down.peak_acceleration)},
+          {"j_acc", move.up.peak_jerk},
+          {"j_dec", move.down.peak_jerk},
+          {"a_peak", move.up.peak_acceleration},
+          {"d_peak", move.down.peak_acceleration},
           {"phases", phases}};
 }
 
@@ -125,21 +123,22 @@ Done run_move(const MoveFlags& flags) {
 
 }  // namespace
 
-void add_move_command(CLI::App& app, Action& action) {
+void add_move_command(CommandLine& line) {
   auto flags = std::make_shared<MoveFlags>();
-  CLI::App& command = *app.add_subcommand("move", "Compute one move: ramp, cruise, ramp, in any consistent units");
-  add_word(command, "--law LAW", flags->law, law_ids())->required();
-  add_number(command, "--length L", flags->move.length, "Length of the move")->required();
-  add_number(command, "--feed F", flags->move.feed, "Top speed")->required();
-  add_number(command, "--start FS", flags->move.start, "Speed at the start; default 0");
-  add_number(command, "--end FE", flags->move.end, "Speed at the end; default 0");
-  add_number(command, "--tacc TA", flags->tacc, "Acceleration time, five-phase-time");
-  add_number(command, "--tdec TD", flags->tdec, "Deceleration time, five-phase-time; default tacc");
-  add_number(command, "--am A", flags->am, "Acceleration limit");
-  add_number(command, "--dm D", flags->dm, "Deceleration limit; default am");
-  add_number(command, "--jm J", flags->jm, "Jerk limit");
-  add_number(command, "--jd JD", flags->jd, "Jerk limit while slowing down; default jm");
-  command.add_flag("--json", flags->json, "Print one JSON object");
+  Command command = line.add("move", "Compute one move: ramp, cruise, ramp, in any consistent units",
+                             [flags] { return run_move(*flags); });
+  command.word("--law LAW", flags->law, law_ids(), Need::required);
+  command.number("--length L", flags->move.length, "Length of the move", Need::required);
+  command.number("--feed F", flags->move.feed, "Top speed", Need::required);
+  command.number("--start FS", flags->move.start, "Speed at the start; default 0");
+  command.number("--end FE", flags->move.end, "Speed at the end; default 0");
+  command.number("--tacc TA", flags->tacc, "Acceleration time, five-phase-time");
+  command.number("--tdec TD", flags->tdec, "Deceleration time, five-phase-time; default tacc");
+  command.number("--am A", flags->am, "Acceleration limit");
+  command.number("--dm D", flags->dm, "Deceleration limit; default am");
+  command.number("--jm J", flags->jm, "Jerk limit");
+  command.number("--jd JD", flags->jd, "Jerk limit while slowing down; default jm");
+  command.toggle("--json", flags->json, "Print one JSON object");
   command.footer(
       "Any units that fit together do: mm and s, pulse and cycle. An end speed that the length does not allow is an "
       "error\n"
@@ -147,7 +146,6 @@ void add_move_command(CLI::App& app, Action& action) {
       "Examples:\n"
       "  toolpace move --law quintic --length 10 --feed 100 --am 3000 --jm 1e6\n"
       "  toolpace move --law five-phase-time --length 4000 --feed 100 --start 10 --end 20 --tacc 35 --tdec 20 --json");
-  command.callback([flags, &action] { action = [flags] { return run_move(*flags); }; });
 }
 
 }  // namespace toolpace::cli

@@ -1,7 +1,6 @@
 #include "outcome_json.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "toolpace/law/law_table.h"
@@ -18,33 +17,29 @@ std::string name_of(const std::vector<Named<T>>& names, T value) {
   return "";
 }
 
-nlohmann::ordered_json corner_json(const CornerOptions& corner) {
-  return corner.step ? nlohmann::ordered_json("step") : nlohmann::ordered_json(name_of(corner_names(), corner.rule));
+std::string corner_name(const CornerOptions& corner) {
+  return corner.step ? "step" : name_of(corner_names(), corner.rule);
 }
 
 }  // namespace
 
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
-nlohmann::ordered_json diagnostics_json(const Diagnostics& diagnostics) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json diagnostics_json(const Diagnostics& diagnostics) {
+  Json list = Json::array();
   for (const Diagnostic& d : diagnostics) {
     list.push_back({{"line", d.where.line}, {"column", d.where.column}, {"code", d.code}, {"message", d.message}});
   }
   return list;
 }
 
-nlohmann::ordered_json outcome_json(const Outcome& outcome) {
+Json outcome_json(const Outcome& outcome) {
   const Summary& s = outcome.summary;
   const PlanOptions& o = outcome.job->options;
-  nlohmann::ordered_json j;
+  Json j;
   j["program"] = outcome.job->program_name;
   j["law"] = std::string(law_row(o.law).id);
-  j["lookahead_blocks"] = o.lookahead ? nlohmann::ordered_json(*o.lookahead) : nlohmann::ordered_json(nullptr);
+  j["lookahead_blocks"] = o.lookahead;
   j["ramps"] = name_of(ramps_names(), o.ramps);
-  j["corner"] = corner_json(o.corner);
+  j["corner"] = corner_name(o.corner);
   j["blocks"] = s.blocks;
   j["path_length_mm"] = s.path_length;
   j["cycle_time_s"] = s.cycle_time;
@@ -53,9 +48,9 @@ nlohmann::ordered_json outcome_json(const Outcome& outcome) {
   j["dwell_time_s"] = s.dwell_time;
   j["max_speed_mm_s"] = s.max_speed;
   j["max_acceleration_mm_s2"] = s.max_acceleration;
-  j["max_jerk_mm_s3"] = number(s.max_jerk);
+  j["max_jerk_mm_s3"] = s.max_jerk;
   j["period_ms"] = outcome.job->machine.period * 1e3;
-  j["time_by_limit_s"] = nlohmann::ordered_json::object();
+  j["time_by_limit_s"] = Json::object();
   for (std::size_t i = 0; i < s.time_by_cause.size(); ++i) {
     if (s.time_by_cause[i] > 0)
       j["time_by_limit_s"][std::string(cause_name(static_cast<Cause>(i)))] = s.time_by_cause[i];
@@ -65,15 +60,15 @@ nlohmann::ordered_json outcome_json(const Outcome& outcome) {
                   {"merged_segments", s.blends.merged},
                   {"max_deviation_mm", std::max(s.blends.deviation, s.tube_deviation)}};
   j["smooth"] = {{"windows", s.tube_windows}, {"fallbacks", s.tube_fallbacks}};
-  j["bound_s"] = s.bound ? nlohmann::ordered_json(*s.bound) : nlohmann::ordered_json(nullptr);
+  j["bound_s"] = s.bound;
   Diagnostics warnings = outcome.job->program->diagnostics;
   warnings.insert(warnings.end(), outcome.warnings.begin(), outcome.warnings.end());
   j["warnings"] = diagnostics_json(warnings);
   return j;
 }
 
-nlohmann::ordered_json axes_json(const AxisPeakMeter& meter) {
-  nlohmann::ordered_json axes = nlohmann::ordered_json::object();
+Json axes_json(const AxisPeakMeter& meter) {
+  Json axes = Json::object();
   const auto peaks = meter.peaks();
   for (std::size_t k = 0; k < kAxisCount; ++k) {
     if (!meter.has_moved(k)) continue;

@@ -9,7 +9,6 @@
 #include <memory>
 #include <optional>
 
-#include "flags.h"
 #include "interrupt.h"
 #include "job_flags.h"
 #include "outcome_json.h"
@@ -111,7 +110,7 @@ Result<VerifyReport> prove_plan(const Outcome& outcome, const PlanFlags& flags) 
   return proof;
 }
 
-void add_verification(nlohmann::ordered_json& json, const std::optional<VerifyReport>& proof) {
+void add_verification(Json& json, const std::optional<VerifyReport>& proof) {
   json["violations"] = nullptr;
   json["max_path_deviation_mm"] = nullptr;
   if (!proof) return;
@@ -163,9 +162,8 @@ void print_summary(const Outcome& outcome, const SetpointPass& pass, const PlanF
   }
 }
 
-nlohmann::ordered_json plan_json(const Outcome& outcome, const SetpointPass& pass,
-                                 const std::optional<VerifyReport>& proof) {
-  nlohmann::ordered_json json = outcome_json(outcome);
+Json plan_json(const Outcome& outcome, const SetpointPass& pass, const std::optional<VerifyReport>& proof) {
+  Json json = outcome_json(outcome);
   json["axes"] = axes_json(pass.peaks);
   json["setpoints"] = pass.rows;
   json["max_chord_error_mm"] = pass.chord_error;
@@ -204,11 +202,11 @@ Done run_plan(const PlanFlags& flags) {
     proof = std::move(*verified);
   }
   if (flags.json) {
-    nlohmann::ordered_json json = plan_json(*outcome, *pass, proof);
+    Json json = plan_json(*outcome, *pass, proof);
     const auto servo = follow(*outcome, {}, terminal_monitor("simulating"));
     end_progress();
     if (!servo && servo.error().kind == ErrorKind::cancelled) return tl::unexpected(servo.error());
-    json["servo"] = servo ? servo_json(*servo, outcome->job->machine) : nlohmann::ordered_json(nullptr);
+    json["servo"] = servo ? servo_json(*servo, outcome->job->machine) : Json(nullptr);
     json["plan_wall_s"] = planned.count();
     print_json(json);
   } else {
@@ -220,18 +218,19 @@ Done run_plan(const PlanFlags& flags) {
 
 }  // namespace
 
-void add_plan_command(CLI::App& app, Action& action) {
+void add_plan_command(CommandLine& line) {
   auto flags = std::make_shared<PlanFlags>();
-  CLI::App& command = *app.add_subcommand("plan", "Plan a program: cycle time, peaks, setpoints");
-  add_word(command, "--setpoints FILE", flags->setpoints,
-           "Write setpoints: .csv (also without extension), .npy, .npz, .halstream,\n"
-           ".semicolon.csv, or step pulses: .pulses.csv; - = csv to standard output");
-  command.add_flag("--verify", flags->verify, "Read the setpoints back and prove that they keep every limit");
-  command.add_flag("--bound", flags->bound, "Compute a lower bound of the cycle time");
-  command.add_flag("--json", flags->json, "Print one JSON object");
-  command.add_flag("--axis-derivatives", flags->axis_derivatives, "Add speed, acceleration and jerk of each axis");
-  command.add_flag("--decimal-comma", flags->decimal_comma, "Decimal commas in .semicolon.csv");
-  add_number(command, "--timer-hz HZ", flags->timer_hz, "Clock of the pulse timer, for .pulses.csv");
+  Command command =
+      line.add("plan", "Plan a program: cycle time, peaks, setpoints", [flags] { return run_plan(*flags); });
+  command.word("--setpoints FILE", flags->setpoints,
+               "Write setpoints: .csv (also without extension), .npy, .npz, .halstream,\n"
+               ".semicolon.csv, or step pulses: .pulses.csv; - = csv to standard output");
+  command.toggle("--verify", flags->verify, "Read the setpoints back and prove that they keep every limit");
+  command.toggle("--bound", flags->bound, "Compute a lower bound of the cycle time");
+  command.toggle("--json", flags->json, "Print one JSON object");
+  command.toggle("--axis-derivatives", flags->axis_derivatives, "Add speed, acceleration and jerk of each axis");
+  command.toggle("--decimal-comma", flags->decimal_comma, "Decimal commas in .semicolon.csv");
+  command.number("--timer-hz HZ", flags->timer_hz, "Clock of the pulse timer, for .pulses.csv");
   flags->job.add_to(command);
   flags->reading.add_to(command);
   command.footer(
@@ -242,7 +241,6 @@ void add_plan_command(CLI::App& app, Action& action) {
       "  toolpace plan part.ngc --machine mill.toml --setpoints part.csv --verify\n"
       "  toolpace plan part.ngc --law seven-phase --ramps span --corner blend --tolerance-mm 0.02 --bound\n"
       "  toolpace plan - --vmax 50 --am 500 --jm 2e4 --json < part.ngc");
-  command.callback([flags, &action] { action = [flags] { return run_plan(*flags); }; });
 }
 
 }  // namespace toolpace::cli

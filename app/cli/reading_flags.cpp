@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 
-#include "flags.h"
 #include "interrupt.h"
 #include "report.h"
 #include "toolpace/base/file_error.h"
@@ -12,34 +11,27 @@
 namespace toolpace::cli {
 namespace {
 
-constexpr char kGroup[] = "Reading the program";
-
 const std::map<std::string, Dialect> kDialects = {
     {"auto", Dialect::automatic}, {"linuxcnc", Dialect::linuxcnc}, {"fanuc", Dialect::fanuc}, {"grbl", Dialect::grbl}};
 
 }  // namespace
 
-void ReadingFlags::add_to(CLI::App& command) {
-  command
-      .add_option("PROGRAM", program,
-                  "NC program (.ngc, .nc, .tap, .gcode …) or polyline (.csv); - = either on standard input")
-      ->type_name("")
-      ->required();
+void ReadingFlags::add_to(Command& command) {
+  command.argument("PROGRAM", program,
+                   "NC program (.ngc, .nc, .tap, .gcode …) or polyline (.csv); - = either on standard input");
   add_options_to(command);
 }
 
-void ReadingFlags::add_options_to(CLI::App& command) {
-  add_word(command, "--dialect NAME", dialect, "auto (default), linuxcnc, fanuc or grbl")->group(kGroup);
-  command.add_flag("--strict", strict, "Treat every warning as an error")->group(kGroup);
-  command.add_flag("--block-delete", block_delete, "Skip lines that start with '/'")->group(kGroup);
-  add_word(command, "--tools FILE", tools, "Tool table, as LinuxCNC writes it")->group(kGroup);
-  add_word(command, "--parameters FILE", parameters, "Numbered parameters, as LinuxCNC writes them")->group(kGroup);
-  command.add_option("--sub-path", sub_paths, "Folder with sub-programs; may be given more than once")
-      ->type_name("DIR")
-      ->allow_extra_args(false)
-      ->group(kGroup);
+void ReadingFlags::add_options_to(Command& command) {
+  Flags flags = command.titled("Reading the program");
+  flags.word("--dialect NAME", dialect, "auto (default), linuxcnc, fanuc or grbl");
+  flags.toggle("--strict", strict, "Treat every warning as an error");
+  flags.toggle("--block-delete", block_delete, "Skip lines that start with '/'");
+  flags.word("--tools FILE", tools, "Tool table, as LinuxCNC writes it");
+  flags.word("--parameters FILE", parameters, "Numbered parameters, as LinuxCNC writes them");
+  flags.words("--sub-path DIR", sub_paths, "Folder with sub-programs; may be given more than once");
   const auto add_bound = [&](const char* flag, std::uint64_t& target, const std::string& what) {
-    add_count(command, flag, target, what + "; default " + std::to_string(target))->group(kGroup);
+    flags.count(flag, target, what + "; default " + std::to_string(target));
   };
   add_bound("--max-blocks N", limits.blocks, "Most motion blocks, besides one a line");
   add_bound("--max-lines N", limits.lines, "Most lines that loops and calls run again");

@@ -1,11 +1,10 @@
 #pragma once
 /// The flags of every command that reads a program.
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
-#include "failure.h"
+#include "command_line.h"
 #include "toolpace/nc/reader.h"
 
 namespace toolpace::cli {
@@ -20,9 +19,9 @@ struct ReadingFlags {
   ReadLimits limits = {};
 
   /// Adds PROGRAM and the reading flags to a command.
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
   /// Adds the reading flags alone.
-  void add_options_to(CLI::App& command);
+  void add_options_to(Command& command);
 
   ReadOptions options() const;
 

@@ -52,9 +52,9 @@ void report(const Diagnostics& diagnostics) {
   for (const auto& d : diagnostics) report(d);
 }
 
-nlohmann::ordered_json to_json(const Failure& failure) {
+Json to_json(const Failure& failure) {
   const Error& e = failure.error;
-  nlohmann::ordered_json error = {{"code", e.code}, {"message", e.message}, {"remedy", e.remedy}};
+  Json error = {{"code", e.code}, {"message", e.message}, {"remedy", e.remedy}};
   error["file"] = nullptr;
   if (!e.where.file.empty()) error["file"] = e.where.file;
   error["line"] = e.where.line;
@@ -66,8 +66,8 @@ nlohmann::ordered_json to_json(const Failure& failure) {
           {"diagnostics", to_json(failure.diagnostics)}};
 }
 
-nlohmann::ordered_json to_json(const Diagnostics& diagnostics) {
-  auto list = nlohmann::ordered_json::array();
+Json to_json(const Diagnostics& diagnostics) {
+  auto list = Json::array();
   for (const Diagnostic& d : diagnostics) {
     list.push_back({{"severity", word(d.severity)},
                     {"code", d.code},
@@ -81,8 +81,6 @@ nlohmann::ordered_json to_json(const Diagnostics& diagnostics) {
   return list;
 }
 
-void print_json(const nlohmann::ordered_json& json) {
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-}
+void print_json(const Json& json) { fmt::print("{}\n", json.text()); }
 
 }  // namespace toolpace::cli

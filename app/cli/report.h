@@ -1,7 +1,7 @@
 #pragma once
 /// How the command line tells people, and scripts that asked for JSON, what went wrong.
 
-#include <nlohmann/json.hpp>
+#include "json.h"
 
 #include "failure.h"
 
@@ -17,12 +17,12 @@ void report(const Diagnostics& diagnostics);
 
 /// {"error": {code, message, remedy, file, line, column, attainable}, "exit_code", "diagnostics": […]}: what --json
 /// prints instead of a result.
-nlohmann::ordered_json to_json(const Failure& failure);
+Json to_json(const Failure& failure);
 
 /// [{severity, code, file, line, column, message, excerpt, remedy}, …]
-nlohmann::ordered_json to_json(const Diagnostics& diagnostics);
+Json to_json(const Diagnostics& diagnostics);
 
-/// Prints one JSON value to stdout. File names and comments may hold any bytes; what is no UTF-8 becomes U+FFFD.
-void print_json(const nlohmann::ordered_json& json);
+/// Prints one JSON value to stdout.
+void print_json(const Json& json);
 
 }  // namespace toolpace::cli

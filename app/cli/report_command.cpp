@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "commands.h"
-#include "flags.h"
 #include "interrupt.h"
 #include "job_flags.h"
 #include "planned_program.h"
@@ -38,17 +37,17 @@ Done run_report(const ReportFlags& flags) {
 
 }  // namespace
 
-void add_report_command(CLI::App& app, Action& action) {
+void add_report_command(CommandLine& line) {
   auto flags = std::make_shared<ReportFlags>();
-  CLI::App& command = *app.add_subcommand("report", "Write a page (HTML) about a program: times, plots, limits, proof");
-  add_word(command, "-o,--output FILE", flags->output, "The page; default report.html, - = standard output");
+  Command command = line.add("report", "Write a page (HTML) about a program: times, plots, limits, proof",
+                             [flags] { return run_report(*flags); });
+  command.word("-o,--output FILE", flags->output, "The page; default report.html, - = standard output");
   flags->job.add_to(command);
   flags->reading.add_to(command);
   command.footer(
       "The page stands alone: no other file, no script, no network.\n\n"
       "Examples:\n"
       "  toolpace report part.ngc --machine mill.toml -o part.html");
-  command.callback([flags, &action] { action = [flags] { return run_report(*flags); }; });
 }
 
 }  // namespace toolpace::cli

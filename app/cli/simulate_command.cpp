@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "commands.h"
-#include "flags.h"
 #include "interrupt.h"
 #include "job_flags.h"
 #include "planned_program.h"
@@ -138,9 +137,9 @@ Done run_simulate(const SimulateFlags& flags) {
   return kFine;
 }
 
-nlohmann::ordered_json drives_json(const Machine& machine) {
+Json drives_json(const Machine& machine) {
   constexpr std::string_view kPrefix = "servo.";
-  nlohmann::ordered_json drives;
+  Json drives;
   Setup setup{machine, {}};
   for (const SetupSection& section : setup_sections(setup)) {
     if (section.name.rfind(kPrefix, 0) != 0) continue;
@@ -152,7 +151,7 @@ nlohmann::ordered_json drives_json(const Machine& machine) {
 
 }  // namespace
 
-nlohmann::ordered_json servo_json(const ServoSummary& s, const Machine& machine) {
+Json servo_json(const ServoSummary& s, const Machine& machine) {
   return {{"max_contour_error_mm", s.max_contour_error},
           {"rms_contour_error_mm", s.rms_contour_error},
           {"worst_t_s", s.worst_time},
@@ -164,19 +163,17 @@ nlohmann::ordered_json servo_json(const ServoSummary& s, const Machine& machine)
           {"drives", drives_json(machine)}};
 }
 
-void add_simulate_command(CLI::App& app, Action& action) {
+void add_simulate_command(CommandLine& line) {
   auto flags = std::make_shared<SimulateFlags>();
-  CLI::App& command = *app.add_subcommand("simulate", "Simulate the drives: lag and contour error of a program");
-  add_word(command, "--trace FILE", flags->trace, "Write commanded and actual positions, lag, contour error (.csv)");
-  command.add_flag("--json", flags->json, "Print one JSON object");
-  constexpr char kDrives[] = "Drives (they override the machine file's [servo])";
-  add_number(command, "--kv-1-s KV", flags->kv, "Position gain of every axis [1/s]")->group(kDrives);
-  add_number(command, "--velocity-feed-forward SHARE", flags->velocity_feed_forward,
-             "Share of the speed fed forward, 0 … 1")
-      ->group(kDrives);
-  add_number(command, "--acceleration-feed-forward SHARE", flags->acceleration_feed_forward,
-             "Share of the drive's lag made up, 0 … 1")
-      ->group(kDrives);
+  Command command = line.add("simulate", "Simulate the drives: lag and contour error of a program",
+                             [flags] { return run_simulate(*flags); });
+  command.word("--trace FILE", flags->trace, "Write commanded and actual positions, lag, contour error (.csv)");
+  command.toggle("--json", flags->json, "Print one JSON object");
+  Flags drives = command.titled("Drives (they override the machine file's [servo])");
+  drives.number("--kv-1-s KV", flags->kv, "Position gain of every axis [1/s]");
+  drives.number("--velocity-feed-forward SHARE", flags->velocity_feed_forward, "Share of the speed fed forward, 0 … 1");
+  drives.number("--acceleration-feed-forward SHARE", flags->acceleration_feed_forward,
+                "Share of the drive's lag made up, 0 … 1");
   flags->job.add_to(command);
   flags->reading.add_to(command);
   command.footer(
@@ -184,7 +181,6 @@ void add_simulate_command(CLI::App& app, Action& action) {
       "Examples:\n"
       "  toolpace simulate part.ngc --machine mill.toml\n"
       "  toolpace simulate part.ngc --kv-1-s 80 --velocity-feed-forward 0.9 --trace trace.csv");
-  command.callback([flags, &action] { action = [flags] { return run_simulate(*flags); }; });
 }
 
 }  // namespace toolpace::cli

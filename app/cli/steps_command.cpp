@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "commands.h"
-#include "flags.h"
 #include "interrupt.h"
 #include "toolpace/io/pulse_writer.h"
 #include "toolpace/sample/pulse_table.h"
@@ -48,17 +47,18 @@ Done run_steps(const StepsFlags& flags) {
 
 }  // namespace
 
-void add_steps_command(CLI::App& app, Action& action) {
+void add_steps_command(CommandLine& line) {
   auto flags = std::make_shared<StepsFlags>();
-  CLI::App& command = *app.add_subcommand("steps", "Write the timer intervals of a stepper move, from rest to rest");
-  add_count(command, "--steps N", flags->move.steps, "Number of pulses")->required();
-  add_number(command, "--speed STEP/S", flags->move.speed, "Top speed")->required();
-  add_number(command, "--tacc-ms MS", flags->tacc_ms, "Acceleration time")->required();
-  add_number(command, "--tdec-ms MS", flags->tdec_ms, "Deceleration time")->required();
-  add_number(command, "--timer-hz HZ", flags->move.timer_hz, "Clock of the timer")->required();
-  add_word(command, "--format NAME", flags->format,
-           "csv (default): rows pulse,ticks; c: a header with an array of uint32_t");
-  add_word(command, "-o,--output FILE", flags->output, "File to write; default - = standard output");
+  Command command = line.add("steps", "Write the timer intervals of a stepper move, from rest to rest",
+                             [flags] { return run_steps(*flags); });
+  command.count("--steps N", flags->move.steps, "Number of pulses", Need::required);
+  command.number("--speed STEP/S", flags->move.speed, "Top speed", Need::required);
+  command.number("--tacc-ms MS", flags->tacc_ms, "Acceleration time", Need::required);
+  command.number("--tdec-ms MS", flags->tdec_ms, "Deceleration time", Need::required);
+  command.number("--timer-hz HZ", flags->move.timer_hz, "Clock of the timer", Need::required);
+  command.word("--format NAME", flags->format,
+               "csv (default): rows pulse,ticks; c: a header with an array of uint32_t");
+  command.word("-o,--output FILE", flags->output, "File to write; default - = standard output");
   command.footer(
       "Each interval is the number of timer ticks before that pulse, after which the motor has made one more step. No "
       "pulse\n"
@@ -66,7 +66,6 @@ void add_steps_command(CLI::App& app, Action& action) {
       "Examples:\n"
       "  toolpace steps --steps 1000 --speed 2000 --tacc-ms 100 --tdec-ms 100 --timer-hz 1e6\n"
       "  toolpace steps --steps 1000 --speed 2000 --tacc-ms 100 --tdec-ms 50 --timer-hz 1e6 --format c -o ramp.h");
-  command.callback([flags, &action] { action = [flags] { return run_steps(*flags); }; });
 }
 
 }  // namespace toolpace::cli

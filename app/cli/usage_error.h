@@ -1,9 +1,12 @@
 #pragma once
 /// What a person typed wrong, with the nearest thing that would have been right.
 
-#include <CLI/CLI.hpp>
-
 #include "toolpace/base/result.h"
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
 
 namespace toolpace::cli {
 

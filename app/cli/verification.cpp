@@ -9,10 +9,6 @@
 namespace toolpace::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 std::string limit_text(const Check& check, double factor) {
   return std::isfinite(check.limit) ? fmt::format("{:.6g}", check.limit * factor) : "-";
 }
@@ -66,7 +62,7 @@ std::string check_title(const Check& check) {
   return "";
 }
 
-nlohmann::ordered_json verification_json(const VerifyReport& report) {
+Json verification_json(const VerifyReport& report) {
   Json checks = Json::array();
   int violations = 0;
   for (const Check& check : report.checks) {
@@ -74,9 +70,9 @@ nlohmann::ordered_json verification_json(const VerifyReport& report) {
     violations += check.broken;
     checks.push_back({{"check", key_of(check.kind)},
                       {"axis", check.axis ? Json(std::string(1, kAxisNames[*check.axis])) : Json(nullptr)},
-                      {std::string("value_") + unit.suffix, number(check.value * unit.factor)},
-                      {std::string("limit_") + unit.suffix, number(check.limit * unit.factor)},
-                      {std::string("bound_") + unit.suffix, number(check.bound * unit.factor)},
+                      {std::string("value_") + unit.suffix, check.value * unit.factor},
+                      {std::string("limit_") + unit.suffix, check.limit * unit.factor},
+                      {std::string("bound_") + unit.suffix, check.bound * unit.factor},
                       {"t_s", check.time},
                       {"row", check.row},
                       {"line", check.line == 0 ? Json(nullptr) : Json(check.line)},
@@ -89,8 +85,8 @@ nlohmann::ordered_json verification_json(const VerifyReport& report) {
           {"duration_s", report.duration},
           {"exempt_corners", report.exempt_corners},
           {"largest_corner_step_mm_s", report.largest_corner_step},
-          {"chord_error_mm", report.chord_error ? Json(*report.chord_error) : Json(nullptr)},
-          {"position_resolution_mm", number(report.position_resolution)},
+          {"chord_error_mm", report.chord_error},
+          {"position_resolution_mm", report.position_resolution},
           {"checks", std::move(checks)},
           {"notes", report.notes}};
 }

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "commands.h"
-#include "flags.h"
 #include "interrupt.h"
 #include "reading_flags.h"
 #include "report.h"
@@ -66,21 +65,17 @@ Done run_verify(const VerifyFlags& flags) {
 
 }  // namespace
 
-void add_verify_command(CLI::App& app, Action& action) {
+void add_verify_command(CommandLine& line) {
   auto flags = std::make_shared<VerifyFlags>();
-  CLI::App& command = *app.add_subcommand("verify", "Prove that a setpoint file keeps a machine's limits");
-  command
-      .add_option("SETPOINTS", flags->setpoints, "Setpoint file: .csv, .npy, .npz or .halstream; - = standard input")
-      ->type_name("")
-      ->required();
-  add_word(command, "--machine FILE", flags->machine, "Machine file (TOML)")->required();
-  add_word(command, "--program FILE", flags->reading.program,
-           "Program that the setpoints run: path, corners, lines, end");
-  add_number(command, "--tolerance-mm MM", flags->tolerance_mm,
-             "Largest deviation from the program; without it, reported only");
-  add_number(command, "--period-ms MS", flags->period_ms,
-             "Period of files without a time column; default the machine's");
-  command.add_flag("--json", flags->json, "Print one JSON object");
+  Command command =
+      line.add("verify", "Prove that a setpoint file keeps a machine's limits", [flags] { return run_verify(*flags); });
+  command.argument("SETPOINTS", flags->setpoints, "Setpoint file: .csv, .npy, .npz or .halstream; - = standard input");
+  command.word("--machine FILE", flags->machine, "Machine file (TOML)", Need::required);
+  command.word("--program FILE", flags->reading.program, "Program that the setpoints run: path, corners, lines, end");
+  command.number("--tolerance-mm MM", flags->tolerance_mm,
+                 "Largest deviation from the program; without it, reported only");
+  command.number("--period-ms MS", flags->period_ms, "Period of files without a time column; default the machine's");
+  command.toggle("--json", flags->json, "Print one JSON object");
   flags->reading.add_options_to(command);
   command.footer(
       "Speed, acceleration and jerk come from differences of the positions, with bounds for their rounding: what "
@@ -89,7 +84,6 @@ void add_verify_command(CLI::App& app, Action& action) {
       "Examples:\n"
       "  toolpace verify part.csv --machine mill.toml\n"
       "  toolpace verify part.npy --machine mill.toml --program part.ngc --tolerance-mm 0.01 --json");
-  command.callback([flags, &action] { action = [flags] { return run_verify(*flags); }; });
 }
 
 }  // namespace toolpace::cli

@@ -1,0 +1,120 @@
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "usage_error.h"
+
+namespace toolpace::cli {
+namespace {
+
+constexpr int kFlagColumns = 34;  ///< width of the flags in --help
+
+template <class T>
+bool read_whole(const std::string& text, T& value) {
+  const bool has_plus = text.size() > 1 && text.front() == '+' && text[1] != '-';
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + (has_plus ? 1 : 0), end, value);
+  return error == std::errc() && stop == end;
+}
+
+/// "--name" and "UNIT" of "--name UNIT".
+std::pair<std::string, std::string> name_and_unit(const std::string& flag) {
+  const std::size_t blank = flag.find(' ');
+  return {flag.substr(0, blank), blank == std::string::npos ? "" : flag.substr(blank + 1)};
+}
+
+void put_below(CLI::Option* option, const std::string& title) {
+  if (!title.empty()) option->group(title);
+}
+
+}  // namespace
+
+void Flags::add(const std::string& flag, const std::string& text, const char* what, Need need, Take take) {
+  const auto [name, unit] = name_and_unit(flag);
+  const auto read = [name = name, what, take = std::move(take)](const std::string& word) {
+    if (take(word)) return;
+    throw CLI::ValidationError(
+        name, word.empty() ? "is empty; it takes " + std::string(what) : "'" + word + "' is not " + what);
+  };
+  CLI::Option* option = app_->add_option_function<std::string>(name, read, text)->type_name(unit);
+  put_below(option, title_);
+  if (need == Need::required) option->required();
+}
+
+void Flags::number(const std::string& flag, std::optional<double>& target, const std::string& text) {
+  add(flag, text, "a number", Need::optional, [&target](const std::string& word) {
+    double value = 0;
+    if (!read_whole(word, value)) return false;
+    target = value;
+    return true;
+  });
+}
+
+void Flags::number(const std::string& flag, double& target, const std::string& text, Need need) {
+  add(flag, text, "a number", need, [&target](const std::string& word) { return read_whole(word, target); });
+}
+
+void Flags::count(const std::string& flag, std::uint64_t& target, const std::string& text, Need need) {
+  add(flag, text, "a whole number of 0 or more", need,
+      [&target](const std::string& word) { return read_whole(word, target); });
+}
+
+void Flags::word(const std::string& flag, std::string& target, const std::string& text, Need need) {
+  add(flag, text, "a name", need, [&target](const std::string& word) {
+    target = word;
+    return !word.empty();
+  });
+}
+
+void Flags::words(const std::string& flag, std::vector<std::string>& target, const std::string& text) {
+  const auto [name, unit] = name_and_unit(flag);
+  put_below(app_->add_option(name, target, text)->type_name(unit)->allow_extra_args(false), title_);
+}
+
+void Flags::toggle(const std::string& flag, bool& target, const std::string& text) {
+  put_below(app_->add_flag(flag, target, text), title_);
+}
+
+void Command::argument(const std::string& name, std::string& target, const std::string& text) {
+  app_->add_option(name, target, text)->type_name("")->required();
+}
+
+void Command::footer(const std::string& text) { app_->footer(text); }
+
+CommandLine::CommandLine()
+    : app_(std::make_unique<CLI::App>("Plans the motion of CNC machines: NC programs in, proven setpoints out.",
+                                      "toolpace")) {
+  app_->set_version_flag("--version", "toolpace " TOOLPACE_VERSION, "Print the version and exit");
+  app_->set_help_flag("-h,--help", "Print this help and exit");
+  app_->get_formatter()->column_width(kFlagColumns);
+  app_->get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app_->get_formatter()->label("Subcommands", "Commands");
+  app_->get_formatter()->label("Positionals", "Arguments");
+  app_->require_subcommand(1);
+  app_->footer(
+      "toolpace COMMAND --help lists the flags of a command, with examples.\n"
+      "Exit codes: 0 fine; 1 a limit check failed; 2 bad usage; 3 bad input; 4 a file could not be read or written;\n"
+      "130 interrupted. Results go to standard output, everything else to standard error.");
+}
+
+CommandLine::~CommandLine() = default;
+
+Command CommandLine::add(const std::string& name, const std::string& summary, Action action) {
+  CLI::App* command = app_->add_subcommand(name, summary);
+  command->callback([this, action = std::move(action)] { chosen_ = action; });
+  return Command(*command);
+}
+
+Result<Action> CommandLine::parse(int argc, const char* const* argv) {
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0) return tl::unexpected(explain_usage(*app_, e));
+    app_->exit(e);  // help or version
+    return Action([] { return Done(kFine); });
+  }
+  return chosen_;
+}
+
+}  // namespace toolpace::cli

@@ -1,0 +1,94 @@
+#pragma once
+/// The grammar of the command line: commands, and the flags and arguments that each takes.
+///
+/// The parser behind it stays in command_line.cpp and usage_error.cpp: its header takes longer to compile than a command.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "failure.h"
+
+namespace CLI {
+class App;
+}
+
+namespace toolpace::cli {
+
+using Action = std::function<Done()>;
+
+enum class Need : bool { optional, required };
+
+/// Flags of one command that stand under one title in its --help. Values are read to the last letter, never wrapped
+/// round, cut short or empty. Each goes into `target`, which has to live as long as the command line; what that holds
+/// before is the default.
+///
+/// @param flag  with the unit that --help shows for its value behind a blank: "--vmax MM/S"
+/// @param text  what it is for, and its default
+class Flags {
+ public:
+  /// @param title  empty = where flags stand without a title of their own
+  explicit Flags(CLI::App& app, std::string title = {}) : app_(&app), title_(std::move(title)) {}
+
+  /// A number, such as 3000, 1e6 or inf.
+  void number(const std::string& flag, std::optional<double>& target, const std::string& text);
+  void number(const std::string& flag, double& target, const std::string& text, Need need = Need::optional);
+
+  /// A whole number from 0 on.
+  void count(const std::string& flag, std::uint64_t& target, const std::string& text, Need need = Need::optional);
+
+  /// A word or the name of a file. An empty one, as a script's unset variable leaves it, is refused.
+  void word(const std::string& flag, std::string& target, const std::string& text, Need need = Need::optional);
+
+  /// A word that may be given more than once.
+  void words(const std::string& flag, std::vector<std::string>& target, const std::string& text);
+
+  /// A flag without a value.
+  void toggle(const std::string& flag, bool& target, const std::string& text);
+
+ protected:
+  CLI::App* app_;
+
+ private:
+  using Take = std::function<bool(const std::string& text)>;
+  void add(const std::string& flag, const std::string& text, const char* what, Need need, Take take);
+
+  std::string title_;
+};
+
+/// What one command takes.
+class Command : public Flags {
+ public:
+  using Flags::Flags;
+
+  Flags titled(std::string title) const { return Flags(*app_, std::move(title)); }
+
+  /// The word without a flag, always needed.
+  void argument(const std::string& name, std::string& target, const std::string& text);
+
+  /// What --help says below the flags.
+  void footer(const std::string& text);
+};
+
+/// All commands, and the one that a person typed.
+class CommandLine {
+ public:
+  CommandLine();
+  ~CommandLine();
+
+  /// @param action  what the command does once its flags are read
+  Command add(const std::string& name, const std::string& summary, Action action);
+
+  /// The action of the command that was named. For --help and --version they are printed, and there is nothing left to
+  /// do. Errors: usage, with the nearest thing that would have been right.
+  Result<Action> parse(int argc, const char* const* argv);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+  Action chosen_;
+};
+
+}  // namespace toolpace::cli
