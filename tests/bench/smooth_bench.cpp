@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "places.h"
 #include "smooth_moves.h"
 #include "toolpace/limits/limit_speed.h"
 #include "toolpace/nc/reader.h"
@@ -88,7 +89,7 @@ BENCHMARK(blend_and_plan_blocks)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::
 
 /// Copies of a shared path, one behind the other.
 void blend_and_plan_shared(benchmark::State& state, const std::string& name) {
-  const auto reading = read_file(TOOLPACE_SHARED_DIR "/paths/" + name + ".csv");
+  const auto reading = read_file(test::shared_dir() / "paths" / (name + ".csv"));
   if (!reading) return state.SkipWithError("the shared paths are not here");
   Moves moves = reading->moves;
   const std::size_t blocks = moves.size();

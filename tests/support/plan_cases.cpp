@@ -8,6 +8,8 @@
 #include <random>
 #include <sstream>
 
+#include "places.h"
+
 namespace toolpace::test {
 namespace {
 
@@ -19,7 +21,7 @@ struct Polyline {
 };
 
 std::optional<Polyline> read_points(const std::string& name) {
-  std::ifstream in(std::string(TOOLPACE_SHARED_DIR) + "/" + name);
+  std::ifstream in(test::shared_dir() / name);
   std::string line;
   if (!std::getline(in, line)) return std::nullopt;
   Polyline p;

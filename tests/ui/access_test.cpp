@@ -18,6 +18,7 @@
 
 #include "opened.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -171,5 +172,5 @@ class AccessTest : public QObject {
   }
 };
 
-QTEST_MAIN(AccessTest)
+TOOLPACE_UI_TEST(AccessTest)
 #include "access_test.moc"

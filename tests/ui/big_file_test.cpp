@@ -14,6 +14,7 @@
 #include "panels/nc_view.h"
 #include "support/meter.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -122,5 +123,5 @@ class BigFileTest : public QObject {
   }
 };
 
-QTEST_MAIN(BigFileTest)
+TOOLPACE_UI_TEST(BigFileTest)
 #include "big_file_test.moc"

@@ -12,6 +12,7 @@
 #include "panels/nc_view.h"
 #include "panels/polar_plot.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -132,5 +133,5 @@ class CircleTest : public QObject {
   }
 };
 
-QTEST_MAIN(CircleTest)
+TOOLPACE_UI_TEST(CircleTest)
 #include "circle_test.moc"

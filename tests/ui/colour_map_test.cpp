@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "preview/cause_style.h"
+#include "support/ui_test.h"
 #include "theme/theme.h"
 
 using namespace toolpace;
@@ -75,5 +76,5 @@ class ColourMapTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ColourMapTest)
+TOOLPACE_UI_TEST(ColourMapTest)
 #include "colour_map_test.moc"

@@ -7,6 +7,7 @@
 #include "preview/scene_draw.h"
 #include "preview/scene_pick.h"
 #include "support/planned.h"
+#include "support/ui_test.h"
 #include "toolpace/path/path.h"
 #include "toolpace/pipeline/replan.h"
 
@@ -273,5 +274,5 @@ class ContourSceneTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ContourSceneTest)
+TOOLPACE_UI_TEST(ContourSceneTest)
 #include "contour_scene_test.moc"

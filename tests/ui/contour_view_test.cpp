@@ -10,6 +10,7 @@
 #include "support/events.h"
 #include "support/planned.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -262,5 +263,5 @@ class ContourViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(ContourViewTest)
+TOOLPACE_UI_TEST(ContourViewTest)
 #include "contour_view_test.moc"

@@ -13,6 +13,7 @@
 #include "preview/contour_view.h"
 #include "screenshot.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 #include "toolpace/machine/import_machine.h"
 
 using namespace toolpace;
@@ -303,5 +304,5 @@ class FilesTest : public QObject {
   }
 };
 
-QTEST_MAIN(FilesTest)
+TOOLPACE_UI_TEST(FilesTest)
 #include "files_test.moc"

@@ -17,6 +17,7 @@
 #include "support/find.h"
 #include "support/meter.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::studio;
@@ -219,5 +220,5 @@ class FramesTest : public QObject {
   }
 };
 
-QTEST_MAIN(FramesTest)
+TOOLPACE_UI_TEST(FramesTest)
 #include "frames_test.moc"

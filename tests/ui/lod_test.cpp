@@ -6,6 +6,7 @@
 #include <random>
 
 #include "preview/raster.h"
+#include "support/ui_test.h"
 
 using namespace toolpace::ui;
 
@@ -146,5 +147,5 @@ class LodTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(LodTest)
+TOOLPACE_UI_TEST(LodTest)
 #include "lod_test.moc"

@@ -5,7 +5,9 @@
 #include "models/timeline.h"
 #include "models/units.h"
 #include "panels/nc_syntax.h"
+#include "places.h"
 #include "support/planned.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -58,7 +60,7 @@ class ModelsTest : public QObject {
   }
 
   void every_text_has_a_chinese_translation() {
-    QFile file(TOOLPACE_SOURCE_DIR "/resources/translations/toolpace_zh_CN.ts");
+    QFile file(test::source_dir() / "resources/translations/toolpace_zh_CN.ts");
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray text = file.readAll();
     QVERIFY(text.count("<message") > 300);
@@ -119,5 +121,5 @@ class ModelsTest : public QObject {
   }
 };
 
-QTEST_MAIN(ModelsTest)
+TOOLPACE_UI_TEST(ModelsTest)
 #include "models_test.moc"

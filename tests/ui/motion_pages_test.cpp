@@ -8,9 +8,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "panels/move_plot.h"
+#include "panels/pulse_plot.h"
 #include "panels/single_move_page.h"
 #include "panels/stepper_page.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -186,5 +189,5 @@ class MotionPagesTest : public QObject {
   }
 };
 
-QTEST_MAIN(MotionPagesTest)
+TOOLPACE_UI_TEST(MotionPagesTest)
 #include "motion_pages_test.moc"

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "support/planned.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -185,5 +186,5 @@ class ProfileCurvesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ProfileCurvesTest)
+TOOLPACE_UI_TEST(ProfileCurvesTest)
 #include "profile_curves_test.moc"

@@ -15,6 +15,7 @@
 #include "support/events.h"
 #include "support/planned.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -295,5 +296,5 @@ class ProfileViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(ProfileViewTest)
+TOOLPACE_UI_TEST(ProfileViewTest)
 #include "profile_view_test.moc"

@@ -1,4 +1,5 @@
 #include "preview/projection.h"
+#include "support/ui_test.h"
 
 #include <QTest>
 #include <cmath>
@@ -52,5 +53,5 @@ class ProjectionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ProjectionTest)
+TOOLPACE_UI_TEST(ProjectionTest)
 #include "projection_test.moc"

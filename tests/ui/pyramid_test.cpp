@@ -4,6 +4,7 @@
 #include <random>
 
 #include "plots/cause_times.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -85,5 +86,5 @@ class PyramidTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PyramidTest)
+TOOLPACE_UI_TEST(PyramidTest)
 #include "pyramid_test.moc"

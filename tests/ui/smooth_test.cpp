@@ -11,6 +11,7 @@
 #include "preview/tube_trace.h"
 #include "support/planned.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -218,5 +219,5 @@ class SmoothTest : public QObject {
   }
 };
 
-QTEST_MAIN(SmoothTest)
+TOOLPACE_UI_TEST(SmoothTest)
 #include "smooth_test.moc"

@@ -15,6 +15,7 @@
 
 #include "opened.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -197,5 +198,5 @@ class TextTest : public QObject {
   }
 };
 
-QTEST_MAIN(TextTest)
+TOOLPACE_UI_TEST(TextTest)
 #include "text_test.moc"

@@ -10,10 +10,12 @@
 
 #include "models/diagnostic_codes.h"
 #include "models/remedy_text.h"
+#include "places.h"
+#include "support/ui_test.h"
 
 namespace {
 
-const QString kSource = TOOLPACE_SOURCE_DIR;
+const QString kSource = QString::fromStdString(toolpace::test::source_dir().string());
 const QString kMessages = kSource + "/resources/translations/toolpace_zh_CN.ts";
 
 QString text_of(const QString& path) {
@@ -138,5 +140,5 @@ class TranslationTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TranslationTest)
+TOOLPACE_UI_TEST(TranslationTest)
 #include "translation_test.moc"

@@ -8,6 +8,7 @@
 #include "screenshot.h"
 #include "support/find.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::studio;
@@ -152,5 +153,5 @@ class TuningTest : public QObject {
   }
 };
 
-QTEST_MAIN(TuningTest)
+TOOLPACE_UI_TEST(TuningTest)
 #include "tuning_test.moc"

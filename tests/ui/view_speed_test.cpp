@@ -9,6 +9,7 @@
 #include "preview/contour_view.h"
 #include "support/events.h"
 #include "support/planned.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -138,5 +139,5 @@ class ViewSpeedTest : public QObject {
   }
 };
 
-QTEST_MAIN(ViewSpeedTest)
+TOOLPACE_UI_TEST(ViewSpeedTest)
 #include "view_speed_test.moc"

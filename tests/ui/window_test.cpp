@@ -17,6 +17,7 @@
 #include "screenshot.h"
 #include "support/find.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::studio;
@@ -221,5 +222,5 @@ class WindowTest : public QObject {
   }
 };
 
-QTEST_MAIN(WindowTest)
+TOOLPACE_UI_TEST(WindowTest)
 #include "window_test.moc"

@@ -14,6 +14,7 @@
 #include "plots/profile_plot.h"
 #include "plots/profile_view.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -170,5 +171,5 @@ class WorkbenchTest : public QObject {
   }
 };
 
-QTEST_MAIN(WorkbenchTest)
+TOOLPACE_UI_TEST(WorkbenchTest)
 #include "workbench_test.moc"

@@ -11,6 +11,7 @@
 #include "models/problem_model.h"
 #include "models/remedy_text.h"
 #include "models/units.h"
+#include "panels/move_plot.h"
 
 namespace toolpace::ui {
 namespace {

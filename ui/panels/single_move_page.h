@@ -11,11 +11,12 @@
 #include "models/move_preview.h"
 #include "panels/figure_list.h"
 #include "panels/form_grid.h"
-#include "panels/move_plot.h"
 #include "panels/number_field.h"
 #include "theme/theme.h"
 
 namespace toolpace::ui {
+
+class MovePlot;
 
 class SingleMovePage : public QWidget {
   Q_OBJECT

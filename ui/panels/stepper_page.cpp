@@ -11,6 +11,7 @@
 #include "models/pulse_preview.h"
 #include "models/remedy_text.h"
 #include "models/units.h"
+#include "panels/pulse_plot.h"
 #include "toolpace/io/pulse_writer.h"
 
 namespace toolpace::ui {
@@ -54,6 +55,8 @@ StepperPage::Entry StepperPage::makeEntry(Field field, const char* name, const D
   entry->setMinimumWidth(kFieldWidth);
   return made;
 }
+
+void StepperPage::setTheme(const Theme& theme) { plot_->setTheme(theme); }
 
 void StepperPage::buildForm(QVBoxLayout* column) {
   grid_ = new FormGrid(this);

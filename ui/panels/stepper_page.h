@@ -12,11 +12,12 @@
 #include "panels/figure_list.h"
 #include "panels/form_grid.h"
 #include "panels/number_field.h"
-#include "panels/pulse_plot.h"
 #include "theme/theme.h"
 #include "toolpace/sample/pulse_table.h"
 
 namespace toolpace::ui {
+
+class PulsePlot;
 
 class StepperPage : public QWidget {
   Q_OBJECT
@@ -28,7 +29,7 @@ class StepperPage : public QWidget {
   const StepperMove& move() const { return move_; }
   /// The table on display; nothing while the form asks for one that cannot be made.
   const std::optional<PulseTable>& table() const { return table_; }
-  void setTheme(const Theme& theme) { plot_->setTheme(theme); }
+  void setTheme(const Theme& theme);
 
   /// Writes the table: .h as a C header, anything else as CSV. exported() follows.
   void exportTo(const QString& file);

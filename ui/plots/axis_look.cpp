@@ -1,5 +1,7 @@
 #include "plots/axis_look.h"
 
+#include <qcustomplot.h>
+
 namespace toolpace::ui {
 namespace {
 

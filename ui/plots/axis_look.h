@@ -1,9 +1,11 @@
 #pragma once
 /// How the axes of the small plots look.
 
-#include <qcustomplot.h>
+#include <QFont>
 
 #include "theme/theme.h"
+
+class QCPAxis;
 
 namespace toolpace::ui {
 

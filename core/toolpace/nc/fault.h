@@ -11,7 +11,7 @@
 namespace toolpace::nc {
 
 struct Fault {
-  const char* code;  ///< stable key
+  const char* code = "";  ///< stable key
   std::string message;
   std::string remedy;
   std::size_t column = 0;  ///< from 1; 0 = the block as a whole
@@ -23,17 +23,22 @@ class FaultSink {
  public:
   /// Records an error. Returns false, so that a reading function can end with `return faults.fail(…)`.
   bool fail(const char* code, std::string message, std::string remedy = {}, std::size_t column = 0) {
-    faults_.push_back({code, std::move(message), std::move(remedy), column, Severity::error});
+    add(code, message, remedy, column, Severity::error);
     return false;
   }
   void warn(const char* code, std::string message, std::string remedy = {}, std::size_t column = 0) {
-    faults_.push_back({code, std::move(message), std::move(remedy), column, Severity::warning});
+    add(code, message, remedy, column, Severity::warning);
   }
   bool empty() const { return faults_.empty(); }
   std::vector<Fault>& list() { return faults_; }
   void clear() { faults_.clear(); }
 
  private:
+  void add(const char* code, std::string& message, std::string& remedy, std::size_t column, Severity severity) {
+    Fault& fault = faults_.emplace_back();
+    fault = {code, std::move(message), std::move(remedy), column, severity};
+  }
+
   std::vector<Fault> faults_;
 };
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "places.h"
 #include "toolpace/machine/setup.h"
 
 namespace toolpace::ui {
@@ -99,7 +100,7 @@ std::shared_ptr<const Outcome> planned(const Program& program, const PlanOptions
 }
 
 std::shared_ptr<const Outcome> planned_butterfly(const PlanOptions& options) {
-  return planned(read_simple(std::string(TOOLPACE_SOURCE_DIR) + "/examples/nc/butterfly.ngc"), options);
+  return planned(read_simple((test::source_dir() / "examples/nc/butterfly.ngc").string()), options);
 }
 
 Program winding(std::size_t blocks) {

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QSet>
 
+#include "places.h"
 #include "theme/appearance.h"
 
 namespace toolpace::ui {
@@ -11,8 +12,9 @@ namespace toolpace::ui {
 QImage screenshot(QWidget& widget, const QString& name) {
   QApplication::processEvents();
   const QImage image = widget.grab().toImage();
-  QDir().mkpath(TOOLPACE_SCREENSHOTS);
-  image.save(QString(TOOLPACE_SCREENSHOTS) + "/" + name + ".png");
+  const QDir folder(QString::fromStdString((test::source_dir() / "build/screenshots").string()));
+  folder.mkpath(".");
+  image.save(folder.filePath(name + ".png"));
   return image;
 }
 

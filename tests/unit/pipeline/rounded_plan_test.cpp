@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "frechet.h"
+#include "places.h"
 #include "planned_program.h"
 
 namespace toolpace {
@@ -159,7 +160,7 @@ TEST(RoundedPlan, ReachesTheFiguresOnTheSharedPaths) {
                         Case{"paths/smooth.csv", 5000, 100, 2000, 50000, 0.01, 44},
                         Case{"paths/random.csv", 5000, 100, 2000, 50000, 0.01, 222},
                         Case{"curves/butterfly588.csv", 588, 50, 294.2, 30000, 0.005, 5.45}}) {
-    std::ifstream in(std::string(TOOLPACE_SHARED_DIR "/") + c.file);
+    std::ifstream in(test::shared_dir() / c.file);
     if (!in) GTEST_SKIP() << "no shared folder";
     SCOPED_TRACE(c.file);
     std::string line;

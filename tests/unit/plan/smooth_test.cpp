@@ -6,6 +6,7 @@
 #include <random>
 
 #include "frechet.h"
+#include "places.h"
 #include "toolpace/plan/smooth/plan_tube.h"
 
 namespace toolpace {
@@ -255,7 +256,7 @@ TEST(PlanTube, ReachesTheFiguresOnTheSharedPaths) {
                         Case{"paths/smooth.csv", 5000, 100, 2000, 50000, 0.01, 20.5},
                         Case{"paths/random.csv", 500, 100, 2000, 50000, 0.01, 16},
                         Case{"curves/butterfly588.csv", 588, TubeLimits::kNone, 294.2, 30000, 0.005, 5.3}}) {
-    std::ifstream in(std::string(TOOLPACE_SHARED_DIR "/") + c.file);
+    std::ifstream in(test::shared_dir() / c.file);
     if (!in) GTEST_SKIP() << "no shared folder";
     std::string line;
     std::getline(in, line);

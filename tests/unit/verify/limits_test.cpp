@@ -30,9 +30,9 @@ void write_csv(const std::filesystem::path& file, const std::vector<double>& x, 
   for (std::size_t k = 0; k < x.size(); ++k) out << static_cast<double>(k) * period << ',' << x[k] << '\n';
 }
 
-class EveryLaw : public ::testing::TestWithParam<LawKind> {};
+class EveryLawVerified : public ::testing::TestWithParam<LawKind> {};
 
-TEST_P(EveryLaw, PassesItsOwnPlans) {
+TEST_P(EveryLawVerified, PassesItsOwnPlans) {
   const TemporaryDirectory dir;
   const Program program = bracket();
   for (const CornerRule rule : {CornerRule::stop, CornerRule::servo, CornerRule::junction}) {
@@ -54,7 +54,7 @@ TEST_P(EveryLaw, PassesItsOwnPlans) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw,
+INSTANTIATE_TEST_SUITE_P(Laws, EveryLawVerified,
                          ::testing::Values(LawKind::trapezoid, LawKind::five_phase_time, LawKind::five_phase_jerk,
                                            LawKind::seven_phase, LawKind::quintic));
 
