@@ -10,6 +10,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/toolpaceConfig.cmake.i
                               INSTALL_DESTINATION ${TOOLPACE_CMAKE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/toolpaceConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/toolpaceConfig.cmake ${PROJECT_BINARY_DIR}/toolpaceConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/FindLibZip.cmake
         DESTINATION ${TOOLPACE_CMAKE_DIR} COMPONENT development)
 
 install(TARGETS toolpace_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)

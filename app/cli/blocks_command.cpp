@@ -5,6 +5,7 @@
 #include "json.h"
 
 #include "commands.h"
+#include "interrupt.h"
 #include "reading_flags.h"
 #include "report.h"
 #include "toolpace/io/block_writer.h"
@@ -42,14 +43,10 @@ Json blocks_json(const BlocksFlags& flags, const Reading& reading) {
 
 Done run_blocks(const BlocksFlags& flags) {
   const std::string target = flags.csv.empty() && !flags.json ? "-" : flags.csv;
-  if (flags.json && target == "-") {
-    return tl::unexpected(
-        usage_error("two-outputs", "--json and --csv - both want standard output", "write the table to a file"));
-  }
   const auto reading = flags.reading.read();
   if (!reading) return tl::unexpected(reading.error());
   if (!target.empty()) {
-    if (const auto written = write_blocks(target, *reading); !written) return tl::unexpected(written.error());
+    if (const auto written = write_blocks(target, *reading, terminal_monitor("writing")); !written) return tl::unexpected(written.error());
   }
   if (flags.json) print_json(blocks_json(flags, *reading));
   return reading->refused ? kBadInput : kFine;
@@ -61,8 +58,8 @@ void add_blocks_command(CommandLine& line) {
   auto flags = std::make_shared<BlocksFlags>();
   Command command = line.add("blocks", "Write what was understood of a program, one motion block a row",
                              [flags] { return run_blocks(*flags); });
-  command.word("--csv FILE", flags->csv, "Table to write; - = standard output, also without --csv and --json");
-  command.toggle("--json", flags->json, "Print one JSON object: counts and diagnostics");
+  command.output("--csv FILE", flags->csv, "Table to write; - = standard output, also without --csv and --json");
+  command.json(flags->json, "Print one JSON object: counts and diagnostics");
   flags->reading.add_to(command);
   command.footer(
       "Rows in machine coordinates, lengths in mm, angles in deg, feeds in mm/min. A program with errors is written up "

@@ -67,6 +67,18 @@ void Flags::word(const std::string& flag, std::string& target, const std::string
   });
 }
 
+void Flags::input(const std::string& flag, std::string& target, const std::string& what, const std::string& text,
+                  Need need) {
+  files_->reads(what, target);
+  word(flag, target, text, need);
+}
+
+void Flags::output(const std::string& flag, std::string& target, const std::string& text) {
+  const std::string name = name_and_unit(flag).first;
+  files_->writes(name.substr(name.find("--")), target);
+  word(flag, target, text);
+}
+
 void Flags::words(const std::string& flag, std::vector<std::string>& target, const std::string& text) {
   const auto [name, unit] = name_and_unit(flag);
   put_below(app_->add_option(name, target, text)->type_name(unit)->allow_extra_args(false), title_);
@@ -76,8 +88,15 @@ void Flags::toggle(const std::string& flag, bool& target, const std::string& tex
   put_below(app_->add_flag(flag, target, text), title_);
 }
 
-void Command::argument(const std::string& name, std::string& target, const std::string& text) {
+void Command::argument(const std::string& name, std::string& target, const std::string& what,
+                       const std::string& text) {
+  files_->reads(what, target);
   app_->add_option(name, target, text)->type_name("")->required();
+}
+
+void Command::json(bool& target, const std::string& text) {
+  files_->prints_json(target);
+  toggle("--json", target, text);
 }
 
 void Command::footer(const std::string& text) { app_->footer(text); }
@@ -102,8 +121,9 @@ CommandLine::~CommandLine() = default;
 
 Command CommandLine::add(const std::string& name, const std::string& summary, Action action) {
   CLI::App* command = app_->add_subcommand(name, summary);
-  command->callback([this, action = std::move(action)] { chosen_ = action; });
-  return Command(*command);
+  Entry& entry = *entries_.emplace_back(std::make_unique<Entry>(Entry{std::move(action), {}}));
+  command->callback([this, &entry] { chosen_ = &entry; });
+  return Command(*command, entry.files);
 }
 
 Result<Action> CommandLine::parse(int argc, const char* const* argv) {
@@ -114,7 +134,8 @@ Result<Action> CommandLine::parse(int argc, const char* const* argv) {
     app_->exit(e);  // help or version
     return Action([] { return Done(kFine); });
   }
-  return chosen_;
+  if (auto apart = chosen_->files.check(); !apart) return tl::unexpected(std::move(apart.error()));
+  return chosen_->action;
 }
 
 }  // namespace toolpace::cli

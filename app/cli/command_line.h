@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "failure.h"
+#include "file_use.h"
 
 namespace CLI {
 class App;
@@ -31,7 +32,8 @@ enum class Need : bool { optional, required };
 class Flags {
  public:
   /// @param title  empty = where flags stand without a title of their own
-  explicit Flags(CLI::App& app, std::string title = {}) : app_(&app), title_(std::move(title)) {}
+  explicit Flags(CLI::App& app, FileUse& files, std::string title = {})
+      : app_(&app), files_(&files), title_(std::move(title)) {}
 
   /// A number, such as 3000, 1e6 or inf.
   void number(const std::string& flag, std::optional<double>& target, const std::string& text);
@@ -40,8 +42,15 @@ class Flags {
   /// A whole number from 0 on.
   void count(const std::string& flag, std::uint64_t& target, const std::string& text, Need need = Need::optional);
 
-  /// A word or the name of a file. An empty one, as a script's unset variable leaves it, is refused.
+  /// A word. An empty one, as a script's unset variable leaves it, is refused.
   void word(const std::string& flag, std::string& target, const std::string& text, Need need = Need::optional);
+
+  /// The name of a file that is read; "-" = standard input.
+  /// @param what  the file as messages name it: "the machine file"
+  void input(const std::string& flag, std::string& target, const std::string& what, const std::string& text,
+             Need need = Need::optional);
+  /// The name of a file that is written; "-" = standard output. It is none of those that the command reads.
+  void output(const std::string& flag, std::string& target, const std::string& text);
 
   /// A word that may be given more than once.
   void words(const std::string& flag, std::vector<std::string>& target, const std::string& text);
@@ -51,6 +60,7 @@ class Flags {
 
  protected:
   CLI::App* app_;
+  FileUse* files_;
 
  private:
   using Take = std::function<bool(const std::string& text)>;
@@ -64,10 +74,17 @@ class Command : public Flags {
  public:
   using Flags::Flags;
 
-  Flags titled(std::string title) const { return Flags(*app_, std::move(title)); }
+  Flags titled(std::string title) const { return Flags(*app_, *files_, std::move(title)); }
 
-  /// The word without a flag, always needed.
-  void argument(const std::string& name, std::string& target, const std::string& text);
+  /// The name of a file that is read, without a flag, always needed.
+  /// @param what  the file as messages name it: "the program"
+  void argument(const std::string& name, std::string& target, const std::string& what, const std::string& text);
+
+  /// --json: standard output is one JSON object.
+  void json(bool& target, const std::string& text);
+
+  /// The files of all its flags, for as long as the command line lives.
+  const FileUse& files() const { return *files_; }
 
   /// What --help says below the flags.
   void footer(const std::string& text);
@@ -83,12 +100,17 @@ class CommandLine {
   Command add(const std::string& name, const std::string& summary, Action action);
 
   /// The action of the command that was named. For --help and --version they are printed, and there is nothing left to
-  /// do. Errors: usage, with the nearest thing that would have been right.
+  /// do. Errors: usage: with the nearest thing that would have been right; outputs that are inputs (FileUse).
   Result<Action> parse(int argc, const char* const* argv);
 
  private:
+  struct Entry {
+    Action action;
+    FileUse files;
+  };
   std::unique_ptr<CLI::App> app_;
-  Action chosen_;
+  std::vector<std::unique_ptr<Entry>> entries_;
+  const Entry* chosen_ = nullptr;
 };
 
 }  // namespace toolpace::cli

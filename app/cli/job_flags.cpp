@@ -3,6 +3,7 @@
 #include <charconv>
 #include <utility>
 
+#include "interrupt.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/machine/setup_keys.h"
@@ -89,7 +90,8 @@ void set_path_limits(const JobFlags& f, PathLimits& path) {
 
 void JobFlags::add_to(Command& command) {
   Flags limits = command.titled("Machine and limits along the path (they override the machine file's)");
-  limits.word("--machine FILE", machine, "Machine file (TOML); without one 100 mm/s, 3000 mm/s², 1e6 mm/s³, 1 ms");
+  limits.input("--machine FILE", machine, "the machine file",
+               "Machine file (TOML); without one 100 mm/s, 3000 mm/s², 1e6 mm/s³, 1 ms");
   limits.number("--vmax MM/S", vmax, "Top speed");
   limits.number("--am MM/S2", am, "Acceleration");
   limits.number("--dm MM/S2", dm, "Deceleration; default am");
@@ -117,7 +119,8 @@ void JobFlags::add_to(Command& command) {
 }
 
 Result<Setup> JobFlags::setup() const {
-  auto setup = machine.empty() ? Result<Setup>(default_setup()) : read_setup(machine);
+  auto setup = machine.empty() ? Result<Setup>(default_setup()) : read_setup(machine, terminal_monitor("reading"));
+  end_progress();
   if (!setup) return setup;
   PlanOptions& options = setup->options;
   if (!law.empty()) {

@@ -1,22 +1,34 @@
 /// toolpace: plans the motion of NC programs from the command line.
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
-#include <exception>
-#include <new>
 #include <string_view>
+#include <system_error>
 
 #include "commands.h"
 #include "interrupt.h"
 #include "report.h"
+#include "toolpace/base/exception_error.h"
 
 namespace {
 
 using namespace toolpace;
 using namespace toolpace::cli;
 
+/// A descriptor that the shell closed must not become a file's, into which messages would go. What is opened here can be
+/// neither read (standard input) nor written (the others), as is true of what is closed.
+void occupy_standard_descriptors() {
+  for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(standard, F_GETFD) < 0) open("/dev/null", standard == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
 /// What was printed may still wait in the buffer: a full disk or a closed pipe shows only here.
 Done flush_output(Done done) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return done;
+  if (is_interrupted()) return tl::unexpected(cancelled_error());
   return tl::unexpected(Error{ErrorKind::io,
                               "stdout-unwritable",
                               "standard output cannot be written",
@@ -29,16 +41,11 @@ Done run_command(CommandLine& line, int argc, char** argv) {
   try {
     const auto action = line.parse(argc, argv);
     return action ? flush_output((*action)()) : tl::unexpected<Failure>(action.error());
-  } catch (const std::bad_alloc&) {
-    return tl::unexpected(Error{ErrorKind::input,
-                                "out-of-memory",
-                                "there is not enough memory for this",
-                                "split the program, or give more memory",
-                                {},
-                                {}});
-  } catch (const std::exception& e) {
-    return tl::unexpected(
-        Error{ErrorKind::input, "internal", std::string("internal error: ") + e.what(), "please report it", {}, {}});
+  } catch (const std::system_error&) {  // of fmt::print
+    if (std::ferror(stdout) != 0) return flush_output(kFine);
+    return tl::unexpected(caught_error());
+  } catch (...) {
+    return tl::unexpected(caught_error());
   }
 }
 
@@ -53,6 +60,7 @@ bool wants_json(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  occupy_standard_descriptors();
   CommandLine line;
   add_plan_command(line);
   add_blocks_command(line);

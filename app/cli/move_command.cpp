@@ -41,7 +41,7 @@ std::optional<Error> find_missing(const LawRow& law, const MoveFlags& flags) {
 
 /// Limits that were given although the law does not look at them are worth a word: the move may break them.
 void mention_unused(const LawRow& law, const MoveFlags& flags) {
-  const auto mention = [&](const char* names) { fmt::print(stderr, "note: {} does not use {}\n", law.id, names); };
+  const auto mention = [&](const char* names) { tell(fmt::format("note: {} does not use {}\n", law.id, names)); };
   if (law.uses_time && (flags.am || flags.dm || flags.jm || flags.jd)) mention("--am, --dm, --jm, --jd");
   if (!law.uses_time && (flags.tacc || flags.tdec)) mention("--tacc, --tdec");
   if (!law.bounds_jerk && (flags.jm || flags.jd)) mention("--jm, --jd");
@@ -138,7 +138,7 @@ void add_move_command(CommandLine& line) {
   command.number("--dm D", flags->dm, "Deceleration limit; default am");
   command.number("--jm J", flags->jm, "Jerk limit");
   command.number("--jd JD", flags->jd, "Jerk limit while slowing down; default jm");
-  command.toggle("--json", flags->json, "Print one JSON object");
+  command.json(flags->json, "Print one JSON object");
   command.footer(
       "Any units that fit together do: mm and s, pulse and cycle. An end speed that the length does not allow is an "
       "error\n"

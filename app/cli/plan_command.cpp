@@ -16,6 +16,7 @@
 #include "reading_flags.h"
 #include "report.h"
 #include "servo_json.h"
+#include "toolpace/base/descriptor.h"
 #include "toolpace/io/program_pulse_writer.h"
 #include "toolpace/io/setpoint_writer.h"
 #include "toolpace/law/law_table.h"
@@ -54,7 +55,7 @@ Result<Target> open_target(const PlanFlags& flags) {
   Target target;
   if (flags.setpoints.empty()) return target;
   if (is_pulse_file(flags.setpoints)) {
-    auto pulses = ProgramPulseWriter::create(flags.setpoints);
+    auto pulses = ProgramPulseWriter::create(flags.setpoints, terminal_monitor("writing"));
     if (!pulses) return tl::unexpected(pulses.error());
     target.pulses.emplace(std::move(*pulses));
     return target;
@@ -63,7 +64,7 @@ Result<Target> open_target(const PlanFlags& flags) {
   options.axis_derivatives = flags.axis_derivatives;
   options.decimal_comma = flags.decimal_comma;
   options.program_name = flags.reading.program;
-  auto setpoints = open_setpoint_writer(flags.setpoints, options);
+  auto setpoints = open_setpoint_writer(flags.setpoints, options, terminal_monitor("writing"));
   if (!setpoints) return tl::unexpected(setpoints.error());
   target.setpoints = std::move(*setpoints);
   return target;
@@ -102,8 +103,9 @@ Result<void> write_pulses(const Outcome& outcome, double timer_hz, ProgramPulseW
 /// Proves the file that was written; what cannot be read back (no file, a pipe, pulses) is proven before it is written.
 Result<VerifyReport> prove_plan(const Outcome& outcome, const PlanFlags& flags) {
   std::error_code ignored;
-  const bool is_setpoint_file =
-      !is_pulse_file(flags.setpoints) && std::filesystem::is_regular_file(flags.setpoints, ignored);
+  const bool is_setpoint_file = !is_pulse_file(flags.setpoints) && flags.setpoints != "-" &&
+                                !named_descriptor(flags.setpoints) &&
+                                std::filesystem::is_regular_file(flags.setpoints, ignored);
   auto proof = is_setpoint_file ? prove(flags.setpoints, outcome, terminal_monitor("verifying"))
                                 : prove(outcome, terminal_monitor("verifying"));
   end_progress();
@@ -173,11 +175,7 @@ Json plan_json(const Outcome& outcome, const SetpointPass& pass, const std::opti
 
 Done run_plan(const PlanFlags& flags) {
   const auto begin = std::chrono::steady_clock::now();
-  const bool to_stdout = flags.setpoints == "-";
-  if (flags.json && to_stdout) {
-    return tl::unexpected(usage_error("two-outputs", "--json and --setpoints - both want standard output",
-                                      "write the setpoints to a file"));
-  }
+  const bool to_stdout = is_standard_output(flags.setpoints);
   const auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
   auto target = open_target(flags);
@@ -222,12 +220,12 @@ void add_plan_command(CommandLine& line) {
   auto flags = std::make_shared<PlanFlags>();
   Command command =
       line.add("plan", "Plan a program: cycle time, peaks, setpoints", [flags] { return run_plan(*flags); });
-  command.word("--setpoints FILE", flags->setpoints,
+  command.output("--setpoints FILE", flags->setpoints,
                "Write setpoints: .csv (also without extension), .npy, .npz, .halstream,\n"
                ".semicolon.csv, or step pulses: .pulses.csv; - = csv to standard output");
   command.toggle("--verify", flags->verify, "Read the setpoints back and prove that they keep every limit");
   command.toggle("--bound", flags->bound, "Compute a lower bound of the cycle time");
-  command.toggle("--json", flags->json, "Print one JSON object");
+  command.json(flags->json, "Print one JSON object");
   command.toggle("--axis-derivatives", flags->axis_derivatives, "Add speed, acceleration and jerk of each axis");
   command.toggle("--decimal-comma", flags->decimal_comma, "Decimal commas in .semicolon.csv");
   command.number("--timer-hz HZ", flags->timer_hz, "Clock of the pulse timer, for .pulses.csv");

@@ -17,18 +17,19 @@ const std::map<std::string, Dialect> kDialects = {
 }  // namespace
 
 void ReadingFlags::add_to(Command& command) {
-  command.argument("PROGRAM", program,
+  command.argument("PROGRAM", program, "the program",
                    "NC program (.ngc, .nc, .tap, .gcode …) or polyline (.csv); - = either on standard input");
   add_options_to(command);
 }
 
 void ReadingFlags::add_options_to(Command& command) {
+  files_ = &command.files();
   Flags flags = command.titled("Reading the program");
   flags.word("--dialect NAME", dialect, "auto (default), linuxcnc, fanuc or grbl");
   flags.toggle("--strict", strict, "Treat every warning as an error");
   flags.toggle("--block-delete", block_delete, "Skip lines that start with '/'");
-  flags.word("--tools FILE", tools, "Tool table, as LinuxCNC writes it");
-  flags.word("--parameters FILE", parameters, "Numbered parameters, as LinuxCNC writes them");
+  flags.input("--tools FILE", tools, "the tool table", "Tool table, as LinuxCNC writes it");
+  flags.input("--parameters FILE", parameters, "the parameter file", "Numbered parameters, as LinuxCNC writes them");
   flags.words("--sub-path DIR", sub_paths, "Folder with sub-programs; may be given more than once");
   const auto add_bound = [&](const char* flag, std::uint64_t& target, const std::string& what) {
     flags.count(flag, target, what + "; default " + std::to_string(target));
@@ -65,6 +66,10 @@ tl::expected<Reading, Failure> ReadingFlags::read() const {
   auto reading = read_file(program, options(), terminal_monitor("reading"));
   end_progress();
   if (!reading) return tl::unexpected<Failure>(std::move(reading.error()));
+  const auto& texts = reading->moves.files;
+  if (auto apart = files_->check({texts.begin() + 1, texts.end()}); !apart) {
+    return tl::unexpected<Failure>(std::move(apart.error()));
+  }
   report(reading->diagnostics);
   return std::move(*reading);
 }

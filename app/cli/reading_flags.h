@@ -25,11 +25,15 @@ struct ReadingFlags {
 
   ReadOptions options() const;
 
-  /// Reads the program and prints its diagnostics to stderr.
+  /// Reads the program and prints its diagnostics to stderr. A sub-program that it called and that the command would
+  /// write over is a Failure.
   tl::expected<Reading, Failure> read() const;
 
   /// The same, for commands that make nothing of a program with errors: it is a Failure.
   tl::expected<Reading, Failure> read_accepted() const;
+
+ private:
+  const FileUse* files_ = nullptr;
 };
 
 }  // namespace toolpace::cli

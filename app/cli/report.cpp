@@ -25,6 +25,8 @@ const char* word(Severity severity) {
 
 }  // namespace
 
+void tell(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
 ExitCode exit_code(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::usage: return kBadUsage;
@@ -37,15 +39,15 @@ ExitCode exit_code(ErrorKind kind) {
 }
 
 ExitCode report(const Error& error) {
-  fmt::print(stderr, "{}error: {} [{}]\n", place(error.where), error.message, error.code);
-  if (!error.remedy.empty()) fmt::print(stderr, "  {}\n", error.remedy);
+  tell(fmt::format("{}error: {} [{}]\n", place(error.where), error.message, error.code));
+  if (!error.remedy.empty()) tell(fmt::format("  {}\n", error.remedy));
   return exit_code(error.kind);
 }
 
 void report(const Diagnostic& d) {
-  fmt::print(stderr, "{}{}: {} [{}]\n", place(d.where), word(d.severity), d.message, d.code);
-  if (!d.excerpt.empty()) fmt::print(stderr, "  {}\n", d.excerpt);
-  if (!d.remedy.empty()) fmt::print(stderr, "  {}\n", d.remedy);
+  tell(fmt::format("{}{}: {} [{}]\n", place(d.where), word(d.severity), d.message, d.code));
+  if (!d.excerpt.empty()) tell(fmt::format("  {}\n", d.excerpt));
+  if (!d.remedy.empty()) tell(fmt::format("  {}\n", d.remedy));
 }
 
 void report(const Diagnostics& diagnostics) {
@@ -81,6 +83,10 @@ Json to_json(const Diagnostics& diagnostics) {
   return list;
 }
 
-void print_json(const Json& json) { fmt::print("{}\n", json.text()); }
+void print_json(const Json& json) {
+  // Not by fmt::print, which throws: main tells what goes wrong with standard output.
+  const std::string text = json.text() + '\n';
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
 
 }  // namespace toolpace::cli

@@ -6,6 +6,7 @@
 #include "interrupt.h"
 #include "job_flags.h"
 #include "planned_program.h"
+#include "toolpace/base/descriptor.h"
 #include "toolpace/io/output_file.h"
 #include "toolpace/pipeline/report_page.h"
 
@@ -21,7 +22,8 @@ struct ReportFlags {
 Done run_report(const ReportFlags& flags) {
   const auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
-  auto file = OutputFile::create(flags.output);  // what cannot be written is known at once
+  // What cannot be written is known at once.
+  auto file = OutputFile::create(flags.output, OutputFile::Access::forward, terminal_monitor("writing"));
   if (!file) return tl::unexpected(file.error());
   const auto outcome = plan_program(flags.reading, *setup);
   if (!outcome) return tl::unexpected(outcome.error());
@@ -30,8 +32,9 @@ Done run_report(const ReportFlags& flags) {
   if (!page) return tl::unexpected(page.error());
   if (auto written = file->write(*page); !written) return tl::unexpected(written.error());
   if (auto done = file->commit(); !done) return tl::unexpected(done.error());
-  if (flags.output != "-")
+  if (!is_standard_output(flags.output)) {
     fmt::print("{}: {:.4f} s -> {}\n", flags.reading.program, outcome->summary.cycle_time, flags.output);
+  }
   return kFine;
 }
 
@@ -41,7 +44,7 @@ void add_report_command(CommandLine& line) {
   auto flags = std::make_shared<ReportFlags>();
   Command command = line.add("report", "Write a page (HTML) about a program: times, plots, limits, proof",
                              [flags] { return run_report(*flags); });
-  command.word("-o,--output FILE", flags->output, "The page; default report.html, - = standard output");
+  command.output("-o,--output FILE", flags->output, "The page; default report.html, - = standard output");
   flags->job.add_to(command);
   flags->reading.add_to(command);
   command.footer(

@@ -11,6 +11,8 @@
 #include "planned_program.h"
 #include "report.h"
 #include "servo_json.h"
+#include "toolpace/base/descriptor.h"
+#include "toolpace/base/file_name.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/io/output_file.h"
 #include "toolpace/io/setpoint_table.h"
@@ -32,7 +34,7 @@ struct SimulateFlags {
 class TraceFile {
  public:
   static Result<TraceFile> create(const std::string& name) {
-    auto file = OutputFile::create(name);
+    auto file = OutputFile::create(name, OutputFile::Access::forward, terminal_monitor("writing"));
     if (!file) return tl::unexpected(file.error());
     return TraceFile(std::move(*file));
   }
@@ -79,7 +81,7 @@ class TraceFile {
 /// Opened before anything is planned: what cannot be written is known at once. Nothing without a name.
 Result<std::optional<TraceFile>> open_trace(const std::string& name) {
   if (name.empty()) return std::nullopt;
-  const auto extension = std::filesystem::path(name).extension();
+  const std::string extension = extension_of(name);
   if (!extension.empty() && extension != ".csv") {
     return tl::unexpected(usage_error("trace-format", "a trace is written as .csv", "give it this ending"));
   }
@@ -110,10 +112,6 @@ void print(const Outcome& outcome, const ServoSummary& s) {
 }
 
 Done run_simulate(const SimulateFlags& flags) {
-  if (flags.json && flags.trace == "-") {
-    return tl::unexpected(
-        usage_error("two-outputs", "--json and --trace - both want standard output", "write the trace to a file"));
-  }
   auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
   auto trace = open_trace(flags.trace);
@@ -131,7 +129,7 @@ Done run_simulate(const SimulateFlags& flags) {
                 {"cycle_time_s", outcome->summary.cycle_time},
                 {"period_ms", setup->machine.period * 1e3},
                 {"servo", servo_json(*summary, setup->machine)}});
-  } else if (flags.trace != "-") {
+  } else if (!is_standard_output(flags.trace)) {
     print(*outcome, *summary);
   }
   return kFine;
@@ -167,8 +165,8 @@ void add_simulate_command(CommandLine& line) {
   auto flags = std::make_shared<SimulateFlags>();
   Command command = line.add("simulate", "Simulate the drives: lag and contour error of a program",
                              [flags] { return run_simulate(*flags); });
-  command.word("--trace FILE", flags->trace, "Write commanded and actual positions, lag, contour error (.csv)");
-  command.toggle("--json", flags->json, "Print one JSON object");
+  command.output("--trace FILE", flags->trace, "Write commanded and actual positions, lag, contour error (.csv)");
+  command.json(flags->json, "Print one JSON object");
   Flags drives = command.titled("Drives (they override the machine file's [servo])");
   drives.number("--kv-1-s KV", flags->kv, "Position gain of every axis [1/s]");
   drives.number("--velocity-feed-forward SHARE", flags->velocity_feed_forward, "Share of the speed fed forward, 0 … 1");

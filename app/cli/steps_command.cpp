@@ -58,7 +58,7 @@ void add_steps_command(CommandLine& line) {
   command.number("--timer-hz HZ", flags->move.timer_hz, "Clock of the timer", Need::required);
   command.word("--format NAME", flags->format,
                "csv (default): rows pulse,ticks; c: a header with an array of uint32_t");
-  command.word("-o,--output FILE", flags->output, "File to write; default - = standard output");
+  command.output("-o,--output FILE", flags->output, "File to write; default - = standard output");
   command.footer(
       "Each interval is the number of timer ticks before that pulse, after which the motor has made one more step. No "
       "pulse\n"

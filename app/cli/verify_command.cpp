@@ -29,11 +29,12 @@ tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
     return tl::unexpected<Failure>(
         usage_error("bad-flag", "--tolerance-mm is no distance of 0 or more", "give a distance in mm"));
   }
-  auto setup = read_setup(flags.machine);
+  auto setup = read_setup(flags.machine, terminal_monitor("reading"));
+  end_progress();
   if (!setup) return tl::unexpected<Failure>(setup.error());
   if (flags.period_ms) setup->machine.period = *flags.period_ms * 1e-3;
   if (auto fine = check_setup(setup->machine, setup->options); !fine) return tl::unexpected<Failure>(fine.error());
-  auto file = open_setpoint_file(flags.setpoints);
+  auto file = open_setpoint_file(flags.setpoints, terminal_monitor("reading"));
   if (!file) return tl::unexpected<Failure>(file.error());
   const Machine machine = judged_machine(setup->machine, setup->options);
   const auto prove = [&](const ProgrammedPath* program) -> tl::expected<VerifyReport, Failure> {
@@ -69,13 +70,15 @@ void add_verify_command(CommandLine& line) {
   auto flags = std::make_shared<VerifyFlags>();
   Command command =
       line.add("verify", "Prove that a setpoint file keeps a machine's limits", [flags] { return run_verify(*flags); });
-  command.argument("SETPOINTS", flags->setpoints, "Setpoint file: .csv, .npy, .npz or .halstream; - = standard input");
-  command.word("--machine FILE", flags->machine, "Machine file (TOML)", Need::required);
-  command.word("--program FILE", flags->reading.program, "Program that the setpoints run: path, corners, lines, end");
+  command.argument("SETPOINTS", flags->setpoints, "the setpoint file",
+                   "Setpoint file: .csv, .npy, .npz or .halstream; - = standard input");
+  command.input("--machine FILE", flags->machine, "the machine file", "Machine file (TOML)", Need::required);
+  command.input("--program FILE", flags->reading.program, "the program",
+                "Program that the setpoints run: path, corners, lines, end");
   command.number("--tolerance-mm MM", flags->tolerance_mm,
                  "Largest deviation from the program; without it, reported only");
   command.number("--period-ms MS", flags->period_ms, "Period of files without a time column; default the machine's");
-  command.toggle("--json", flags->json, "Print one JSON object");
+  command.json(flags->json, "Print one JSON object");
   flags->reading.add_options_to(command);
   command.footer(
       "Speed, acceleration and jerk come from differences of the positions, with bounds for their rounding: what "

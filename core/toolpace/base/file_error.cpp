@@ -4,6 +4,8 @@
 #include <string>
 #include <system_error>
 
+#include "toolpace/base/monitor.h"
+
 namespace toolpace {
 namespace {
 
@@ -32,6 +34,7 @@ Meaning meaning(int number) {
 }  // namespace
 
 Error file_error(int number, const std::filesystem::path& file, std::string_view action) {
+  if (number == ECANCELED) return cancelled_error();
   const Meaning m = meaning(number);
   const std::string what = m.what != nullptr ? m.what : std::generic_category().message(number);
   return {ErrorKind::io,         m.code, "cannot " + std::string(action) + " this file: " + what, m.remedy,

@@ -191,8 +191,8 @@ std::vector<AxisVector> spline_chords(const AxisVector& begin, const AxisVector&
   return points;
 }
 
-Result<void> write_blocks(const std::filesystem::path& file, const Reading& reading) {
-  auto output = OutputFile::create(file);
+Result<void> write_blocks(const std::filesystem::path& file, const Reading& reading, const Monitor& monitor) {
+  auto output = OutputFile::create(file, OutputFile::Access::forward, monitor);
   if (!output) return tl::unexpected(output.error());
   if (auto done = BlockTable(*output, reading).write(); !done) return done;
   return output->commit();

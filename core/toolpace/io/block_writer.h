@@ -17,7 +17,7 @@ inline constexpr std::size_t kChordsPerControlPoint = 15;
 std::vector<AxisVector> spline_chords(const AxisVector& begin, const AxisVector& end, const SplineDetail& spline);
 
 /// Writes the table; a refused program ends with a row of kind "error". "-" = standard output.
-/// Units: mm, deg, mm/min (deg/min where only A, B, C move), s. Errors: io.
-Result<void> write_blocks(const std::filesystem::path& file, const Reading& reading);
+/// Units: mm, deg, mm/min (deg/min where only A, B, C move), s. Errors: io, cancelled.
+Result<void> write_blocks(const std::filesystem::path& file, const Reading& reading, const Monitor& monitor = {});
 
 }  // namespace toolpace

@@ -4,7 +4,7 @@
 #include "toolpace/io/npy_format.h"
 #include "toolpace/io/setpoint_table.h"
 #include "toolpace/io/writers.h"
-#include "toolpace/io/zip_archive.h"
+#include "toolpace/io/zip_writer.h"
 
 namespace toolpace::io_detail {
 namespace {
@@ -26,19 +26,18 @@ std::string json_text(std::string_view text) {
   return out + "\"";
 }
 
-/// "setpoints" goes to the archive as it comes; "line" waits in a nameless file, since entries stand one after the
-/// other.
+/// The rows wait in nameless files: the entries of an archive stand one after the other, and their sizes before them.
 class NpzWriter final : public SetpointWriter {
  public:
-  NpzWriter(OutputFile file, SpoolFile lines, const SetpointFileOptions& options)
-      : archive_(std::move(file)),
-        lines_(std::move(lines)),
+  NpzWriter(OutputFile file, SpoolFile rows, SpoolFile lines, const SetpointFileOptions& options)
+      : file_(std::move(file)),
+        row_file_(std::move(rows)),
+        line_file_(std::move(lines)),
         table_(options.axis_derivatives),
         program_(options.program_name) {}
 
   Result<void> write(const Setpoints& chunk) override {
     if (auto loaded = table_.load(chunk); !loaded) return loaded;
-    if (auto done = begin(); !done) return done;
     block_.resize(kBlockRows * table_.names().size());
     line_block_.resize(kBlockRows);
     for (std::size_t first = 0; first < table_.rows(); first += kBlockRows) {
@@ -48,43 +47,21 @@ class NpzWriter final : public SetpointWriter {
   }
 
   Result<void> finish() override {
-    if (auto done = begin(); !done) return done;
-    const std::string shape = "(" + std::to_string(rows_) + ", " + std::to_string(table_.names().size()) + ")";
-    if (auto done = archive_.replace_head(npy::header("<f8", shape)); !done) return done;
-    if (auto done = archive_.end_entry(); !done) return done;
-    if (auto done = write_lines(); !done) return done;
-    if (auto done = write_entry("meta.npy", npy::text_array(meta())); !done) return done;
-    return archive_.finish();
+    const std::string rows = std::to_string(rows_);
+    const std::string shape = "(" + rows + ", " + std::to_string(table_.names().size()) + ")";
+    return write_zip(file_, {{"setpoints.npy", npy::header("<f8", shape), &row_file_},
+                             {"line.npy", npy::header("<i8", "(" + rows + ",)"), &line_file_},
+                             {"meta.npy", npy::text_array(meta()), nullptr}});
   }
 
  private:
-  Result<void> begin() {
-    if (begun_) return {};
-    begun_ = true;
-    if (auto done = archive_.begin_entry("setpoints.npy", npy::kHeaderBytes); !done) return done;
-    return archive_.write(npy::header("<f8", "(0, 0)"));
-  }
-
   Result<void> write_block(std::size_t first, std::size_t rows) {
     npy::pack_rows(table_.columns(), first, rows, block_.data());
     std::copy_n(table_.lines() + first, rows, line_block_.begin());
     rows_ += rows;
     const auto* bytes = reinterpret_cast<const char*>(block_.data());
-    if (auto done = archive_.write({bytes, rows * table_.names().size() * sizeof(double)}); !done) return done;
-    return lines_.write({reinterpret_cast<const char*>(line_block_.data()), rows * sizeof(std::int64_t)});
-  }
-
-  Result<void> write_lines() {
-    if (auto done = archive_.begin_entry("line.npy"); !done) return done;
-    if (auto done = archive_.write(npy::header("<i8", "(" + std::to_string(rows_) + ",)")); !done) return done;
-    auto sent = lines_.replay([this](std::string_view piece) { return archive_.write(piece); });
-    return sent ? archive_.end_entry() : sent;
-  }
-
-  Result<void> write_entry(std::string_view name, std::string_view bytes) {
-    if (auto done = archive_.begin_entry(name); !done) return done;
-    if (auto done = archive_.write(bytes); !done) return done;
-    return archive_.end_entry();
+    if (auto done = row_file_.write({bytes, rows * table_.names().size() * sizeof(double)}); !done) return done;
+    return line_file_.write({reinterpret_cast<const char*>(line_block_.data()), rows * sizeof(std::int64_t)});
   }
 
   std::string meta() const {
@@ -94,11 +71,10 @@ class NpzWriter final : public SetpointWriter {
            ", \"writer\": \"toolpace\"}";
   }
 
-  ZipArchive archive_;
-  SpoolFile lines_;
+  OutputFile file_;
+  SpoolFile row_file_, line_file_;
   SetpointTable table_;
   std::string program_;
-  bool begun_ = false;
   std::uint64_t rows_ = 0;
   std::vector<double> block_;
   std::vector<std::int64_t> line_block_;
@@ -108,11 +84,14 @@ class NpzWriter final : public SetpointWriter {
 
 Result<std::unique_ptr<SetpointWriter>> make_npz_writer(OutputFile file, const SetpointFileOptions& options) {
   // Beside the target, where there is room for it; for pipes and standard output in the system's temporary directory.
-  const auto directory = file.target().parent_path();
-  auto lines =
-      SpoolFile::create(directory.empty() || !file.is_renamed() ? std::filesystem::temp_directory_path() : directory);
-  if (!lines) return tl::unexpected(lines.error());
-  return std::make_unique<NpzWriter>(std::move(file), std::move(*lines), options);
+  const auto create = [&] {
+    return file.is_renamed() ? SpoolFile::create(file.target().parent_path()) : SpoolFile::create_anywhere();
+  };
+  auto rows = create();
+  if (!rows) return tl::unexpected(std::move(rows.error()));
+  auto lines = create();
+  if (!lines) return tl::unexpected(std::move(lines.error()));
+  return std::make_unique<NpzWriter>(std::move(file), std::move(*rows), std::move(*lines), options);
 }
 
 }  // namespace toolpace::io_detail

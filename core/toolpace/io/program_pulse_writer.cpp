@@ -5,14 +5,16 @@
 
 #include <iterator>
 
+#include "toolpace/base/file_name.h"
+
 namespace toolpace {
 
 bool is_pulse_file(const std::filesystem::path& file) {
-  return file.extension() == ".csv" && file.stem().extension() == ".pulses";
+  return extension_of(file) == ".csv" && inner_extension_of(file) == ".pulses";
 }
 
-Result<ProgramPulseWriter> ProgramPulseWriter::create(const std::filesystem::path& file) {
-  auto out = OutputFile::create(file);
+Result<ProgramPulseWriter> ProgramPulseWriter::create(const std::filesystem::path& file, const Monitor& monitor) {
+  auto out = OutputFile::create(file, OutputFile::Access::forward, monitor);
   if (!out) return tl::unexpected(out.error());
   if (auto written = out->write("t_ticks,axis,direction\n"); !written) return tl::unexpected(written.error());
   return ProgramPulseWriter(std::move(*out));

@@ -70,7 +70,7 @@ std::string c_head(const PulseTable& table) {
 
 Result<void> write_pulses(const std::filesystem::path& path, const PulseTable& table, PulseFormat format,
                           const Monitor& monitor) {
-  auto file = OutputFile::create(path);
+  auto file = OutputFile::create(path, OutputFile::Access::forward, monitor);
   if (!file) return tl::make_unexpected(file.error());
   const bool is_csv = format == PulseFormat::csv;
   if (auto done = file->write(is_csv ? "pulse,ticks\n" : c_head(table)); !done) return done;

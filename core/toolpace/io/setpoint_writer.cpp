@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "toolpace/base/file_name.h"
 #include "toolpace/io/writers.h"
 
 namespace toolpace {
@@ -29,14 +30,15 @@ std::optional<SetpointFormat> format_named(std::string_view name) {
 }
 
 std::optional<SetpointFormat> format_of(const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
+  const std::string extension = extension_of(file);
   if (extension.empty()) return SetpointFormat::csv;
-  if (extension == ".csv" && file.stem().extension() == ".semicolon") return SetpointFormat::semicolon;
+  if (extension == ".csv" && inner_extension_of(file) == ".semicolon") return SetpointFormat::semicolon;
   return format_named(std::string_view(extension).substr(1));
 }
 
 Result<std::unique_ptr<SetpointWriter>> open_setpoint_writer(const std::filesystem::path& file,
-                                                             const SetpointFileOptions& options) {
+                                                             const SetpointFileOptions& options,
+                                                             const Monitor& monitor) {
   const auto format = options.format ? options.format : format_of(file);
   if (!format) {
     return tl::unexpected(Error{ErrorKind::usage,
@@ -47,7 +49,7 @@ Result<std::unique_ptr<SetpointWriter>> open_setpoint_writer(const std::filesyst
                                 {}});
   }
   const bool binary = *format == SetpointFormat::npy || *format == SetpointFormat::npz;
-  auto out = OutputFile::create(file, binary ? OutputFile::Access::patched : OutputFile::Access::forward);
+  auto out = OutputFile::create(file, binary ? OutputFile::Access::patched : OutputFile::Access::forward, monitor);
   if (!out) return tl::unexpected(out.error());
   if (*format == SetpointFormat::npy) return io_detail::make_npy_writer(std::move(*out), options);
   if (*format == SetpointFormat::npz) return io_detail::make_npz_writer(std::move(*out), options);

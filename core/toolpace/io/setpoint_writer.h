@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
 #include "toolpace/sample/setpoints.h"
 
@@ -28,7 +29,7 @@ struct SetpointFileOptions {
   std::string program_name = {};              ///< stands in the "meta" of .npz
 };
 
-/// .csv, .npy, .npz, .halstream; .semicolon.csv; none = csv. Empty for an extension that names no format.
+/// .csv, .npy, .npz, .halstream; .semicolon.csv, in letters of any case; none = csv. Empty for an extension that names no format.
 std::optional<SetpointFormat> format_of(const std::filesystem::path& file);
 /// "csv", "npy", "npz", "halstream", "semicolon"
 std::optional<SetpointFormat> format_named(std::string_view name);
@@ -52,8 +53,10 @@ class SetpointWriter {
   SetpointWriter() = default;
 };
 
-/// Errors: usage (setpoint-format-unknown), io.
+/// @param monitor  its stop token ends waits for the reader of a pipe
+/// Errors: usage (setpoint-format-unknown), io, cancelled.
 Result<std::unique_ptr<SetpointWriter>> open_setpoint_writer(const std::filesystem::path& file,
-                                                             const SetpointFileOptions& options = {});
+                                                             const SetpointFileOptions& options = {},
+                                                             const Monitor& monitor = {});
 
 }  // namespace toolpace

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "toolpace/base/descriptor.h"
 #include "toolpace/base/file_error.h"
 
 namespace toolpace {
@@ -16,29 +17,13 @@ constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
 
 }  // namespace
 
-int write_fully(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
-    if (n > 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(n));
-    } else if (n < 0 && errno != EINTR) {
-      return errno;
-    }
-  }
-  return 0;
-}
-
-int write_fully_at(int descriptor, std::string_view bytes, std::uint64_t offset) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (n > 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(n));
-      offset += static_cast<std::uint64_t>(n);
-    } else if (n < 0 && errno != EINTR) {
-      return errno;
-    }
-  }
-  return 0;
+Result<SpoolFile> SpoolFile::create_anywhere() {
+  std::error_code trouble;
+  const auto folder = std::filesystem::temp_directory_path(trouble);
+  if (!trouble) return create(folder);
+  const char* const named = std::getenv("TMPDIR");
+  return tl::unexpected(
+      file_error(trouble.value(), named != nullptr ? named : "/tmp", "create a temporary file in TMPDIR,"));
 }
 
 Result<SpoolFile> SpoolFile::create(const std::filesystem::path& directory) {
@@ -53,6 +38,7 @@ Result<SpoolFile> SpoolFile::create(const std::filesystem::path& directory) {
 SpoolFile::SpoolFile(SpoolFile&& other) noexcept
     : directory_(std::move(other.directory_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
+      size_(other.size_),
       buffer_(std::move(other.buffer_)) {}
 
 SpoolFile::~SpoolFile() {
@@ -66,30 +52,37 @@ Result<void> SpoolFile::write(std::string_view bytes) {
 
 Result<void> SpoolFile::overwrite(std::uint64_t offset, std::string_view bytes) {
   if (auto done = flush(); !done) return done;
-  if (const int e = write_fully_at(descriptor_, bytes, offset))
-    return tl::unexpected(file_error(e, directory_, "write"));
+  if (const int e = write_fully_at(descriptor_, bytes, offset, {})) {
+    return tl::unexpected(file_error(e, directory_, "write a temporary file beside"));
+  }
   return {};
 }
 
 Result<void> SpoolFile::flush() {
-  const int e = write_fully(descriptor_, buffer_);
+  const int e = write_fully(descriptor_, buffer_, {});
+  size_ += buffer_.size();
   buffer_.clear();
   if (e) return tl::unexpected(file_error(e, directory_, "write a temporary file beside"));
   return {};
 }
 
+Result<std::size_t> SpoolFile::read(std::uint64_t offset, char* out, std::size_t count) {
+  if (auto done = flush(); !done) return tl::unexpected(std::move(done.error()));
+  for (;;) {
+    const ssize_t n = ::pread(descriptor_, out, count, static_cast<off_t>(offset));
+    if (n >= 0) return static_cast<std::size_t>(n);
+    if (errno != EINTR) return tl::unexpected(file_error(errno, directory_, "read a temporary file beside"));
+  }
+}
+
 Result<void> SpoolFile::replay(const std::function<Result<void>(std::string_view)>& sink) {
-  if (auto done = flush(); !done) return done;
   std::string piece(kBufferBytes, '\0');
-  for (off_t offset = 0;;) {
-    const ssize_t n = ::pread(descriptor_, piece.data(), piece.size(), offset);
-    if (n == 0) return {};
-    if (n < 0) {
-      if (errno == EINTR) continue;
-      return tl::unexpected(file_error(errno, directory_, "read a temporary file beside"));
-    }
-    offset += n;
-    if (auto done = sink(std::string_view(piece).substr(0, static_cast<std::size_t>(n))); !done) return done;
+  for (std::uint64_t offset = 0;;) {
+    const auto n = read(offset, piece.data(), piece.size());
+    if (!n) return tl::unexpected(n.error());
+    if (*n == 0) return {};
+    offset += *n;
+    if (auto done = sink(std::string_view(piece).substr(0, *n)); !done) return done;
   }
 }
 

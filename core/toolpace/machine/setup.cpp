@@ -8,7 +8,7 @@
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
-#include "toolpace/base/mapped_file.h"
+#include "toolpace/base/input_file.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/machine/setup_keys.h"
 
@@ -267,14 +267,14 @@ Result<Setup> parse_setup(std::string_view text, const std::string& name) {
   return SetupReader(name).read(parsed.table());
 }
 
-Result<Setup> read_setup(const std::filesystem::path& file) {
-  const auto mapped = MappedFile::open(file);
-  if (!mapped) return tl::unexpected(mapped.error());
-  if (mapped->bytes().size() > kLongestFile) {
+Result<Setup> read_setup(const std::filesystem::path& file, const Monitor& monitor) {
+  const auto content = read_whole_file(file, monitor);
+  if (!content) return tl::unexpected(content.error());
+  if (content->bytes().size() > kLongestFile) {
     return tl::unexpected(
         syntax_error("the file is longer than 1 MiB", "machine files are short", {file.string(), 0, 0}));
   }
-  return parse_setup(mapped->bytes(), file.string());
+  return parse_setup(content->bytes(), file.string());
 }
 
 }  // namespace toolpace

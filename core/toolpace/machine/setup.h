@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
 #include "toolpace/limits/machine.h"
 #include "toolpace/plan/options.h"
@@ -19,10 +20,10 @@ struct Setup {
 /// What holds without a machine file: path limits 100 mm/s, 3000 mm/s², 1e6 mm/s³, axes unlimited, 1 ms.
 Setup default_setup();
 
-/// Reads a machine file. A missing key means no limit. Errors: io for a file that cannot be read; usage, with file,
+/// Reads a machine file. A missing key means no limit. Errors: io for a file that cannot be read; cancelled; usage, with file,
 /// line and column, for bad syntax ("machine-syntax"), an unknown key or section, naming the nearest known one
 /// ("machine-key"), or a value that makes no sense ("machine-value").
-Result<Setup> read_setup(const std::filesystem::path& file);
+Result<Setup> read_setup(const std::filesystem::path& file, const Monitor& monitor = {});
 Result<Setup> parse_setup(std::string_view text, const std::string& name);
 
 /// The setup as a machine file that reads back to the same values.

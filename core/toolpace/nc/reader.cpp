@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "toolpace/base/mapped_file.h"
+#include "toolpace/base/file_name.h"
+#include "toolpace/base/input_file.h"
+#include "toolpace/base/part_monitor.h"
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/interpreter.h"
 #include "toolpace/nc/parameter_file.h"
@@ -15,17 +17,14 @@ namespace toolpace {
 namespace {
 
 constexpr std::size_t kBinaryCheck = std::size_t{64} * 1024;
+constexpr double kShareOfTheDisk = 0.1;  // of the time that reading takes, where a file is in the system's cache
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 
 Error input_error(const std::string& name, const char* code, std::string what, std::string remedy) {
   return {ErrorKind::input, code, std::move(what), std::move(remedy), {name, 0, 0}, {}};
 }
 
-bool is_polyline(const std::string& name) {
-  std::string ending = std::filesystem::path(name).extension().string();
-  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-  return ending == ".csv";
-}
+bool is_polyline(const std::string& name) { return extension_of(name) == ".csv"; }
 
 /// Standard input has no extension; what begins with the title of a polyline's column is one. No NC line has an underscore
 /// in its second place.
@@ -60,9 +59,10 @@ void reserve(Moves& moves, std::size_t rows) {
 
 // Reads a file that goes with the program (tools, parameters); its faults join the program's.
 template <class ReadContent>
-Result<void> read_beside(const std::filesystem::path& path, nc::Interpreter& interpreter, ReadContent read_content) {
+Result<void> read_beside(const std::filesystem::path& path, nc::Interpreter& interpreter, const Monitor& monitor,
+                         ReadContent read_content) {
   if (path.empty()) return {};
-  const auto file = MappedFile::open(path);
+  const auto file = read_whole_file(path, {monitor.stop, {}});
   if (!file) return tl::unexpected(file.error());
   read_content(file->bytes(), [&](std::size_t line, nc::Fault fault) {
     interpreter.log().add(std::move(fault), path.string(), line, {});
@@ -87,19 +87,21 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
   reading.moves.files = {name};
   const std::size_t lines = count_lines(text);
   reserve(reading.moves, lines);
-  nc::ProgramFiles files(text, name, program_folders(name, options));
+  nc::ProgramFiles files(text, name, program_folders(name, options), monitor);
   nc::Interpreter interpreter(files, options, reading.dialect, options.limits.blocks + lines, reading);
-  const auto tools = read_beside(options.tools, interpreter, [&](std::string_view content, const auto& on_fault) {
-    nc::read_tool_table(content, interpreter.state(), on_fault);
-  });
+  const auto tools =
+      read_beside(options.tools, interpreter, monitor, [&](std::string_view content, const auto& on_fault) {
+        nc::read_tool_table(content, interpreter.state(), on_fault);
+      });
   if (!tools) return tl::unexpected(tools.error());
   const auto parameters =
-      read_beside(options.parameters, interpreter, [&](std::string_view content, const auto& on_fault) {
+      read_beside(options.parameters, interpreter, monitor, [&](std::string_view content, const auto& on_fault) {
         nc::read_parameter_file(content, interpreter.parameters(), on_fault);
         nc::adopt_parameters(interpreter.context());
       });
   if (!parameters) return tl::unexpected(parameters.error());
   if (!interpreter.run(monitor)) return tl::unexpected(cancelled_error());
+  if (files.failure()) return tl::unexpected(*files.failure());
   return reading;
 }
 
@@ -139,9 +141,9 @@ Result<Reading> read_text(std::string_view text, const std::string& name, const 
 }
 
 Result<Reading> read_file(const std::filesystem::path& file, const ReadOptions& options, const Monitor& monitor) {
-  const auto mapped = MappedFile::open(file, monitor);
-  if (!mapped) return tl::unexpected(mapped.error());
-  return read_text(mapped->bytes(), file.string(), options, monitor);
+  const auto content = read_whole_file(file, part_of(monitor, 0, kShareOfTheDisk));
+  if (!content) return tl::unexpected(content.error());
+  return read_text(content->bytes(), file.string(), options, part_of(monitor, kShareOfTheDisk, 1));
 }
 
 }  // namespace toolpace

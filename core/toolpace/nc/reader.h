@@ -49,7 +49,7 @@ struct Reading {
 Result<Reading> read_text(std::string_view text, const std::string& name, const ReadOptions& options = {},
                           const Monitor& monitor = {});
 
-/// The same from a file ("-" = standard input), memory-mapped where possible. Errors: io for what cannot be opened.
+/// The same from a file ("-" = standard input). Errors: io for what cannot be read, or is changed meanwhile.
 Result<Reading> read_file(const std::filesystem::path& file, const ReadOptions& options = {},
                           const Monitor& monitor = {});
 

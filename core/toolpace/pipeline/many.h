@@ -6,15 +6,18 @@
 #include <cstddef>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <vector>
 
+#include "toolpace/base/exception_error.h"
 #include "toolpace/base/monitor.h"
 
 namespace toolpace {
 
 /// Calls work(i, monitor) -> Result<T> for i = 0 … count − 1 on up to `threads` threads. The first error in the order
-/// of i is returned; cancelling stops all. Progress counts finished items.
+/// of i is returned, also one that is thrown; cancelling stops all. Progress counts finished items. Where the system has no
+/// more threads to give, fewer do the work.
 template <class T, class Work>
 Result<std::vector<T>> for_many(std::size_t count, std::size_t threads, const Monitor& monitor, const Work& work) {
   std::vector<std::optional<Result<T>>> results(count);
@@ -24,14 +27,21 @@ Result<std::vector<T>> for_many(std::size_t count, std::size_t threads, const Mo
   const auto worker = [&] {
     const Monitor quiet{monitor.stop, {}};
     for (std::size_t i = next++; i < count && !monitor.is_cancelled(); i = next++) {
-      results[i].emplace(work(i, quiet));
-      const std::scoped_lock lock(progress);
-      monitor.report(static_cast<double>(++done) / static_cast<double>(count));
+      try {
+        results[i].emplace(work(i, quiet));
+        const std::scoped_lock lock(progress);
+        monitor.report(static_cast<double>(++done) / static_cast<double>(count));
+      } catch (...) {
+        results[i].emplace(tl::unexpect, caught_error());
+      }
     }
   };
   {
     std::vector<std::jthread> helpers;
-    for (std::size_t k = 1; k < std::min(threads, count); ++k) helpers.emplace_back(worker);
+    try {
+      for (std::size_t k = 1; k < std::min(threads, count); ++k) helpers.emplace_back(worker);
+    } catch (const std::system_error&) {
+    }
     worker();
   }
   if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <thread>
 
+#include "toolpace/base/part_monitor.h"
 #include "toolpace/limits/limit_speed.h"
 #include "toolpace/machine/setup.h"
 #include "toolpace/path/build_path.h"
@@ -29,12 +31,6 @@ namespace {
 
 /// Segments of a path whose plan is timed anew: it costs many times the plan itself.
 constexpr std::size_t kMostRetimed = 50000;
-
-/// A monitor that maps a stage's 0 … 1 onto its share of the whole.
-Monitor stage(const Monitor& whole, double begin, double end) {
-  if (!whole.progress) return {whole.stop, {}};
-  return {whole.stop, [report = whole.progress, begin, end](double f) { report(begin + f * (end - begin)); }};
-}
 
 /// Are a plan's curves timed anew, with jerk and acceleration shared as the motion needs it? Other laws have a shape to
 /// keep; a window, and a hold, want caps that can be braked from.
@@ -74,15 +70,24 @@ std::vector<double> delayed_times(std::vector<double> times, const std::vector<P
   return times;
 }
 
-/// On all cores; what the tasks compute does not depend on how many there are.
+/// On all cores; what the tasks compute does not depend on how many there are. What one of them throws is thrown here, on the
+/// thread that asked.
 ForEach on_all_cores(const Monitor& monitor) {
   return [&monitor](std::size_t count, const std::function<void(std::size_t)>& task) {
     const auto threads = std::max(1u, std::thread::hardware_concurrency());
     // Cancelling is the tasks' own business.
+    std::vector<std::exception_ptr> thrown(count);
     (void)for_many<char>(count, threads, {monitor.stop, {}}, [&](std::size_t i, const Monitor&) -> Result<char> {
-      task(i);
+      try {
+        task(i);
+      } catch (...) {
+        thrown[i] = std::current_exception();
+      }
       return '\0';
     });
+    for (const auto& exception : thrown) {
+      if (exception) std::rethrow_exception(exception);
+    }
   };
 }
 
@@ -92,11 +97,11 @@ Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& jo
   if (is_through_tube(job)) {
     return plan_smooth(path, moves, job.machine, limits, job.options, on_all_cores(monitor), monitor);
   }
-  auto plan = plan_motion(limits, job.options, stage(monitor, 0.0, 0.5));
+  auto plan = plan_motion(limits, job.options, part_of(monitor, 0.0, 0.5));
   if (!plan) return tl::unexpected(plan.error());
   if (is_retimed(job, path.size())) {
     const auto speed = commanded_speeds(path, moves, job.machine, limit_options(job.options));
-    *plan = retime(path, job.machine, limits, speed, *plan, on_all_cores(monitor), stage(monitor, 0.5, 1.0));
+    *plan = retime(path, job.machine, limits, speed, *plan, on_all_cores(monitor), part_of(monitor, 0.5, 1.0));
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
   }
   SmoothPlan result;
@@ -144,12 +149,12 @@ struct Route {
 
 Result<Route> lay_out(const Job& job, const Monitor& monitor) {
   const Moves& moves = job.program->moves;
-  auto path = build_path(moves, job.machine.tool_change, stage(monitor, 0.0, 0.15));
+  auto path = build_path(moves, job.machine.tool_change, part_of(monitor, 0.0, 0.15));
   if (!path) return tl::unexpected(path.error());
   BlendCount blends;
   if (!is_through_tube(job) && (blends_everywhere(job) || asks_for_blends(moves))) {
     const BlendOptions options{job.options.corner.tolerance, blends_everywhere(job)};
-    auto blended = blend_path(*path, moves, options, stage(monitor, 0.15, 0.2));
+    auto blended = blend_path(*path, moves, options, part_of(monitor, 0.15, 0.2));
     if (!blended) return tl::unexpected(blended.error());
     path = std::move(blended->path);
     blends = blended->count;
@@ -158,14 +163,14 @@ Result<Route> lay_out(const Job& job, const Monitor& monitor) {
 }
 
 Result<SpeedLimits> limits_of(const Job& job, const Path& path, const Monitor& monitor) {
-  return limit_speed(path, job.program->moves, job.machine, limit_options(job.options), stage(monitor, 0.2, 0.4));
+  return limit_speed(path, job.program->moves, job.machine, limit_options(job.options), part_of(monitor, 0.2, 0.4));
 }
 
 Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<SpeedLimits> limits,
                            const Monitor& monitor) {
   if (!limits) return tl::unexpected(limits.error());
   const Moves& moves = job->program->moves;
-  auto planned = plan_rule(*route.path, moves, *job, *limits, stage(monitor, 0.4, 0.9));
+  auto planned = plan_rule(*route.path, moves, *job, *limits, part_of(monitor, 0.4, 0.9));
   if (!planned) return tl::unexpected(planned.error());
 
   Outcome outcome;
@@ -175,7 +180,7 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<S
   outcome.node_time = delayed_times(std::move(planned->node_time), outcome.path->pauses);
   outcome.plan = insert_pauses(std::move(planned->plan), outcome.path->pauses, node_positions(outcome.limits));
   if (const auto hold = outcome.job->options.hold_at; hold && !is_through_tube(*outcome.job)) {
-    auto held = insert_hold(outcome.limits, outcome.plan, outcome.job->options, {*hold}, stage(monitor, 0.9, 0.95));
+    auto held = insert_hold(outcome.limits, outcome.plan, outcome.job->options, {*hold}, part_of(monitor, 0.9, 0.95));
     if (!held) return tl::unexpected(held.error());
     outcome.plan = std::move(*held);
     outcome.node_time = node_times(outcome.limits, outcome.plan);
@@ -245,8 +250,8 @@ Diagnostic not_smoothed(const std::string& why, const std::string& remedy) {
 Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   if (!is_through_tube(*job)) return plan_job(std::move(job), monitor);
   // Where the feed and not the corners decide, curves that end on the exact path can be a little faster.
-  auto blended = plan_job(with_blends(*job), stage(monitor, 0.0, 0.1));
-  auto smooth = plan_job(job, stage(monitor, 0.1, 0.95));
+  auto blended = plan_job(with_blends(*job), part_of(monitor, 0.0, 0.1));
+  auto smooth = plan_job(job, part_of(monitor, 0.1, 0.95));
   const bool unbounded = !smooth && smooth.error().code == "tube-unbounded";
   if (!smooth && !(unbounded && blended)) return smooth;
   if (!blended) return with_tube_bound(std::move(*smooth));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "toolpace/base/axes.h"
+#include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
 
 namespace toolpace {
@@ -39,7 +40,8 @@ struct SetpointRows {
   void clear();
 };
 
-/// An open setpoint file. Every fault of its text or structure is an error of kind input with file, line and column.
+/// An open setpoint file. Every fault of its text or structure is an error of kind input with file, line and column; what
+/// cannot be read, or is changed meanwhile, is one of kind io.
 class SetpointFile {
  public:
   virtual ~SetpointFile() = default;
@@ -61,8 +63,10 @@ class SetpointFile {
 };
 
 /// Opens .csv (comma or semicolon, decimal point or comma), .npy, .npz or .halstream; what it is shows in its first
-/// bytes, only .halstream by the name. "-" = standard input. Errors: io; input: setpoints-empty, setpoints-header,
-/// setpoints-shape, setpoints-compressed, setpoints-broken.
-Result<std::unique_ptr<SetpointFile>> open_setpoint_file(const std::filesystem::path& file);
+/// bytes, only .halstream by the name. "-" = standard input. Errors: io; cancelled; input: setpoints-empty,
+/// setpoints-header, setpoints-shape, setpoints-broken.
+/// @param monitor  its stop token ends waits of this and the later calls
+Result<std::unique_ptr<SetpointFile>> open_setpoint_file(const std::filesystem::path& file,
+                                                         const Monitor& monitor = {});
 
 }  // namespace toolpace

@@ -4,14 +4,14 @@
 #include <memory>
 #include <string>
 
-#include "toolpace/base/mapped_file.h"
+#include "toolpace/base/input_file.h"
 #include "toolpace/verify/setpoint_file.h"
 
 namespace toolpace::verify_detail {
 
-Result<std::unique_ptr<SetpointFile>> open_text(MappedFile file, const std::string& name, bool halstream);
-Result<std::unique_ptr<SetpointFile>> open_npy(MappedFile file, const std::string& name);
-Result<std::unique_ptr<SetpointFile>> open_npz(MappedFile file, const std::string& name);
+Result<std::unique_ptr<SetpointFile>> open_text(InputFile file, const std::string& name, bool halstream);
+Result<std::unique_ptr<SetpointFile>> open_npy(InputFile file, const std::string& name);
+Result<std::unique_ptr<SetpointFile>> open_npz(InputFile file, const std::string& name);
 
 Error setpoints_error(const char* code, std::string message, Location where, std::string remedy = "");
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <optional>
 
+#include "toolpace/verify/line_reader.h"
 #include "toolpace/verify/setpoint_formats.h"
 
 namespace toolpace::verify_detail {
@@ -22,7 +23,6 @@ struct Column {
   bool operator==(const Column&) const = default;
 };
 
-constexpr std::size_t kBytesBetweenReleases = std::size_t{1} << 24;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kLongestNumber = 64;  // no double that reads back needs more
 
@@ -56,14 +56,14 @@ std::string_view trimmed(std::string_view text) {
 
 class TextSetpoints final : public SetpointFile {
  public:
-  TextSetpoints(MappedFile file, std::string name, char separator)
-      : file_(std::move(file)), name_(std::move(name)), separator_(separator), text_(file_.bytes()) {
-    while (!text_.empty() && (text_.back() == '\n' || text_.back() == '\r')) text_.remove_suffix(1);
-    if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
-  }
+  TextSetpoints(InputFile file, std::string name) : lines_(std::move(file)), name_(std::move(name)) {}
 
   Result<void> read_header() {
-    const std::string_view header = take_line();
+    auto first = lines_.next();
+    if (!first) return tl::unexpected(std::move(first.error()));
+    std::string_view header = first->value_or("");
+    if (header.starts_with(kByteOrderMark)) header.remove_prefix(kByteOrderMark.size());
+    separator_ = header.find(';') != std::string_view::npos ? ';' : ',';
     std::vector<std::string_view> names;
     for (std::size_t at = 0; at <= header.size();) {
       const std::size_t end = std::min(header.find(separator_, at), header.size());
@@ -80,32 +80,39 @@ class TextSetpoints final : public SetpointFile {
 
   /// No header: as many positions as the first line has numbers.
   Result<void> assume_positions() {
-    const std::string_view line = text_.substr(at_, text_.find('\n') - at_);
+    separator_ = ' ';
+    auto first = lines_.next();
+    if (!first) return tl::unexpected(std::move(first.error()));
+    const std::string_view line = first->value_or("");
     const auto count = static_cast<std::size_t>(std::count(line.begin(), line.end(), ' ')) + 1;
     for (std::size_t axis = 0; axis < std::min(count, kAxisCount); ++axis) add({Meaning::position, axis, 0});
+    lines_.seek(0, 0);
     return finish_header();
   }
 
   Result<std::size_t> read(SetpointRows& rows, std::size_t limit) override {
     std::size_t taken = 0;
-    for (; taken < limit && at_ < text_.size(); ++taken) {
-      if (auto row = read_row(rows); !row) return tl::unexpected(row.error());
+    for (; taken < limit; ++taken) {
+      auto line = lines_.next();
+      if (!line) return tl::unexpected(std::move(line.error()));
+      if (*line && (*line)->empty()) {
+        const auto more = pass_empty_lines();
+        if (!more) return tl::unexpected(more.error());
+        if (!*more) break;
+        return tl::unexpected(number_error(0, **more));
+      }
+      if (!*line) break;
+      if (auto row = read_row(rows, **line); !row) return tl::unexpected(std::move(row.error()));
     }
     rows.count += taken;
-    if (at_ >= next_release_) {
-      file_.release_before(at_);
-      next_release_ = at_ + kBytesBetweenReleases;
-    }
     return taken;
   }
 
-  void rewind() override {
-    next_release_ = 0;
-    at_ = body_;
-    line_ = body_line_;
-  }
+  void rewind() override { lines_.seek(body_, body_line_); }
 
-  double progress() const override { return static_cast<double>(at_) / static_cast<double>(text_.size()); }
+  double progress() const override {
+    return static_cast<double>(lines_.at()) / static_cast<double>(lines_.file().size());
+  }
 
  private:
   void add(Column column) {
@@ -137,8 +144,8 @@ class TextSetpoints final : public SetpointFile {
     }
     if (!has(Meaning::position))
       return tl::unexpected(header_error("there is no column x_mm, y_mm, z_mm, a_deg, b_deg or c_deg"));
-    body_ = at_;
-    body_line_ = line_;
+    body_ = lines_.at();
+    body_line_ = lines_.line();
     return {};
   }
 
@@ -147,17 +154,19 @@ class TextSetpoints final : public SetpointFile {
                            "the header is t_s,x_mm,y_mm,z_mm[,a_deg,b_deg,c_deg],v_mm_s,a_mm_s2,j_mm_s3,line");
   }
 
-  std::string_view take_line() {
-    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    std::string_view line = text_.substr(at_, end - at_);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    at_ = std::min(end + 1, text_.size());
-    ++line_;
-    return line;
+  /// Empty lines are fine at the end of the file alone.
+  /// @return the number of the first one, if lines that are not empty stand behind it
+  Result<std::optional<std::size_t>> pass_empty_lines() {
+    const std::size_t first = lines_.line();
+    for (;;) {
+      const auto line = lines_.next();
+      if (!line) return tl::unexpected(line.error());
+      if (!*line) return std::nullopt;
+      if (!(*line)->empty()) return first;
+    }
   }
 
-  Result<void> read_row(SetpointRows& rows) {
-    const std::string_view line = take_line();
+  Result<void> read_row(SetpointRows& rows, std::string_view line) {
     const char* at = line.data();
     const char* const end = at + line.size();
     for (std::size_t c = 0; c < order_.size(); ++c) {
@@ -216,27 +225,25 @@ class TextSetpoints final : public SetpointFile {
   }
 
   Error number_error(std::string_view line, const char* at) const {
-    const auto column = static_cast<std::size_t>(at - line.data()) + 1;
-    return setpoints_error("setpoints-broken", "there is no fitting number where one is due", {name_, line_, column},
+    return number_error(static_cast<std::size_t>(at - line.data()), lines_.line());
+  }
+  Error number_error(std::size_t before, std::size_t line) const {
+    return setpoints_error("setpoints-broken", "there is no fitting number where one is due", {name_, line, before + 1},
                            std::to_string(order_.size()) + " numbers are due in each line");
   }
 
-  MappedFile file_;
+  LineReader lines_;
   std::string name_;
-  char separator_;
-  std::string_view text_;
+  char separator_ = ',';
   std::vector<Column> order_;
-  std::size_t at_ = 0, body_ = 0, next_release_ = 0;
-  std::size_t line_ = 0, body_line_ = 0;
+  std::uint64_t body_ = 0;     ///< place of the first row
+  std::size_t body_line_ = 0;  ///< lines before it
 };
 
 }  // namespace
 
-Result<std::unique_ptr<SetpointFile>> open_text(MappedFile file, const std::string& name, bool halstream) {
-  const std::string_view bytes = file.bytes();
-  const std::string_view head = bytes.substr(0, bytes.find('\n'));
-  const char separator = halstream ? ' ' : head.find(';') != std::string_view::npos ? ';' : ',';
-  auto text = std::make_unique<TextSetpoints>(std::move(file), name, separator);
+Result<std::unique_ptr<SetpointFile>> open_text(InputFile file, const std::string& name, bool halstream) {
+  auto text = std::make_unique<TextSetpoints>(std::move(file), name);
   if (auto fine = halstream ? text->assume_positions() : text->read_header(); !fine)
     return tl::unexpected(fine.error());
   return text;

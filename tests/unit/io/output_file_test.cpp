@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "temporary_directory.h"
@@ -130,6 +132,76 @@ TEST(OutputFile, OverwritesWhatWasWrittenEvenForAPipe) {
   }
   reader.join();
   EXPECT_EQ(got, "headtail");
+}
+
+TEST(OutputFile, StopsWaitingForTheReaderOfAPipe) {
+  const TemporaryDirectory dir;
+  ASSERT_EQ(::mkfifo((dir / "pipe").c_str(), 0600), 0);
+  std::stop_source source;
+  std::thread asker([&] { source.request_stop(); });
+  const auto file = OutputFile::create(dir / "pipe", OutputFile::Access::forward, {source.get_token(), {}});
+  asker.join();
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().kind, ErrorKind::cancelled);
+}
+
+TEST(OutputFile, StopsWaitingForAReaderThatDoesNotRead) {
+  const TemporaryDirectory dir;
+  ASSERT_EQ(::mkfifo((dir / "pipe").c_str(), 0600), 0);
+  const int reader = ::open((dir / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  std::stop_source source;
+  auto file = OutputFile::create(dir / "pipe", OutputFile::Access::forward, {source.get_token(), {}});
+  ASSERT_TRUE(file);
+  std::thread asker([&] { source.request_stop(); });
+  const auto written = file->write(std::string(1 << 20, 'x'));  // a pipe holds 64 KiB
+  asker.join();
+  ::close(reader);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().kind, ErrorKind::cancelled);
+}
+
+TEST(OutputFile, WritesAnOpenDescriptorFromWhereItStands) {
+  const TemporaryDirectory dir;
+  const int descriptor = ::open((dir / "a").c_str(), O_RDWR | O_CREAT, 0600);
+  ASSERT_EQ(::write(descriptor, "head ", 5), 5);
+  const std::string number = std::to_string(descriptor);
+  std::filesystem::create_symlink("/dev/fd/" + number, dir / "link");
+  for (const auto& name :
+       {std::filesystem::path("/dev/fd/" + number), std::filesystem::path("/proc/self/fd/" + number), dir / "link"}) {
+    const auto written = write_whole_file(name, "more ");
+    EXPECT_TRUE(written) << name;
+  }
+  EXPECT_EQ(::fcntl(descriptor, F_GETFD) < 0, false) << "it is lent, not closed";
+  ::close(descriptor);
+  EXPECT_EQ(contents(dir / "a"), "head more more more ");
+  EXPECT_EQ(dir.entries(), 2U);
+}
+
+TEST(OutputFile, SweepsTheTemporariesOfTheDeadAndNoOthers) {
+  const TemporaryDirectory dir;
+  auto living = OutputFile::create(dir / "living.csv");
+  ASSERT_TRUE(living && living->write("alive"));
+  // What a killed process leaves: nobody holds it, and its number may be anyone's by now.
+  const std::string mine = std::to_string(::getpid());
+  for (const auto& name : {".out.csv.toolpace-1-0.tmp", ".other.toolpace-99999-12.tmp"})
+    std::ofstream(dir / name) << "half";
+  std::ofstream(dir / (".out.csv.toolpace-" + mine + "-0.tmp")) << "half";
+  for (const auto& name : {"out.csv.toolpace-1-0.tmp", ".out.csv.tmp", ".toolpace-x-1.tmp", ".a.toolpace-1.tmp"}) {
+    std::ofstream(dir / name) << "of someone else";
+  }
+  ASSERT_TRUE(write_whole_file(dir / "out.csv", "new"));
+  ASSERT_TRUE(living->commit());
+  EXPECT_EQ(contents(dir / "living.csv"), "alive");
+  EXPECT_EQ(contents(dir / "out.csv"), "new");
+  EXPECT_EQ(dir.entries(), 2U + 4U);
+}
+
+TEST(OutputFile, DoesNotFollowLinksInACircle) {
+  const TemporaryDirectory dir;
+  std::filesystem::create_symlink("b", dir / "a");
+  std::filesystem::create_symlink("a", dir / "b");
+  EXPECT_FALSE(OutputFile::create(dir / "a"));
+  EXPECT_EQ(dir.entries(), 2U);
 }
 
 }  // namespace

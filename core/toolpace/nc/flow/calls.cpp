@@ -42,15 +42,20 @@ bool Flow::enter(const std::string& label, std::size_t column, int repeats, bool
     if (at != kNoMatch) file = 0;
   }
   if (at == kNoMatch) {
-    const auto found = files_.find(label, fanuc);
-    if (!found) {
-      const std::string name = is_digit(label.front()) ? label : "<" + label + ">";
+    const FoundFile& found = files_.find(label, fanuc);
+    const std::string name = is_digit(label.front()) ? label : "<" + label + ">";
+    if (files_.failure()) return lose("sub-program-refused", "a sub-program's file cannot be read", "", column);
+    if (!found.trouble.empty()) {
+      return faults_.fail("sub-program-refused", fmt::format("sub-program O{}: {}", name, found.trouble), found.remedy,
+                          column);
+    }
+    if (!found.index) {
       return faults_.fail(
           "sub-program-unknown", fmt::format("there is no sub-program O{}", name),
           "define it in this program, or put its file beside the program or into a folder given with --sub-path",
           column);
     }
-    file = *found;
+    file = *found.index;
     at = files_.at(file).flow(fanuc).find_sub(label);
   }
   if (at != kNoMatch && !fanuc && (files_.at(file).flow(fanuc).at(at).control == Control::sub) == is_numbered) {

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "toolpace/base/monitor.h"
 #include "toolpace/nc/flow/flow_index.h"
 
 namespace toolpace::nc {
@@ -28,10 +29,19 @@ struct ProgramText {
   }
 };
 
+/// What came of looking for the file of a sub-program: its index, or what kept it from being one.
+struct FoundFile {
+  std::optional<std::size_t> index = {};
+  std::string trouble = {};  ///< of a file that is there and cannot be taken; a clause for people
+  std::string remedy = {};
+};
+
 class ProgramFiles {
  public:
   /// @param folders  where sub-program files may lie; nothing else is ever opened
-  ProgramFiles(std::string_view text, std::string name, std::vector<std::filesystem::path> folders);
+  /// @param monitor  cancels the reading of sub-program files
+  ProgramFiles(std::string_view text, std::string name, std::vector<std::filesystem::path> folders,
+               const Monitor& monitor);
 
   ProgramText& at(std::size_t file) { return *files_[file]; }
   std::size_t size() const { return files_.size(); }
@@ -40,15 +50,28 @@ class ProgramFiles {
   std::size_t work();
 
   /// Finds the file of sub-program `label` ("name" or a number).
-  /// @return its index, or none
-  std::optional<std::size_t> find(const std::string& label, bool fanuc);
+  const FoundFile& find(const std::string& label, bool fanuc);
+
+  /// The first sub-program file that could not be read: nothing is known of the program then.
+  const std::optional<Error>& failure() const { return failure_; }
 
  private:
-  std::optional<std::size_t> open(const std::filesystem::path& folder, const std::string& name);
+  /// Names in a folder by what they are with their extension in small letters.
+  using NamesBySmall = std::unordered_map<std::string, std::string>;
+
+  FoundFile search(const std::string& label, bool fanuc);
+  std::optional<std::filesystem::path> place_of(const std::filesystem::path& folder,
+                                                const std::vector<std::string>& names);
+  FoundFile open(const std::filesystem::path& path);
+  const NamesBySmall& names_in(const std::filesystem::path& folder);
+  bool lies_within(const std::filesystem::path& file) const;
 
   std::vector<std::unique_ptr<ProgramText>> files_;
   std::vector<std::filesystem::path> folders_;
-  std::unordered_map<std::string, std::optional<std::size_t>> known_;
+  Monitor monitor_;
+  std::optional<Error> failure_;
+  std::unordered_map<std::string, FoundFile> known_;
+  std::unordered_map<std::string, NamesBySmall> listings_;  ///< of the folders
 };
 
 }  // namespace toolpace::nc
