@@ -27,8 +27,9 @@ void occupy_standard_descriptors() {
 
 /// What was printed may still wait in the buffer: a full disk or a closed pipe shows only here.
 Done flush_output(Done done) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return done;
-  if (is_interrupted()) return tl::unexpected(cancelled_error());
+  const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (is_interrupted() && (!is_written || std::ferror(stderr) != 0)) return tl::unexpected(cancelled_error());
+  if (is_written) return done;
   return tl::unexpected(Error{ErrorKind::io,
                               "stdout-unwritable",
                               "standard output cannot be written",

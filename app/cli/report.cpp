@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "interrupt.h"
+
 namespace toolpace::cli {
 namespace {
 
@@ -25,7 +27,10 @@ const char* word(Severity severity) {
 
 }  // namespace
 
-void tell(const std::string& text) { std::fputs(text.c_str(), stderr); }
+void tell(const std::string& text) {
+  if (is_interrupted() && std::ferror(stderr) != 0) return;  // it waited for a reader, and is not to wait again
+  std::fputs(text.c_str(), stderr);
+}
 
 ExitCode exit_code(ErrorKind kind) {
   switch (kind) {

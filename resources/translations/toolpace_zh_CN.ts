@@ -147,6 +147,30 @@
     <context>
         <name>codes</name>
         <message>
+            <source>file-changed</source>
+            <translation>读取时文件被更改</translation>
+        </message>
+        <message>
+            <source>internal</source>
+            <translation>内部错误</translation>
+        </message>
+        <message>
+            <source>out-of-memory</source>
+            <translation>内存不足</translation>
+        </message>
+        <message>
+            <source>output-is-input</source>
+            <translation>输出文件就是输入文件</translation>
+        </message>
+        <message>
+            <source>output-twice</source>
+            <translation>两个输出是同一个文件</translation>
+        </message>
+        <message>
+            <source>sub-program-refused</source>
+            <translation>子程序的文件不能用</translation>
+        </message>
+        <message>
             <source>travel</source>
             <translation>超出行程</translation>
         </message>
@@ -919,10 +943,6 @@
             <translation>设定点文件损坏</translation>
         </message>
         <message>
-            <source>setpoints-compressed</source>
-            <translation>设定点文件被压缩</translation>
-        </message>
-        <message>
             <source>setpoints-empty</source>
             <translation>设定点文件为空</translation>
         </message>
@@ -1097,6 +1117,42 @@
     </context>
     <context>
         <name>remedies</name>
+        <message>
+            <source>try again when it is written</source>
+            <translation>等它写完后再试</translation>
+        </message>
+        <message>
+            <source>split the program, or give more memory</source>
+            <translation>把程序分成几段，或增加内存</translation>
+        </message>
+        <message>
+            <source>please report it</source>
+            <translation>请报告此问题</translation>
+        </message>
+        <message>
+            <source>write to another file</source>
+            <translation>写到另一个文件</translation>
+        </message>
+        <message>
+            <source>write to different files</source>
+            <translation>写到不同的文件</translation>
+        </message>
+        <message>
+            <source>put the file itself there, or give the folder it lies in with --sub-path</source>
+            <translation>把文件本身放到那里，或用 --sub-path 给出它所在的文件夹</translation>
+        </message>
+        <message>
+            <source>call fewer files</source>
+            <translation>少调用一些文件</translation>
+        </message>
+        <message>
+            <source>split it</source>
+            <translation>把它分成几段</translation>
+        </message>
+        <message>
+            <source>write it again, or copy it again</source>
+            <translation>重新写出，或重新复制</translation>
+        </message>
         <message>
             <source>give one of them</source>
             <translation>写其中一个</translation>
@@ -1932,10 +1988,6 @@
         <message>
             <source>save it with M70 in the same program or sub-program</source>
             <translation>在同一程序或子程序中用 M70 保存</translation>
-        </message>
-        <message>
-            <source>save them with numpy.savez, which does not compress</source>
-            <translation>用不压缩的 numpy.savez 保存</translation>
         </message>
         <message>
             <source>see to what the program complains of</source>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <thread>
 
 #include "toolpace/base/part_monitor.h"
@@ -70,24 +69,15 @@ std::vector<double> delayed_times(std::vector<double> times, const std::vector<P
   return times;
 }
 
-/// On all cores; what the tasks compute does not depend on how many there are. What one of them throws is thrown here, on the
-/// thread that asked.
+/// On all cores; what the tasks compute does not depend on how many there are.
 ForEach on_all_cores(const Monitor& monitor) {
   return [&monitor](std::size_t count, const std::function<void(std::size_t)>& task) {
     const auto threads = std::max(1u, std::thread::hardware_concurrency());
     // Cancelling is the tasks' own business.
-    std::vector<std::exception_ptr> thrown(count);
     (void)for_many<char>(count, threads, {monitor.stop, {}}, [&](std::size_t i, const Monitor&) -> Result<char> {
-      try {
-        task(i);
-      } catch (...) {
-        thrown[i] = std::current_exception();
-      }
+      task(i);
       return '\0';
     });
-    for (const auto& exception : thrown) {
-      if (exception) std::rethrow_exception(exception);
-    }
   };
 }
 

@@ -2,12 +2,10 @@
 
 import os
 import pathlib
-import signal
 import subprocess
-import time
 import unittest
 
-from command_line import BAD_INPUT, EXAMPLES, FILE_TROUBLE, FINE, INTERRUPTED, PROGRAM, CommandLineTest
+from command_line import BAD_INPUT, EXAMPLES, FILE_TROUBLE, FINE, PROGRAM, CommandLineTest
 
 LINE = "G21 G90 G94\nG1 X10 F3000\nM2\n"
 
@@ -99,31 +97,6 @@ class Output(CommandLineTest):
         run = self.run_toolpace("plan", self.file("line.ngc", LINE), "--setpoints", "/dev/null")
         self.assertEqual(run.code, FINE, run.err)
         self.assertTrue(pathlib.Path("/dev/null").is_char_device())
-
-
-class Interrupt(CommandLineTest):
-    def interrupt(self, *arguments, after, stdin=subprocess.DEVNULL):
-        """Sends Ctrl-C after so many seconds; gives the exit code. Ends the command if it does not heed it."""
-        command = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, stdin=stdin, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL)
-        try:
-            time.sleep(after)
-            command.send_signal(signal.SIGINT)
-            return command.wait(20)
-        finally:
-            command.kill()
-            command.wait()
-            if command.stdin:
-                command.stdin.close()
-
-    def test_waiting_for_standard_input_can_be_interrupted(self):
-        self.assertEqual(self.interrupt("plan", "-", after=0.5, stdin=subprocess.PIPE), INTERRUPTED)
-
-    def test_writing_setpoints_can_be_interrupted_and_leaves_nothing(self):
-        # 9e5 mm at 1 mm/s: 9e8 setpoints, which no machine writes before it is asked to stop.
-        program = self.file("long.ngc", "G21 G90 G94\nG1 X900000 F60\nM2\n")
-        self.assertEqual(self.interrupt("plan", program, "--setpoints", "out.csv", after=1.0), INTERRUPTED)
-        self.assertEqual([path.name for path in self.folder.iterdir()], ["long.ngc"])
 
 
 if __name__ == "__main__":

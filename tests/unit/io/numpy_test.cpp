@@ -9,6 +9,7 @@
 #include "sample_setpoints.h"
 #include "temporary_directory.h"
 #include "toolpace/io/setpoint_writer.h"
+#include "toolpace/verify/setpoint_file.h"
 
 namespace toolpace {
 namespace {
@@ -89,6 +90,36 @@ TEST(Numpy, AnEmptyProgramIsStillAnArray) {
                       "assert np.load(d + 'a.npy').shape == (0, 0)\n"
                       "assert np.load(d + 'a.npz')['line'].shape == (0,)\n"),
             0);
+}
+
+TEST(Numpy, ArchivesThatNumpyCompressedAreReadBack) {
+  if (!has_numpy()) GTEST_SKIP() << "needs python3-numpy";
+  const TemporaryDirectory dir;
+  write_all(dir / "a.npz", false);
+  ASSERT_EQ(run_numpy(dir, "z = np.load(d + 'a.npz'); np.savez_compressed(d + 'b.npz', setpoints=z['setpoints'], line=z['line'])\n"), 0);
+  for (const char* name : {"a.npz", "b.npz"}) {
+    auto file = open_setpoint_file(dir / name);
+    ASSERT_TRUE(file) << file.error().message;
+    for (int pass = 0; pass < 2; ++pass, (*file)->rewind()) {
+      SetpointRows rows;
+      ASSERT_EQ((*file)->read(rows, 20000), 10000U) << name;
+      EXPECT_EQ(rows.position[0], sample_setpoints(0, 10000, false).position[0]);
+      EXPECT_EQ(rows.line.back(), 9999U / 7 + 1);
+    }
+  }
+}
+
+TEST(Numpy, AnArchiveIsTheSameFileEveryTimeAndThroughAPipe) {
+  const TemporaryDirectory dir;
+  ASSERT_EQ(::mkfifo((dir / "pipe.npz").c_str(), 0600), 0);
+  std::string got;
+  std::thread reader([&] { got = contents(dir / "pipe.npz"); });
+  write_all(dir / "pipe.npz", true);
+  reader.join();
+  write_all(dir / "file.npz", true);
+  write_all(dir / "again.npz", true);
+  EXPECT_EQ(contents(dir / "file.npz"), contents(dir / "again.npz"));
+  EXPECT_EQ(contents(dir / "file.npz"), got);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "sample_setpoints.h"
@@ -104,6 +105,14 @@ TEST(SetpointFile, SaysWhatIsForeignInAnArray) {
   EXPECT_NE(message(numpy_array("<f8", "False", "(21,)", 3 * 7 * 8)).find("1 dimensions"), std::string::npos);
   EXPECT_NE(message(numpy_array("<f8", "False", "(3, 7)", 2 * 7 * 8)).find("cut short"), std::string::npos);
   EXPECT_NE(message(numpy_array("<f8", "False", "(3, 5)", 3 * 5 * 8)).find("7 or 10 columns"), std::string::npos);
+  EXPECT_NE(message(numpy_array("<f8", "False", "(3, 7)", 3 * 7 * 8 + 5)).find("5 bytes stand behind"), std::string::npos);
+  EXPECT_NE(message(numpy_array("<f8", "False", "(3, 7)", 4 * 7 * 8)).find("56 bytes stand behind"), std::string::npos);
+  std::string newer = numpy_array("<f8", "False", "(3, 7)", 3 * 7 * 8);
+  newer[6] = 4;
+  EXPECT_NE(message(newer).find("version 4.0"), std::string::npos);
+  newer[6] = 1;
+  newer[7] = 1;
+  EXPECT_NE(message(newer).find("version 1.1"), std::string::npos);
 }
 
 TEST(SetpointFile, NamesThePlaceOfABrokenNumber) {
@@ -145,6 +154,86 @@ TEST(SetpointFile, RefusesArraysThatAreCutShort) {
       ASSERT_NE(code_of(dir, "cut", whole.substr(0, keep)), "fine") << name << " cut at " << keep;
     }
   }
+}
+
+TEST(SetpointFile, RefusesAnArchiveWhoseBytesAreNotThoseThatWereWritten) {
+  const TemporaryDirectory dir;
+  auto writer = open_setpoint_writer(dir / "a.npz");
+  ASSERT_TRUE((*writer)->write(sample_setpoints(0, 40)));
+  ASSERT_TRUE((*writer)->finish());
+  const std::string whole = testing::contents(dir / "a.npz");
+  ASSERT_EQ(code_of(dir, "same", whole), "fine");
+  // Every entry is stored as it is: behind its header of 128 bytes stand its values.
+  std::size_t tried = 0;
+  for (std::size_t entry = whole.find("\x93NUMPY"); entry != std::string::npos;
+       entry = whole.find("\x93NUMPY", entry + 1)) {
+    for (std::size_t at = entry + 128; at < entry + 128 + 40 * 8; at += 37, ++tried) {
+      std::string damaged = whole;
+      damaged[at] = static_cast<char>(damaged[at] ^ 1);
+      ASSERT_EQ(code_of(dir, "damaged", damaged), "setpoints-broken") << at;
+    }
+  }
+  EXPECT_EQ(tried, 3U * 9U);
+}
+
+TEST(SetpointFile, ReadsAgainFromTheFirstRow) {
+  const TemporaryDirectory dir;
+  for (const char* name : {"a.csv", "a.npy", "a.npz", "a.halstream"}) {
+    auto writer = open_setpoint_writer(dir / name);
+    ASSERT_TRUE((*writer)->write(sample_setpoints(0, 5000)));
+    ASSERT_TRUE((*writer)->finish());
+    auto file = open_setpoint_file(dir / name);
+    ASSERT_TRUE(file);
+    SetpointRows part, whole;
+    ASSERT_EQ((*file)->read(part, 3001), 3001U);
+    (*file)->rewind();
+    EXPECT_EQ((*file)->read(whole, 10000), 5000U) << name;
+    EXPECT_EQ((*file)->read(whole, 10000), 0U) << name;
+    part.position[0].resize(3001);
+    EXPECT_TRUE(std::equal(part.position[0].begin(), part.position[0].end(), whole.position[0].begin())) << name;
+  }
+}
+
+TEST(SetpointFile, SaysThatAFileWasChangedWhileItWasRead) {
+  const TemporaryDirectory dir;
+  for (const char* name : {"a.csv", "a.npy", "a.npz", "a.halstream"}) {
+    auto writer = open_setpoint_writer(dir / name);
+    ASSERT_TRUE((*writer)->write(sample_setpoints(0, 50000)));
+    ASSERT_TRUE((*writer)->finish());
+    const auto read_on = [](SetpointFile& file) -> std::string {
+      SetpointRows rows;
+      for (;;) {
+        const auto count = file.read(rows, 4096);
+        if (!count) return count.error().code;
+        if (*count == 0) return "fine";
+      }
+    };
+    auto shrinking = open_setpoint_file(dir / name);
+    SetpointRows first;
+    ASSERT_EQ((*shrinking)->read(first, 10), 10U);
+    std::filesystem::resize_file(dir / name, std::filesystem::file_size(dir / name) / 2);
+    EXPECT_EQ(read_on(**shrinking), "file-changed") << name;
+  }
+  std::ofstream(dir / "b.csv") << "x_mm\n1\n2\n";
+  auto growing = open_setpoint_file(dir / "b.csv");
+  std::ofstream(dir / "b.csv", std::ios::app) << "3\n";
+  SetpointRows rows;
+  EXPECT_EQ((*growing)->read(rows, 10).error().code, "file-changed");
+}
+
+TEST(SetpointFile, TakesEmptyLinesAtItsEndAloneAndNoLineWithoutEnd) {
+  const TemporaryDirectory dir;
+  EXPECT_EQ(code_of(dir, "a.csv", "x_mm\n1\n2"), "fine");
+  EXPECT_EQ(code_of(dir, "a.csv", "x_mm\r\n1\r\n2\r\n\r\n\n"), "fine");
+  EXPECT_EQ(code_of(dir, "a.csv", "x_mm\n1\n\n\n2\n"), "setpoints-broken");
+  EXPECT_EQ(code_of(dir, "a.csv", "x_mm\n" + std::string(3 << 20, '1')), "setpoints-broken");
+  // A line that lies across the pieces in which the file is read.
+  std::string text = "x_mm,y_mm\n";
+  for (int row = 0; row < 100000; ++row) text += std::to_string(row) + ",0.25\n";
+  std::ofstream(dir / "long.csv") << text;
+  const SetpointRows rows = read_back(dir / "long.csv");
+  ASSERT_EQ(rows.count, 100000U);
+  for (std::size_t row = 0; row < rows.count; ++row) ASSERT_EQ(rows.position[0][row], static_cast<double>(row));
 }
 
 }  // namespace
