@@ -46,7 +46,8 @@ Done run_blocks(const BlocksFlags& flags) {
   const auto reading = flags.reading.read();
   if (!reading) return tl::unexpected(reading.error());
   if (!target.empty()) {
-    if (const auto written = write_blocks(target, *reading, terminal_monitor("writing")); !written) return tl::unexpected(written.error());
+    if (const auto written = write_blocks(target, *reading, terminal_monitor("writing")); !written)
+      return tl::unexpected(written.error());
   }
   if (flags.json) print_json(blocks_json(flags, *reading));
   return reading->refused ? kBadInput : kFine;

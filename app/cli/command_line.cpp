@@ -8,6 +8,8 @@
 namespace toolpace::cli {
 namespace {
 
+constexpr std::uint64_t kMostCounted = 1'000'000'000'000'000;  ///< sums of counts stay far from wrapping round
+constexpr char kNumber[] = "a number between -1.8e308 and 1.8e308, or inf";
 constexpr int kFlagColumns = 34;  ///< width of the flags in --help
 
 template <class T>
@@ -43,7 +45,7 @@ void Flags::add(const std::string& flag, const std::string& text, const char* wh
 }
 
 void Flags::number(const std::string& flag, std::optional<double>& target, const std::string& text) {
-  add(flag, text, "a number", Need::optional, [&target](const std::string& word) {
+  add(flag, text, kNumber, Need::optional, [&target](const std::string& word) {
     double value = 0;
     if (!read_whole(word, value)) return false;
     target = value;
@@ -52,12 +54,12 @@ void Flags::number(const std::string& flag, std::optional<double>& target, const
 }
 
 void Flags::number(const std::string& flag, double& target, const std::string& text, Need need) {
-  add(flag, text, "a number", need, [&target](const std::string& word) { return read_whole(word, target); });
+  add(flag, text, kNumber, need, [&target](const std::string& word) { return read_whole(word, target); });
 }
 
 void Flags::count(const std::string& flag, std::uint64_t& target, const std::string& text, Need need) {
-  add(flag, text, "a whole number of 0 or more", need,
-      [&target](const std::string& word) { return read_whole(word, target); });
+  add(flag, text, "a whole number from 0 to 1000000000000000", need,
+      [&target](const std::string& word) { return read_whole(word, target) && target <= kMostCounted; });
 }
 
 void Flags::word(const std::string& flag, std::string& target, const std::string& text, Need need) {
@@ -88,8 +90,7 @@ void Flags::toggle(const std::string& flag, bool& target, const std::string& tex
   put_below(app_->add_flag(flag, target, text), title_);
 }
 
-void Command::argument(const std::string& name, std::string& target, const std::string& what,
-                       const std::string& text) {
+void Command::argument(const std::string& name, std::string& target, const std::string& what, const std::string& text) {
   files_->reads(what, target);
   app_->add_option(name, target, text)->type_name("")->required();
 }

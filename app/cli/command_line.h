@@ -39,7 +39,7 @@ class Flags {
   void number(const std::string& flag, std::optional<double>& target, const std::string& text);
   void number(const std::string& flag, double& target, const std::string& text, Need need = Need::optional);
 
-  /// A whole number from 0 on.
+  /// A whole number from 0 to 1e15.
   void count(const std::string& flag, std::uint64_t& target, const std::string& text, Need need = Need::optional);
 
   /// A word. An empty one, as a script's unset variable leaves it, is refused.

@@ -55,6 +55,7 @@ Result<Target> open_target(const PlanFlags& flags) {
   Target target;
   if (flags.setpoints.empty()) return target;
   if (is_pulse_file(flags.setpoints)) {
+    if (auto fine = check_timer(flags.timer_hz.value_or(0)); !fine) return tl::unexpected(std::move(fine.error()));
     auto pulses = ProgramPulseWriter::create(flags.setpoints, terminal_monitor("writing"));
     if (!pulses) return tl::unexpected(pulses.error());
     target.pulses.emplace(std::move(*pulses));
@@ -221,8 +222,8 @@ void add_plan_command(CommandLine& line) {
   Command command =
       line.add("plan", "Plan a program: cycle time, peaks, setpoints", [flags] { return run_plan(*flags); });
   command.output("--setpoints FILE", flags->setpoints,
-               "Write setpoints: .csv (also without extension), .npy, .npz, .halstream,\n"
-               ".semicolon.csv, or step pulses: .pulses.csv; - = csv to standard output");
+                 "Write setpoints: .csv (also without extension), .npy, .npz, .halstream,\n"
+                 ".semicolon.csv, or step pulses: .pulses.csv; - = csv to standard output");
   command.toggle("--verify", flags->verify, "Read the setpoints back and prove that they keep every limit");
   command.toggle("--bound", flags->bound, "Compute a lower bound of the cycle time");
   command.json(flags->json, "Print one JSON object");

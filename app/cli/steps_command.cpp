@@ -15,6 +15,7 @@ namespace toolpace::cli {
 namespace {
 
 constexpr double kSecondsPerMillisecond = 1e-3;
+constexpr double kShortestTime = 1e-27, kLongestTime = 1e30;  // [ms] what PulseTable takes
 
 struct StepsFlags {
   StepperMove move;
@@ -29,9 +30,9 @@ Done run_steps(const StepsFlags& flags) {
         usage_error("bad-flag", "--format does not know '" + flags.format + "'", "give one of csv, c"));
   }
   for (const auto& [flag, time] : {std::pair{"--tacc-ms", flags.tacc_ms}, std::pair{"--tdec-ms", flags.tdec_ms}}) {
-    if (time > 0) continue;
-    return tl::unexpected(
-        usage_error("bad-limit", fmt::format("{} {} makes no sense", flag, time), "give a time above 0 ms"));
+    if (time >= kShortestTime && time <= kLongestTime) continue;
+    return tl::unexpected(usage_error("bad-limit", fmt::format("{} {} makes no sense", flag, time),
+                                      fmt::format("give a time between {} and {} ms", kShortestTime, kLongestTime)));
   }
   StepperMove move = flags.move;
   move.t_acc = flags.tacc_ms * kSecondsPerMillisecond;

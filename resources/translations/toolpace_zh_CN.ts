@@ -1206,8 +1206,8 @@
             <translation>用 G40 结束；只有 G70 可带它精车</translation>
         </message>
         <message>
-            <source>P is a whole number from 1</source>
-            <translation>P 是不小于 1 的整数</translation>
+            <source>P is a whole number from 1 to 1000</source>
+            <translation>P 是 1 到 1000 的整数</translation>
         </message>
         <message>
             <source>go there before with G53 G0</source>
@@ -1238,16 +1238,16 @@
             <translation>G87 需要 I J K</translation>
         </message>
         <message>
-            <source>H is a whole number from 0</source>
-            <translation>H 是不小于 0 的整数</translation>
+            <source>H is a whole number from 0 to 10000</source>
+            <translation>H 是 0 到 10000 的整数</translation>
         </message>
         <message>
             <source>J is the first cut, K the full depth, both positive, K the larger</source>
             <translation>J 是第一刀，K 是总深，两者为正且 K 较大</translation>
         </message>
         <message>
-            <source>L is a whole number from 0</source>
-            <translation>L 是不小于 0 的整数</translation>
+            <source>L is a whole number from 0 to 999999999</source>
+            <translation>L 是 0 到 999999999 的整数</translation>
         </message>
         <message>
             <source>L: 1 entry taper, 2 exit taper, 3 both</source>
@@ -1262,8 +1262,8 @@
             <translation>G64 的 P 和 Q 不小于 0</translation>
         </message>
         <message>
-            <source>P of an arc is a whole number from 1</source>
-            <translation>圆弧的 P 是不小于 1 的整数</translation>
+            <source>P of an arc is a whole number from 1 to 1000000</source>
+            <translation>圆弧的 P 是 1 到 1000000 的整数</translation>
         </message>
         <message>
             <source>P0 is the active system, P1 to P9 are G54 to G59.3</source>
@@ -1274,8 +1274,8 @@
             <translation>Q 是进刀角度（度）</translation>
         </message>
         <message>
-            <source>T and P are whole numbers from 0, Q is one from 0 to 9</source>
-            <translation>T 和 P 是不小于 0 的整数，Q 是 0 到 9 的整数</translation>
+            <source>T and P are whole numbers from 0 to 99999999, Q is one from 0 to 9</source>
+            <translation>T 和 P 是 0 到 99999999 的整数，Q 是 0 到 9 的整数</translation>
         </message>
         <message>
             <source>a feedrate is not below 0</source>
@@ -1794,18 +1794,6 @@
             <translation>必须在 1e-30 与 1e30 之间，不限制则为 inf</translation>
         </message>
         <message>
-            <source>it must be positive</source>
-            <translation>必须为正</translation>
-        </message>
-        <message>
-            <source>it must be positive, in Hz</source>
-            <translation>必须为正，单位 Hz</translation>
-        </message>
-        <message>
-            <source>it must be positive, in step/s</source>
-            <translation>必须为正，单位 step/s</translation>
-        </message>
-        <message>
             <source>jog and home before the program begins</source>
             <translation>在程序开始之前点动和回零</translation>
         </message>
@@ -2058,8 +2046,8 @@
             <translation>这不是文本：文件是否损坏？</translation>
         </message>
         <message>
-            <source>tool numbers are whole numbers from 0</source>
-            <translation>刀号是不小于 0 的整数</translation>
+            <source>tool numbers are whole numbers from 0 to 99999999</source>
+            <translation>刀号是 0 到 99999999 的整数</translation>
         </message>
         <message>
             <source>turn it in a block before</source>

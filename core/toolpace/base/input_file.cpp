@@ -19,6 +19,14 @@ constexpr std::size_t kMostStreamed = std::size_t{1} << 30;  // bytes; an endles
 constexpr std::size_t kPieceBytes = std::size_t{1}
                                     << 20;  // stays in the cache between the system's copy and a look at it
 
+/// Asks for the memory of a piece at once: a fault for each of its pages takes longer than to fill it. Best effort.
+void prepare(char* begin, std::size_t count) {
+  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
+  const auto last = (reinterpret_cast<std::uintptr_t>(begin) + count) / page * page;
+  if (last > first) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+}
+
 /// Reads what has no size of its own (pipe, terminal, device) to its end.
 Result<void> read_stream(int descriptor, const std::filesystem::path& file, const Monitor& monitor, std::string& out) {
   std::array<char, 65536> piece;
@@ -114,7 +122,9 @@ Result<FileContent> read_whole_file(const std::filesystem::path& file, const Mon
   const auto size = static_cast<std::size_t>(input->size());
   auto block = std::make_unique_for_overwrite<char[]>(size);
   for (std::size_t at = 0; at < size; at += kPieceBytes) {
-    auto read = input->read(at, block.get() + at, std::min(kPieceBytes, size - at));
+    const std::size_t count = std::min(kPieceBytes, size - at);
+    prepare(block.get() + at, count);
+    auto read = input->read(at, block.get() + at, count);
     if (!read) return tl::unexpected(std::move(read.error()));
     monitor.report(static_cast<double>(at) / static_cast<double>(size));
   }

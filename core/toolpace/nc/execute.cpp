@@ -8,6 +8,7 @@
 #include "toolpace/nc/motion/compensation.h"
 #include "toolpace/nc/motion/lathe_cycles.h"
 #include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/text/whole_number.h"
 #include "toolpace/nc/tool_table.h"
 
 namespace toolpace::nc {
@@ -268,10 +269,11 @@ bool Interpreter::run_subprogram_code(const Block& block) {
     repeats = std::floor(number / 10000.0);
     number -= repeats * 10000.0;
   }
-  if (!(repeats >= 0.0 && repeats < 1e9))
-    return faults_.fail("call-repeats", fmt::format("{:g} repeats of a call", repeats), "L is a whole number from 0",
-                        column);
-  return flow_.call_number(number, static_cast<int>(repeats), block.column_of('p'), std::nullopt);
+  const auto times = whole_number(repeats, 0, kMostCalls);
+  if (!times)
+    return faults_.fail("call-repeats", fmt::format("{:g} repeats of a call", repeats),
+                        "L is a whole number from 0 to 999999999", column);
+  return flow_.call_number(number, *times, block.column_of('p'), std::nullopt);
 }
 
 }  // namespace toolpace::nc

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "toolpace/nc/interpreter.h"
+#include "toolpace/nc/text/whole_number.h"
 
 namespace toolpace::nc {
 namespace {
@@ -56,10 +57,11 @@ bool Interpreter::run_macro_code(const Block& block) {
     return true;
   }
   const double repeats = block.of('l', 1.0);
-  if (!(repeats >= 0.0 && repeats < 1e9))
-    return faults_.fail("call-repeats", fmt::format("{:g} repeats of a macro", repeats), "L is a whole number from 0",
-                        column);
-  return flow_.call_number(block.of('p'), static_cast<int>(std::round(repeats)), column, locals);
+  const auto times = whole_number(repeats, 0, kMostCalls);
+  if (!times)
+    return faults_.fail("call-repeats", fmt::format("{:g} repeats of a macro", repeats),
+                        "L is a whole number from 0 to 999999999", column);
+  return flow_.call_number(block.of('p'), *times, column, locals);
 }
 
 // #3000 = n (TEXT) stops the machine with an alarm, #3006 with a message.

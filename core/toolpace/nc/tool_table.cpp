@@ -48,7 +48,7 @@ bool read_tool_line(Scanner& text, Tool& tool, bool& has_number, Fault& fault) {
     }
     if (!good) {
       fault = {"tool-table-number", fmt::format("{}{:g} is out of range", static_cast<char>(c - 32), value),
-               "T and P are whole numbers from 0, Q is one from 0 to 9", column, Severity::error};
+               "T and P are whole numbers from 0 to 99999999, Q is one from 0 to 9", column, Severity::error};
       return false;
     }
   }
@@ -71,7 +71,7 @@ bool take_tool_number(Context& context, const Block& block, char letter, int& nu
   if (!whole) {
     return context.faults.fail("tool-number",
                                fmt::format("{}{:g} is no tool number", static_cast<char>(letter - 32), value),
-                               "tool numbers are whole numbers from 0", block.column_of(letter));
+                               "tool numbers are whole numbers from 0 to 99999999", block.column_of(letter));
   }
   number = *whole;
   return true;

@@ -130,11 +130,8 @@ class PulseMaker {
   std::vector<Pulse> pulses_;
 };
 
-Result<void> check(const TimedMotion& motion, const Machine& machine, double timer_hz) {
-  if (!(timer_hz > 0) || !std::isfinite(timer_hz)) {
-    return tl::unexpected(
-        pulse_error("timer-value", "the timer's clock is not a frequency above 0", "give --timer-hz, such as 1000000"));
-  }
+Result<void> check_plan(const TimedMotion& motion, const Machine& machine, double timer_hz) {
+  if (auto fine = check_timer(timer_hz); !fine) return fine;
   const bool has_steppers =
       std::any_of(machine.axes.begin(), machine.axes.end(), [](const AxisLimits& a) { return a.steps_per_unit > 0; });
   if (!has_steppers) {
@@ -173,10 +170,16 @@ class Breaks {
 
 }  // namespace
 
+Result<void> check_timer(double timer_hz) {
+  if (timer_hz >= kSlowestTimer && timer_hz <= kFastestTimer) return {};
+  return tl::unexpected(pulse_error("timer-value", "the timer's clock is no frequency between 1 Hz and 1e12 Hz",
+                                    "give --timer-hz, such as 1000000"));
+}
+
 Result<PulseCounts> program_pulses(const TimedMotion& motion, const Machine& machine, double timer_hz,
                                    const std::function<Result<void>(const std::vector<Pulse>&)>& take,
                                    const Monitor& monitor) {
-  if (auto fits = check(motion, machine, timer_hz); !fits) return tl::unexpected(fits.error());
+  if (auto fits = check_plan(motion, machine, timer_hz); !fits) return tl::unexpected(fits.error());
   PulseCounts counts;
   if (motion.path.node.empty()) return counts;
   PulseMaker maker(motion, machine, timer_hz);

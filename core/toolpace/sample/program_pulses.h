@@ -26,6 +26,11 @@ struct TimedMotion {
   const std::vector<double>& node_time;  ///< [s]
 };
 
+inline constexpr double kSlowestTimer = 1, kFastestTimer = 1e12;  ///< [Hz]
+
+/// Errors: usage: timer-value.
+Result<void> check_timer(double timer_hz);
+
 struct PulseCounts {
   std::uint64_t pulses = 0;
   std::array<std::int64_t, kAxisCount> net = {};  ///< steps in all, with sign
@@ -36,7 +41,7 @@ struct PulseCounts {
 /// counts. So the count is within half a step of the exact motion at all times (and a thousandth where it turns), each pulse is
 /// rounded to the nearest tick, and the last count is that of the end point.
 ///
-/// @param timer_hz  [Hz] > 0
+/// @param timer_hz  [Hz] kSlowestTimer … kFastestTimer
 /// @param take      gets the pulses; an error of it ends the work
 /// @return Errors: usage: no-steppers (no axis has steps), timer-value, timer-too-slow (two pulses of an axis within one
 ///         tick), timer-too-fast (the program takes more than 2^53 ticks); of `take`; cancelled

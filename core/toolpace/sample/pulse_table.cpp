@@ -20,11 +20,12 @@ Error bad_number(std::string what, double value, std::string remedy) {
 
 std::optional<Error> check_numbers(const StepperMove& move) {
   const auto is_fine = [](double value) { return value >= 1e-30 && value <= 1e30; };
+  const char* kBounds = "it must be between 1e-30 and 1e30";
   if (move.steps < 1) return bad_number("the number of steps", 0.0, "it must be at least 1");
-  if (!is_fine(move.speed)) return bad_number("the top speed", move.speed, "it must be positive, in step/s");
-  if (!is_fine(move.t_acc)) return bad_number("the acceleration time", move.t_acc, "it must be positive");
-  if (!is_fine(move.t_dec)) return bad_number("the deceleration time", move.t_dec, "it must be positive");
-  if (!is_fine(move.timer_hz)) return bad_number("the timer clock", move.timer_hz, "it must be positive, in Hz");
+  if (!is_fine(move.speed)) return bad_number("the top speed in step/s", move.speed, kBounds);
+  if (!is_fine(move.t_acc)) return bad_number("the acceleration time in s", move.t_acc, kBounds);
+  if (!is_fine(move.t_dec)) return bad_number("the deceleration time in s", move.t_dec, kBounds);
+  if (!is_fine(move.timer_hz)) return bad_number("the timer clock in Hz", move.timer_hz, kBounds);
   return std::nullopt;
 }
 

@@ -2,7 +2,7 @@
 
 import unittest
 
-from command_line import BAD_USAGE, FINE, CommandLineTest
+from command_line import BAD_INPUT, BAD_USAGE, FINE, CommandLineTest
 
 LINE = "G21 G90 G94\nG1 X10 F3000\nM2\n"
 
@@ -83,6 +83,37 @@ class Usage(CommandLineTest):
     def test_senseless_ramp_times_are_named_with_their_flag(self):
         self.expect_failure(self.run_toolpace("steps", "--steps", "5", "--speed", "100", "--tacc-ms", "-1", "--tdec-ms", "1",
                                               "--timer-hz", "1e6"), BAD_USAGE, "--tacc-ms -1")
+
+    def test_numbers_at_the_ends_of_what_numbers_hold_are_done_or_refused_with_their_bounds(self):
+        # Besides the flags of machines and plans, whose bounds are those of the machine file's keys.
+        commands = {"steps": {"--steps": "1000", "--speed": "2000", "--tacc-ms": "100", "--tdec-ms": "100", "--timer-hz": "1e6"},
+                    "move": {"--law": "quintic", "--length": "10", "--feed": "100", "--start": "0", "--end": "0", "--am": "3000",
+                             "--dm": "3000", "--jm": "1e6", "--jd": "1e6"}}
+        for command, flags in commands.items():
+            for flag in flags:
+                if flag == "--law":
+                    continue
+                for value in ("0", "-1", "1e-310", "5e-324", "1e-30", "1e15", "1e30", "1e300", "nan", "-inf", "inf", "word", "1e999"):
+                    with self.subTest(command=command, flag=flag, value=value):
+                        given = {**flags, flag: value}
+                        run = self.run_toolpace(command, *(f"{name}={number}" for name, number in given.items()))
+                        self.assertIn(run.code, (FINE, BAD_USAGE, BAD_INPUT), run.err)
+                        self.assertNotIn("internal", run.err)
+                        self.assertNotIn(b"nan", run.out)
+                        if run.code != FINE:
+                            self.assertRegex(run.err, r"between .* and|from 0 to|at least|above the feed|slower|faster")
+
+    def test_counts_are_bounded(self):
+        program = self.file("a.ngc", LINE)
+        most = "1000000000000000"
+        self.assertEqual(self.run_toolpace("plan", program, "--max-blocks", most, "--max-lines", most).code, FINE)
+        self.expect_failure(self.run_toolpace("plan", program, "--max-blocks", most + "0"), BAD_USAGE, "--max-blocks", most)
+
+    def test_the_clock_of_pulses_is_asked_for_before_anything_is_planned(self):
+        program = self.file("a.ngc", "this is no program\n")
+        for clock in ([], ["--timer-hz", "0"], ["--timer-hz", "1e300"], ["--timer-hz", "1e-310"]):
+            run = self.run_toolpace("plan", program, "--setpoints", "a.pulses.csv", *clock)
+            self.expect_failure(run, BAD_USAGE, "between 1 Hz and 1e12 Hz")
 
     def test_options_out_of_range_are_refused(self):
         program = self.file("a.ngc", LINE)

@@ -96,7 +96,11 @@ TEST(Numpy, ArchivesThatNumpyCompressedAreReadBack) {
   if (!has_numpy()) GTEST_SKIP() << "needs python3-numpy";
   const TemporaryDirectory dir;
   write_all(dir / "a.npz", false);
-  ASSERT_EQ(run_numpy(dir, "z = np.load(d + 'a.npz'); np.savez_compressed(d + 'b.npz', setpoints=z['setpoints'], line=z['line'])\n"), 0);
+  ASSERT_EQ(
+      run_numpy(
+          dir,
+          "z = np.load(d + 'a.npz'); np.savez_compressed(d + 'b.npz', setpoints=z['setpoints'], line=z['line'])\n"),
+      0);
   for (const char* name : {"a.npz", "b.npz"}) {
     auto file = open_setpoint_file(dir / name);
     ASSERT_TRUE(file) << file.error().message;

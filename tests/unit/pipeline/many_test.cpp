@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kThreads = 3;
 
 TEST(ForMany, GivesResultsInTheOrderOfTheValues) {
-  const auto squares = for_many<std::size_t>(20, kThreads, {}, [](std::size_t i, const Monitor&) -> Result<std::size_t> { return i * i; });
+  const auto squares = for_many<std::size_t>(
+      20, kThreads, {}, [](std::size_t i, const Monitor&) -> Result<std::size_t> { return i * i; });
   ASSERT_TRUE(squares);
   for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ((*squares)[i], i * i);
 }

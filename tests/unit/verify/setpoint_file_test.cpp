@@ -105,7 +105,8 @@ TEST(SetpointFile, SaysWhatIsForeignInAnArray) {
   EXPECT_NE(message(numpy_array("<f8", "False", "(21,)", 3 * 7 * 8)).find("1 dimensions"), std::string::npos);
   EXPECT_NE(message(numpy_array("<f8", "False", "(3, 7)", 2 * 7 * 8)).find("cut short"), std::string::npos);
   EXPECT_NE(message(numpy_array("<f8", "False", "(3, 5)", 3 * 5 * 8)).find("7 or 10 columns"), std::string::npos);
-  EXPECT_NE(message(numpy_array("<f8", "False", "(3, 7)", 3 * 7 * 8 + 5)).find("5 bytes stand behind"), std::string::npos);
+  EXPECT_NE(message(numpy_array("<f8", "False", "(3, 7)", 3 * 7 * 8 + 5)).find("5 bytes stand behind"),
+            std::string::npos);
   EXPECT_NE(message(numpy_array("<f8", "False", "(3, 7)", 4 * 7 * 8)).find("56 bytes stand behind"), std::string::npos);
   std::string newer = numpy_array("<f8", "False", "(3, 7)", 3 * 7 * 8);
   newer[6] = 4;

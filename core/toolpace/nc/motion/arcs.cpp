@@ -82,7 +82,7 @@ bool find_turns(Context& context, const Block& block, bool clockwise, int& turns
     const auto number = whole_number(p, 1, kMostTurns);
     if (!number) {
       return context.faults.fail("arc-turns", fmt::format("P{:g} is no number of turns", p),
-                                 "P of an arc is a whole number from 1", block.column_of('p'));
+                                 "P of an arc is a whole number from 1 to 1000000", block.column_of('p'));
     }
     turns = *number;
   }

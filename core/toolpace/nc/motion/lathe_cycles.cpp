@@ -61,7 +61,7 @@ bool read_finishing(Context& context, const Block& block, LatheCycle& cycle) {
   cycle.last_allowance = block.of('e', 0.0) * context.state.modal.unit();
   const auto passes = whole_number(block.of('p', 1.0), 1, kMostFinishingPasses);
   if (!passes)
-    return fail(context, block, "lathe-words", "P of G70 is no number of passes", "P is a whole number from 1", 'p');
+    return fail(context, block, "lathe-words", "P of G70 is no number of passes", "P is a whole number from 1 to 1000", 'p');
   cycle.passes = *passes;
   return true;
 }

@@ -133,7 +133,7 @@ bool read_thread(Context& context, const Block& block, Thread& thread) {
   thread.angle = angle * kRadiansPerDegree;
   const auto springs = whole_number(block.of('h', 0.0), 0, kMostPasses);
   if (!springs)
-    return fail(context, block, "thread-words", "H of G76 is no number of passes", "H is a whole number from 0");
+    return fail(context, block, "thread-words", "H of G76 is no number of passes", "H is a whole number from 0 to 10000");
   thread.spring_passes = *springs;
   const auto tapers = whole_number(block.of('l', 0.0), 0, 3);
   if (!tapers)

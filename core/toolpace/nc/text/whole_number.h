@@ -6,6 +6,8 @@
 
 namespace toolpace::nc {
 
+inline constexpr int kMostCalls = 999'999'999;  ///< of a sub-program by one L
+
 /// `value` as a whole number from `low` to `high`, to 1e-3; none if it is no such number (NaN is none).
 inline std::optional<int> whole_number(double value, int low, int high) {
   constexpr double kWithin = 1e-3;
