@@ -12,7 +12,7 @@ namespace toolpace::verify_detail {
 
 class ZipReader : public std::enable_shared_from_this<ZipReader> {
  public:
-  /// Errors: io, cancelled; input: setpoints-shape, for what is no whole archive.
+  /// Errors: io, cancelled; input: setpoints-broken, for what is no whole archive.
   static Result<std::shared_ptr<ZipReader>> open(InputFile file);
 
   ZipReader(const ZipReader&) = delete;

@@ -141,7 +141,7 @@ TEST(SetpointFile, RefusesWhatIsNoSetpointFile) {
   EXPECT_EQ(code_of(dir, "a.csv", "x_mm,line\n1,2.5\n"), "setpoints-broken");
   EXPECT_EQ(code_of(dir, "a.csv", "x_mm\n1\n\n2\n"), "setpoints-broken");
   EXPECT_EQ(code_of(dir, "a.npy", "\x93NUMPY"), "setpoints-shape");
-  EXPECT_EQ(code_of(dir, "a.npz", "PK\x03\x04 and no more"), "setpoints-shape");
+  EXPECT_EQ(code_of(dir, "a.npz", "PK\x03\x04 and no more"), "setpoints-broken");
 }
 
 TEST(SetpointFile, RefusesArraysThatAreCutShort) {
