@@ -13,6 +13,8 @@ SOURCE_DIR = pathlib.Path(os.environ["TOOLPACE_SOURCE_DIR"])
 EXAMPLES = SOURCE_DIR / "examples" / "nc"
 MACHINES = SOURCE_DIR / "resources" / "machines"
 
+PATIENCE_S = 300  # for what never ends; a machine may have much else to do
+
 FINE, LIMIT_BROKEN, BAD_USAGE, BAD_INPUT, FILE_TROUBLE, INTERRUPTED = 0, 1, 2, 3, 4, 130
 
 
@@ -43,7 +45,7 @@ class CommandLineTest(unittest.TestCase):
         return name
 
     def run_toolpace(self, *arguments, stdin=b"", **options):
-        done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, input=stdin, capture_output=True, timeout=60,
+        done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, input=stdin, capture_output=True, timeout=PATIENCE_S,
                               **options)
         return Run(done.returncode, done.stdout, done.stderr.decode("utf-8", "replace"), "--json" in arguments)
 

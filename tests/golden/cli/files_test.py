@@ -8,7 +8,7 @@ import subprocess
 import unittest
 import zipfile
 
-from command_line import BAD_INPUT, BAD_USAGE, FILE_TROUBLE, FINE, PROGRAM, CommandLineTest
+from command_line import BAD_INPUT, BAD_USAGE, FILE_TROUBLE, FINE, PATIENCE_S, PROGRAM, CommandLineTest
 
 LINE = "G21 G90 G94\nG1 X10 F3000\nM2\n"
 CALLS = "G21 G90 G94 F3000\no<sub> call\nM2\n"
@@ -98,7 +98,7 @@ class Inputs(CommandLineTest):
         self.file("a.ngc", LINE)
         for command in (["plan", "a.ngc"], ["blocks", "-"]):
             with open(self.folder / "a.ngc", "rb") as stdin, open(self.folder / "a.ngc", "ab") as stdout:
-                done = subprocess.run([PROGRAM, *command], cwd=self.folder, stdin=stdin, stdout=stdout, stderr=subprocess.PIPE, timeout=60)
+                done = subprocess.run([PROGRAM, *command], cwd=self.folder, stdin=stdin, stdout=stdout, stderr=subprocess.PIPE, timeout=PATIENCE_S)
             self.assertEqual(done.returncode, BAD_USAGE, done.stderr)
             self.assertEqual((self.folder / "a.ngc").read_text(), LINE)
 
@@ -106,7 +106,7 @@ class Inputs(CommandLineTest):
         self.file("a.ngc", LINE)
         with open(self.folder / "out.csv", "wb") as out:
             done = subprocess.run([PROGRAM, "plan", "a.ngc", "--setpoints", "out.csv"], cwd=self.folder, stdout=out,
-                                  stderr=subprocess.PIPE, timeout=60)
+                                  stderr=subprocess.PIPE, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, BAD_USAGE, done.stderr)
         self.assertIn(b"output-twice", done.stderr)
         for name in ("-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"):
@@ -122,7 +122,7 @@ class Descriptors(CommandLineTest):
 
     def shell(self, line):
         return subprocess.run(["bash", "-c", line], cwd=self.folder, env={**os.environ, "toolpace": PROGRAM}, capture_output=True,
-                              timeout=60)
+                              timeout=PATIENCE_S)
 
     def test_standard_output_by_its_names_is_standard_output(self):
         for name in ("/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"):
@@ -168,7 +168,7 @@ class Reading(CommandLineTest):
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
         for ending in ("csv", "npy", "npz", "halstream"):
             done = subprocess.run([PROGRAM, "plan", program, "--setpoints", f"out.{ending}"], cwd=self.folder, preexec_fn=limit,
-                                  capture_output=True, timeout=60)
+                                  capture_output=True, timeout=PATIENCE_S)
             self.assertEqual(done.returncode, FILE_TROUBLE, (ending, done.stderr))
             self.assertIn(b"file-too-large", done.stderr)
         self.assertEqual([path.name for path in self.folder.iterdir()], [program])

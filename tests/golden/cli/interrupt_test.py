@@ -9,13 +9,12 @@ import signal
 import subprocess
 import unittest
 
-from command_line import INTERRUPTED, PROGRAM, CommandLineTest
+from command_line import INTERRUPTED, PATIENCE_S, PROGRAM, CommandLineTest
 
 LINE = "G21 G90 G94\nG1 X10 F3000\nM2\n"
 # 9e5 mm at 1 mm/s: 9e8 setpoints, which no machine writes before it is asked to stop.
 ENDLESS = "G21 G90 G94\nG1 X900000 F60\nM2\n"
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)
-LONGEST = 60  # [s] until a test gives up
 
 
 def heeds(process, number):
@@ -40,7 +39,7 @@ class Interrupt(CommandLineTest):
     def end(self, process, number=signal.SIGINT):
         self.until(process, lambda: heeds(process, number))
         process.send_signal(number)
-        self.assertEqual(process.wait(LONGEST), INTERRUPTED)
+        self.assertEqual(process.wait(PATIENCE_S), INTERRUPTED)
 
     def names(self):
         return sorted(path.name for path in self.folder.iterdir())
@@ -131,7 +130,7 @@ class Interrupt(CommandLineTest):
         self.until(process, lambda: heeds(process, signal.SIGINT))
         process.send_signal(signal.SIGINT)
         process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(LONGEST), INTERRUPTED)
+        self.assertEqual(process.wait(PATIENCE_S), INTERRUPTED)
 
 
 if __name__ == "__main__":
