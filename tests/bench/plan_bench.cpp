@@ -1,4 +1,4 @@
-/// Planning a million blocks: the shared 5000-block paths, two hundred times over.
+/// Planning a million blocks: paths of 5000 blocks, two hundred times over.
 
 #include <benchmark/benchmark.h>
 
@@ -16,28 +16,24 @@ namespace {
 constexpr std::size_t kCopies = 200;
 
 /// Path limits of 2000 mm/s² and 50 000 mm/s³, servo rule at 1 ms; loaded once.
-const SpeedLimits* load(const std::string& name, std::size_t copies = kCopies) {
+const SpeedLimits& load(const std::string& name, std::size_t copies = kCopies) {
   static std::map<std::string, std::optional<SpeedLimits>> loaded;
   auto& limits = loaded[name + std::to_string(copies)];
   if (!limits) {
     test::PolylineRules rules{test::symmetric(2000, 5e4)};
     rules.servo_acceleration = 2000;
-    limits = test::read_polyline("paths/" + name + ".csv", rules, copies);
+    limits = test::limits_of(test::polyline(name), rules, copies);
   }
-  return limits ? &*limits : nullptr;
+  return *limits;
 }
 
 void plan(benchmark::State& state, const char* name, const PlanOptions& options, std::size_t copies = kCopies) {
-  const SpeedLimits* limits = load(name, copies);
-  if (limits == nullptr) {
-    state.SkipWithError("the shared paths are not here");
-    return;
-  }
+  const SpeedLimits& limits = load(name, copies);
   for (auto _ : state) {
-    auto result = plan_motion(*limits, options);
+    auto result = plan_motion(limits, options);
     benchmark::DoNotOptimize(result);
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(limits->size()));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(limits.size()));
   state.SetLabel("blocks");
 }
 
@@ -55,30 +51,22 @@ PlanOptions span(LawKind law, std::optional<std::size_t> blocks = {}) {
 }
 
 void explain_plan(benchmark::State& state) {
-  const SpeedLimits* limits = load("smooth");
-  if (limits == nullptr) {
-    state.SkipWithError("the shared paths are not here");
-    return;
-  }
+  const SpeedLimits& limits = load("smooth");
   const PlanOptions options = span(LawKind::seven_phase);
-  const auto made = plan_motion(*limits, options);
-  const auto times = node_times(*limits, *made);
+  const auto made = plan_motion(limits, options);
+  const auto times = node_times(limits, *made);
   for (auto _ : state) {
-    auto restraints = explain(*limits, *made, times, options);
+    auto restraints = explain(limits, *made, times, options);
     benchmark::DoNotOptimize(restraints);
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(limits->size()));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(limits.size()));
   state.SetLabel("blocks");
 }
 
 void bound_plan(benchmark::State& state) {
-  const SpeedLimits* limits = load("smooth");
-  if (limits == nullptr) {
-    state.SkipWithError("the shared paths are not here");
-    return;
-  }
-  for (auto _ : state) benchmark::DoNotOptimize(lower_bound(*limits, LawKind::seven_phase));
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(limits->size()));
+  const SpeedLimits& limits = load("smooth");
+  for (auto _ : state) benchmark::DoNotOptimize(lower_bound(limits, LawKind::seven_phase));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(limits.size()));
   state.SetLabel("blocks");
 }
 

@@ -3,39 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <random>
-#include <sstream>
 
 #include "places.h"
+#include "polylines.h"
+#include "toolpace/nc/reader.h"
 
 namespace toolpace::test {
 namespace {
 
 using Point = std::array<double, 3>;
-
-struct Polyline {
-  std::vector<Point> points;
-  std::vector<double> feed;  // [mm/s] of the block that ends at the point
-};
-
-std::optional<Polyline> read_points(const std::string& name) {
-  std::ifstream in(test::shared_dir() / name);
-  std::string line;
-  if (!std::getline(in, line)) return std::nullopt;
-  Polyline p;
-  while (std::getline(in, line)) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream row(line);
-    Point x{};
-    double feed = 0;
-    row >> x[0] >> x[1] >> x[2] >> feed;
-    p.points.push_back(x);
-    p.feed.push_back(feed / 60);
-  }
-  return p;
-}
 
 double norm(const Point& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
@@ -88,26 +66,30 @@ SpeedLimits line_of(const std::vector<double>& length, const std::vector<double>
 }
 
 SpeedLimits ning_blocks(const Dynamics& dynamics) {
-  return line_of({0.88, 1.68, 1.51, 0.56,  1.83, 0.55, 1.71, 0.68, 0.37, 2.21,
-                  2.14, 0.41, 1.27, 0.996, 0.56, 0.86, 0.43, 0.68, 1.43, 3.40},
-                 {100, 100, 100, 100, 100, 80, 80, 80, 80, 80, 80, 50, 50, 50, 50, 100, 100, 100, 100, 100}, dynamics);
+  const auto reading = read_file(source_dir() / "examples/nc/blocks20.ngc");
+  if (!reading) throw std::runtime_error(reading.error().message);
+  std::vector<double> length, feed;
+  for (std::size_t i = 0; i < reading->moves.size(); ++i) {
+    if (reading->moves.kind[i] != MoveKind::feed) continue;
+    length.push_back((reading->moves.end[i] - reading->moves.begin_of(i)).norm());
+    feed.push_back(reading->moves.feed[i]);
+  }
+  return line_of(length, feed, dynamics);
 }
 
-std::optional<SpeedLimits> read_polyline(const std::string& name, const PolylineRules& rules, std::size_t repeat) {
-  const auto polyline = read_points(name);
-  if (!polyline) return std::nullopt;
+SpeedLimits limits_of(const Polyline& polyline, const PolylineRules& rules, std::size_t repeat) {
   SpeedLimits limits;
   std::vector<Point> unit;
   for (std::size_t round = 0; round < repeat; ++round) {
-    for (std::size_t i = 1; i < polyline->points.size(); ++i) {
-      const Point& a = polyline->points[i - 1];
-      const Point& b = polyline->points[i];
+    for (std::size_t i = 1; i < polyline.points.size(); ++i) {
+      const Point& a = polyline.points[i - 1];
+      const Point& b = polyline.points[i];
       const Point d = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
       const double length = norm(d);
       if (!(length > 1e-9)) continue;
       const Point u = {d[0] / length, d[1] / length, d[2] / length};
       limits.length.push_back(length);
-      limits.block_cap.push_back(std::min(polyline->feed[i], axis_share(rules.axis_speed, u)));
+      limits.block_cap.push_back(std::min(polyline.feed[i], axis_share(rules.axis_speed, u)));
       limits.node_cap.push_back(unit.empty() ? 0.0 : corner_cap(unit.back(), u, rules));
       unit.push_back(u);
       const Dynamics own = block_dynamics(u, rules);

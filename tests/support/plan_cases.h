@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "polylines.h"
 #include "toolpace/limits/speed_limits.h"
 
 namespace toolpace::test {
@@ -26,12 +26,11 @@ Dynamics symmetric(double acceleration, double jerk, double time = 0);
 /// Blocks on a line.
 SpeedLimits line_of(const std::vector<double>& length, const std::vector<double>& feed, const Dynamics& dynamics);
 
-/// The 20 blocks of Ning et al. 2014.
+/// The 20 blocks of Ning et al. 2014, laid on a line (examples/nc/blocks20.ngc).
 SpeedLimits ning_blocks(const Dynamics& dynamics);
 
-/// A CSV polyline of the shared folder as speed limits; nothing where the file is missing. `repeat` strings copies of
-/// it together, each starting where the last one ended.
-std::optional<SpeedLimits> read_polyline(const std::string& name, const PolylineRules& rules, std::size_t repeat = 1);
+/// A polyline as speed limits. `repeat` strings copies of it together, each starting where the last one ended.
+SpeedLimits limits_of(const Polyline& polyline, const PolylineRules& rules, std::size_t repeat = 1);
 
 /// Seeded random chain: micro and long blocks, collinear stretches, mixed feeds, stops, low node caps.
 SpeedLimits random_chain(std::uint64_t seed, std::size_t blocks, bool mixed_dynamics = false);

@@ -1,11 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <fstream>
-
 #include "frechet.h"
-#include "places.h"
 #include "planned_program.h"
+#include "polylines.h"
 
 namespace toolpace {
 namespace {
@@ -149,26 +146,22 @@ TEST(RoundedPlan, IsNoFasterThanItsBound) {
   }
 }
 
-// Issue 8; the butterfly's limits are 294.2 and 3e4 an axis, its tolerance 0.005 mm.
-TEST(RoundedPlan, ReachesTheFiguresOnTheSharedPaths) {
+// The butterfly's limits are 294.2 and 3e4 an axis, its tolerance 0.005 mm.
+TEST(RoundedPlan, ReachesTheFiguresOnKnownPaths) {
   struct Case {
-    const char* file;
-    std::size_t blocks;
+    const char* path;
     double feed, acceleration, jerk, tolerance, most;
   };
-  for (const Case& c : {Case{"paths/circle.csv", 5000, 100, 2000, 50000, 0.01, 5.10},
-                        Case{"paths/smooth.csv", 5000, 100, 2000, 50000, 0.01, 44},
-                        Case{"paths/random.csv", 5000, 100, 2000, 50000, 0.01, 222},
-                        Case{"curves/butterfly588.csv", 588, 50, 294.2, 30000, 0.005, 5.45}}) {
-    std::ifstream in(test::shared_dir() / c.file);
-    if (!in) GTEST_SKIP() << "no shared folder";
-    SCOPED_TRACE(c.file);
-    std::string line;
+  for (const Case& c :
+       {Case{"circle", 100, 2000, 50000, 0.01, 5.10}, Case{"smooth", 100, 2000, 50000, 0.01, 44},
+        Case{"random", 100, 2000, 50000, 0.01, 222}, Case{"butterfly588", 50, 294.2, 30000, 0.005, 5.45}}) {
+    SCOPED_TRACE(c.path);
+    const test::Polyline path = test::polyline(c.path);
     testing::Program program;
-    double x, y, z, feed;
-    for (std::size_t n = 0; n <= c.blocks + 1 && std::getline(in, line); ++n) {
-      if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &x, &y, &z, &feed) != 4) continue;
-      n == 1 ? program.start(x, y, z) : program.line(x, y, z, std::min(feed / 60, c.feed));
+    program.start(path.points[0][0], path.points[0][1], path.points[0][2]);
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+      const auto& [x, y, z] = path.points[i];
+      program.line(x, y, z, std::min(path.feed[i], c.feed));
     }
     toolpace::Setup setup = rounding();
     setup.options.corner.tolerance = c.tolerance;

@@ -46,26 +46,24 @@ TEST(BlockPlan, ReproducesThePapersButterfly) {
   test::PolylineRules rules{symmetric(294.2, 1e6)};
   rules.servo_acceleration = 294.2;
   rules.period = 0.004;
-  const auto limits = test::read_polyline("curves/butterfly588.csv", rules);
-  if (!limits) GTEST_SKIP() << "no shared curves here";
-  ASSERT_EQ(limits->size(), 588u);
+  const SpeedLimits limits = test::limits_of(test::polyline("butterfly588"), rules);
+  ASSERT_EQ(limits.size(), 588u);
   PlanOptions options;
   options.lookahead = 1;
-  const double stop_everywhere = cycle_time(*limits, options);
+  const double stop_everywhere = cycle_time(limits, options);
   EXPECT_NEAR(stop_everywhere, 45.31, 0.005);
   options.lookahead = 8;
-  EXPECT_GE(1 - cycle_time(*limits, options) / stop_everywhere, 0.7731);
+  EXPECT_GE(1 - cycle_time(limits, options) / stop_everywhere, 0.7731);
 }
 
 TEST(BlockPlan, CostsWhatIsKnownWithZeroAccelerationAtEveryNode) {
   test::PolylineRules rules{symmetric(294.2, 3e4)};
   rules.corner_step = 0.739;
-  const auto limits = test::read_polyline("curves/butterfly588.csv", rules);
-  if (!limits) GTEST_SKIP() << "no shared curves here";
+  const SpeedLimits limits = test::limits_of(test::polyline("butterfly588"), rules);
   PlanOptions options;
-  EXPECT_NEAR(cycle_time(*limits, options), 10.987, 0.01);  // the best possible is 10.987 for the quintic
+  EXPECT_NEAR(cycle_time(limits, options), 10.987, 0.01);  // the best possible is 10.987 for the quintic
   options.law = LawKind::seven_phase;
-  EXPECT_NEAR(cycle_time(*limits, options), 10.535, 0.01);
+  EXPECT_NEAR(cycle_time(limits, options), 10.535, 0.01);
 }
 
 // With J = 3e4 a speed of 3.61 mm/s can be brought to 0 in a block in which it cannot be brought to 0.5: windows that
@@ -73,15 +71,14 @@ TEST(BlockPlan, CostsWhatIsKnownWithZeroAccelerationAtEveryNode) {
 TEST(BlockPlan, SurvivesTheTrapOfShrinkingRampsAtEveryDepth) {
   test::PolylineRules rules{symmetric(294.2, 3e4)};
   rules.corner_step = 0.739;
-  const auto limits = test::read_polyline("curves/butterfly588.csv", rules);
-  if (!limits) GTEST_SKIP() << "no shared curves here";
+  const SpeedLimits limits = test::limits_of(test::polyline("butterfly588"), rules);
   for (const LawRow& row : law_table()) {
     PlanOptions options;
     options.law = row.kind;
     double last = 1e300;
     for (const std::size_t blocks : {1, 2, 3, 4, 5, 6, 8, 12, 20, 50, 588}) {
       options.lookahead = blocks;
-      SpeedLimits timed = *limits;
+      SpeedLimits timed = limits;
       timed.dynamics[0].up.time = timed.dynamics[0].down.time = 0.01;
       const double t = cycle_time(timed, options);
       EXPECT_LT(t, last * 1.02) << row.id << " N = " << blocks;

@@ -19,12 +19,11 @@ TEST(LowerBound, IsTheAccelerationLimitedOptimumWithoutJerk) {
   EXPECT_NEAR(lower_bound(test::ning_blocks(symmetric(3000, 1e6)), LawKind::trapezoid), 0.3331, 5e-5);
   test::PolylineRules rules{symmetric(294.2, 3e4)};
   rules.corner_step = 1e9;
-  auto limits = test::read_polyline("curves/butterfly588.csv", rules);
-  if (!limits) GTEST_SKIP() << "no shared curves here";
-  EXPECT_NEAR(lower_bound(*limits, LawKind::trapezoid), 3.217, 5e-4);
+  SpeedLimits limits = test::limits_of(test::polyline("butterfly588"), rules);
+  EXPECT_NEAR(lower_bound(limits, LawKind::trapezoid), 3.217, 5e-4);
   rules.corner_step = 0.739;
-  limits = test::read_polyline("curves/butterfly588.csv", rules);
-  EXPECT_NEAR(lower_bound(*limits, LawKind::trapezoid), 9.424, 5e-4);
+  limits = test::limits_of(test::polyline("butterfly588"), rules);
+  EXPECT_NEAR(lower_bound(limits, LawKind::trapezoid), 9.424, 5e-4);
 }
 
 // By hand: from rest with a ≤ √(2Jv) the speed is Jt²/2; 10 mm up and down at J 1e4: 5 = Jt³/6 each way, t = ∛(30/1e4).
@@ -44,9 +43,8 @@ TEST(LowerBound, CountsTheValleysThatCapsThrow) {
         Figure{1e9, 3e4, 3.226, 3.227}, Figure{1e9, 1e4, 3.245, 3.249}}) {
     test::PolylineRules rules{symmetric(294.2, f.jerk)};
     rules.corner_step = f.step;
-    const auto limits = test::read_polyline("curves/butterfly588.csv", rules);
-    if (!limits) GTEST_SKIP() << "no shared curves here";
-    const double bound = lower_bound(*limits, LawKind::time_optimal);
+    const SpeedLimits limits = test::limits_of(test::polyline("butterfly588"), rules);
+    const double bound = lower_bound(limits, LawKind::time_optimal);
     EXPECT_GE(bound, f.at_least) << f.step << " " << f.jerk;
     EXPECT_LE(bound, f.feasible) << f.step << " " << f.jerk;
   }

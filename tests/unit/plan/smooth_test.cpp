@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <random>
 
 #include "frechet.h"
-#include "places.h"
+#include "polylines.h"
 #include "toolpace/plan/smooth/plan_tube.h"
 
 namespace toolpace {
@@ -246,29 +245,24 @@ TEST(PlanTube, GivesTheSameBytesInWhateverOrderTheTasksRun) {
 }
 
 // Known figures (the honest optimum lies a little above 5.09, 18.5 … 19.6, 5.26 s); a tenth of the random path.
-TEST(PlanTube, ReachesTheFiguresOnTheSharedPaths) {
+TEST(PlanTube, ReachesTheFiguresOnKnownPaths) {
   struct Case {
-    const char* file;
+    const char* path;
     std::size_t segments;
-    double speed, acceleration, jerk, tolerance, most;
+    double feed, speed, acceleration, jerk, tolerance, most;
   };
-  for (const Case& c : {Case{"paths/circle.csv", 5000, 100, 2000, 50000, 0.01, 5.12},
-                        Case{"paths/smooth.csv", 5000, 100, 2000, 50000, 0.01, 20.5},
-                        Case{"paths/random.csv", 500, 100, 2000, 50000, 0.01, 16},
-                        Case{"curves/butterfly588.csv", 588, TubeLimits::kNone, 294.2, 30000, 0.005, 5.3}}) {
-    std::ifstream in(test::shared_dir() / c.file);
-    if (!in) GTEST_SKIP() << "no shared folder";
-    std::string line;
-    std::getline(in, line);
+  for (const Case& c :
+       {Case{"circle", 5000, 100, 100, 2000, 50000, 0.01, 5.12},
+        Case{"smooth", 5000, 100, 100, 2000, 50000, 0.01, 20.5}, Case{"random", 500, 100, 100, 2000, 50000, 0.01, 16},
+        Case{"butterfly588", 588, 50, TubeLimits::kNone, 294.2, 30000, 0.005, 5.3}}) {
+    SCOPED_TRACE(c.path);
     std::vector<std::vector<double>> points;
-    double x, y, z, feed = 0;
-    while (points.size() <= c.segments && std::getline(in, line) &&
-           std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &x, &y, &z, &feed) == 4) {
-      if (points.empty() || points.back() != std::vector<double>{x, y, z}) points.push_back({x, y, z});
+    for (const auto& p : test::polyline(c.path).points) {
+      const std::vector<double> point(p.begin(), p.end());
+      if (points.size() <= c.segments && (points.empty() || points.back() != point)) points.push_back(point);
     }
-    SCOPED_TRACE(c.file);
     const TubeMotion motion =
-        planned(polyline(points, feed / 60, c.tolerance), same_limits(c.speed, c.acceleration, c.jerk));
+        planned(polyline(points, c.feed, c.tolerance), same_limits(c.speed, c.acceleration, c.jerk));
     EXPECT_LE(motion.duration, c.most);
   }
 }

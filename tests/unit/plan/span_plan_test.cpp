@@ -43,9 +43,8 @@ TEST_P(SpanPlanOfTheButterfly, ComesCloseToTheProvenBound) {
   const ButterflyFigure& f = GetParam();
   test::PolylineRules rules{symmetric(294.2, f.jerk)};
   rules.corner_step = f.step;
-  const auto limits = test::read_polyline("curves/butterfly588.csv", rules);
-  if (!limits) GTEST_SKIP() << "no shared curves here";
-  const double t = cycle_time(*limits);
+  const SpeedLimits limits = test::limits_of(test::polyline("butterfly588"), rules);
+  const double t = cycle_time(limits);
   EXPECT_LE(t, f.at_most);
   EXPECT_GE(t, f.bound);
 }
@@ -59,9 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(SpanPlan, OfTheQuinticCostsLessThanItsBlockRamps) {
   test::PolylineRules rules{symmetric(294.2, 3e4)};
   rules.corner_step = 0.739;
-  const auto limits = test::read_polyline("curves/butterfly588.csv", rules);
-  if (!limits) GTEST_SKIP() << "no shared curves here";
-  EXPECT_LE(cycle_time(*limits, LawKind::quintic), 10.70);  // 10.98 in blocks
+  const SpeedLimits limits = test::limits_of(test::polyline("butterfly588"), rules);
+  EXPECT_LE(cycle_time(limits, LawKind::quintic), 10.70);  // 10.98 in blocks
 }
 
 // v·a/J + a³/3J² until the acceleration is gone, then the law's own stop from v + a²/2J, within the next N − 1 blocks.
@@ -123,11 +121,10 @@ TEST(SpanPlan, RunsLineAndCircleAsTheLimitsAllow) {
   rules.axis_jerk = 5e4;
   rules.axis_speed = 100;
   rules.servo_acceleration = 2000;
-  const auto line = test::read_polyline("paths/line.csv", rules);
-  const auto circle = test::read_polyline("paths/circle.csv", rules);
-  if (!line || !circle) GTEST_SKIP() << "no shared paths here";
-  EXPECT_LE(cycle_time(*line), 1.091);
-  EXPECT_LE(cycle_time(*circle), 5.10);
+  const SpeedLimits line = test::limits_of(test::polyline("line"), rules);
+  const SpeedLimits circle = test::limits_of(test::polyline("circle"), rules);
+  EXPECT_LE(cycle_time(line), 1.091);
+  EXPECT_LE(cycle_time(circle), 5.10);
 }
 
 // By hand: 10 mm, J 1e4, A 1e9, no cap in the way: up and down with √(JΔ) at the middle, R = vp·√(vp/J) = 5 mm
