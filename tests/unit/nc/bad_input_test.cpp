@@ -146,14 +146,20 @@ TEST(BadInput, SubProgramsAreReadFromTheGivenFoldersOnly) {
   fs::remove_all(folder);
 }
 
-TEST(BadInput, CancellingEndsReading) {
-  std::stop_source stop;
-  stop.request_stop();
+TEST(BadInput, CancellingEndsReadingWhereItIs) {
   std::string text;
-  for (int i = 0; i < 40000; ++i) text += "G0 X1\n";
-  const auto reading = read_text(text + "M2\n", "a.ngc", {}, {.stop = stop.get_token()});
-  ASSERT_FALSE(reading);
-  EXPECT_EQ(reading.error().kind, ErrorKind::cancelled);
+  for (int i = 0; i < 200000; ++i) text += "G0 X1\n";
+  for (const double moment : {0.0, 0.3, 0.8}) {
+    std::stop_source stop;
+    int later = 0;
+    const auto reading = read_text(text + "M2\n", "a.ngc", {}, {stop.get_token(), [&](double fraction) {
+                                                                  if (stop.stop_requested()) ++later;
+                                                                  if (fraction >= moment) stop.request_stop();
+                                                                }});
+    ASSERT_FALSE(reading) << moment;
+    EXPECT_EQ(reading.error().kind, ErrorKind::cancelled);
+    EXPECT_LE(later, 1) << moment;
+  }
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <memory>
 
+#include "places.h"
 #include "toolpace/machine/setup.h"
+#include "toolpace/nc/reader.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace {
@@ -175,6 +177,45 @@ TEST(Run, ProgressRisesToOne) {
   };
   ASSERT_TRUE(run(std::make_shared<const Job>(program.job()), monitor));
   EXPECT_EQ(last, 1.0);
+}
+
+TEST(Run, StopsWithinAStepOfWhereItIsCancelled) {
+  ProgramBuilder program;
+  for (int i = 1; i <= 300'000; ++i) program.add(MoveKind::feed, at(i * 0.1, i % 7 * 0.1), 30);
+  const auto job = std::make_shared<const Job>(program.job());
+  std::vector<double> steps;
+  ASSERT_TRUE(run(job, Monitor{{}, [&](double f) { steps.push_back(f); }}));
+  ASSERT_GT(steps.size(), 8u);
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    std::stop_source source;
+    std::size_t told = 0;
+    const Monitor monitor{source.get_token(), [&](double) {
+                            if (told++ == i) source.request_stop();
+                          }};
+    const auto outcome = run(job, monitor);
+    ASSERT_FALSE(outcome) << "asked at " << steps[i];
+    EXPECT_EQ(outcome.error().kind, ErrorKind::cancelled);
+    EXPECT_LE(told, i + 2) << "asked at " << steps[i];
+  }
+}
+
+// Ning et al. 2014 print 1048.5, 502.7 and 439.3 ms for N = 1, 2, 4 and "nearly unchanged" for 8, with corners that they
+// do not print. These corners give all of them at once, under the paper's own limits and a period of 4 ms.
+TEST(Run, TwentyBlocksWithCornersTakeThePapersTimesAtEachDepth) {
+  auto reading = read_file(test::source_dir() / "tests/data/blocks20_corners_a.csv");
+  ASSERT_TRUE(reading) << reading.error().message;
+  Job job;
+  job.program = std::make_shared<const Reading>(std::move(*reading));
+  job.machine = default_setup().machine;
+  job.machine.path = {100, 3000, 3000, 1e6, 1e6};
+  job.machine.period = 0.004;
+  job.options.law = LawKind::quintic;
+  job.options.corner.rule = CornerRule::servo;
+  for (const auto& [lookahead, milliseconds] :
+       {std::pair{1, 1047.84}, std::pair{2, 502.70}, std::pair{4, 439.30}, std::pair{8, 438.93}}) {
+    job.options.lookahead = lookahead;
+    EXPECT_NEAR(1e3 * planned(job).summary.cycle_time, milliseconds, 0.01) << "N = " << lookahead;
+  }
 }
 
 }  // namespace
