@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -38,8 +39,18 @@ Done flush_output(Done done) {
                               {}});
 }
 
-Done run_command(CommandLine& line, int argc, char** argv) {
+/// All that takes memory is inside: a command line is made of thousands of pieces.
+Done run_command(int argc, char** argv) {
   try {
+    catch_interrupts();
+    CommandLine line;
+    add_plan_command(line);
+    add_blocks_command(line);
+    add_move_command(line);
+    add_steps_command(line);
+    add_verify_command(line);
+    add_simulate_command(line);
+    add_report_command(line);
     const auto action = line.parse(argc, argv);
     return action ? flush_output((*action)()) : tl::unexpected<Failure>(action.error());
   } catch (const std::system_error&) {  // of fmt::print
@@ -58,27 +69,41 @@ bool wants_json(int argc, char** argv) {
   return false;
 }
 
+/// Tells people, and scripts that asked for JSON.
+int report_failure(const Failure& failure, bool json) {
+  end_progress();
+  const int code = report(failure.error);
+  if (json) {
+    print_json(to_json(failure));
+    std::fflush(stdout);
+  }
+  return code;
+}
+
+/// The same where there is no memory left for words.
+int report_no_memory(bool json) {
+  std::fputs("error: there is not enough memory for this [out-of-memory]\n  split the program, or give more memory\n",
+             stderr);
+  if (json) {
+    std::fputs(R"({"error": {"code": "out-of-memory", "message": "there is not enough memory for this", )"
+               R"("remedy": "split the program, or give more memory", "file": null, "line": 0, "column": 0, )"
+               R"("attainable": null}, "exit_code": 3, "diagnostics": []})"
+               "\n",
+               stdout);
+    std::fflush(stdout);
+  }
+  return kBadInput;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   occupy_standard_descriptors();
-  CommandLine line;
-  add_plan_command(line);
-  add_blocks_command(line);
-  add_move_command(line);
-  add_steps_command(line);
-  add_verify_command(line);
-  add_simulate_command(line);
-  add_report_command(line);
-  catch_interrupts();
-
-  const Done done = run_command(line, argc, argv);
-  if (done) return *done;
-  end_progress();
-  const int code = report(done.error().error);
-  if (wants_json(argc, argv)) {
-    print_json(to_json(done.error()));
-    std::fflush(stdout);
+  const bool json = wants_json(argc, argv);
+  try {
+    const Done done = run_command(argc, argv);
+    return done ? *done : report_failure(done.error(), json);
+  } catch (const std::bad_alloc&) {
+    return report_no_memory(json);
   }
-  return code;
 }

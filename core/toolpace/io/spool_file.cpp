@@ -28,8 +28,11 @@ Result<SpoolFile> SpoolFile::create_anywhere() {
 
 Result<SpoolFile> SpoolFile::create(const std::filesystem::path& directory) {
   SpoolFile spool(directory.empty() ? std::filesystem::path(".") : directory);
-  std::string name = (spool.directory_ / ".toolpace-spool-XXXXXX").string();
-  spool.descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+  std::string name;
+  do {
+    name = (spool.directory_ / ".toolpace-spool-XXXXXX").string();
+    spool.descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+  } while (spool.descriptor_ < 0 && errno == EINTR);
   if (spool.descriptor_ < 0) return tl::unexpected(file_error(errno, spool.directory_, "create a temporary file for"));
   ::unlink(name.c_str());
   return spool;

@@ -1,5 +1,6 @@
 #include "toolpace/io/temporary_file.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -57,10 +59,12 @@ void sweep(const fs::path& file) {
   if (::flock(value, LOCK_EX | LOCK_NB) == 0 && leads_to(file, value)) ::unlink(file.c_str());
 }
 
+/// By the system's calls: the standard library's iterator ends the program where there is no memory.
 void sweep_folder(const fs::path& folder) {
-  std::error_code trouble;
-  for (fs::directory_iterator at(folder, trouble), end; !trouble && at != end; at.increment(trouble)) {
-    if (is_temporary_name(at->path().filename().native())) sweep(at->path());
+  const std::unique_ptr<DIR, int (*)(DIR*)> listing(::opendir(folder.c_str()), &::closedir);
+  if (!listing) return;
+  while (const dirent* const entry = ::readdir(listing.get())) {
+    if (is_temporary_name(entry->d_name)) sweep(folder / entry->d_name);
   }
 }
 
