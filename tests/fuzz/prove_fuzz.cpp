@@ -1,0 +1,55 @@
+/// Polylines all the way to a proof, with every rule for corners: what is planned is judged, and told in numbers. The first byte
+/// chooses the rule and its tolerance.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "toolpace/nc/reader.h"
+#include "toolpace/pipeline/job.h"
+#include "toolpace/pipeline/prove.h"
+#include "toolpace/machine/setup.h"
+
+namespace {
+
+using namespace toolpace;
+
+constexpr std::size_t kMostMoves = 12, kMostSetpoints = 20'000;
+
+PlanOptions options_of(std::uint8_t choice) {
+  constexpr std::array kRules = {CornerRule::stop, CornerRule::servo, CornerRule::junction, CornerRule::blend,
+                                 CornerRule::smooth};
+  PlanOptions options = default_setup().options;
+  options.law = LawKind::seven_phase;
+  options.ramps = choice % 2 == 0 ? Ramps::block : Ramps::span;
+  options.corner.rule = kRules[choice / 2 % kRules.size()];
+  options.corner.tolerance = std::pow(10.0, -choice / 10 % 6);
+  return options;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
+  auto reading = read_text(text, "fuzz.csv");
+  if (!reading || reading->refused || reading->moves.size() > kMostMoves) return 0;
+  auto job = std::make_shared<Job>();
+  job->program = std::make_shared<const Reading>(std::move(*reading));
+  job->machine = default_setup().machine;
+  for (auto& axis : job->machine.axes) axis.speed = 200, axis.acceleration = 4000, axis.jerk = 1e6;
+  job->options = options_of(data[0]);
+  const auto outcome = run(job);
+  if (!outcome || outcome->plan.cycle_time() > static_cast<double>(kMostSetpoints) * job->machine.period) return 0;
+  const auto report = prove(*outcome);
+  if (!report) std::abort();
+  for (const Check& check : report->checks) {
+    if (std::isnan(check.value) || std::isnan(check.bound)) std::abort();
+  }
+  return 0;
+}
