@@ -4,9 +4,9 @@
 #include <cstdlib>
 
 #include "scratch_file.h"
+#include "toolpace/machine/setup.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/path/build_path.h"
-#include "toolpace/machine/setup.h"
 #include "toolpace/verify/verify.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -10,10 +10,10 @@
 #include <string_view>
 #include <utility>
 
+#include "toolpace/machine/setup.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/pipeline/job.h"
 #include "toolpace/pipeline/prove.h"
-#include "toolpace/machine/setup.h"
 
 namespace {
 
