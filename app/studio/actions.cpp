@@ -8,6 +8,8 @@ namespace toolpace::studio {
 
 Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   open = add("openAction", "open", {QKeySequence::Open});
+  save_program = add("saveProgramAction", "", {QKeySequence::Save});
+  save_program_as = add("saveProgramAsAction", "", {QKeySequence("Ctrl+Shift+S")});
   reload = add("reloadAction", "reload", {QKeySequence(Qt::Key_F5)});
   open_example = add("openExampleAction", "");
   close_window = add("quitAction", "", {QKeySequence("Ctrl+Q")});
@@ -20,13 +22,15 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   export_window = add("exportWindowAction", "");
   export_report = add("exportReportAction", "report", {QKeySequence("Ctrl+R")});
   open_machine = add("openMachineAction", "machine", {QKeySequence("Ctrl+M")});
-  save_machine = add("saveMachineAction", "", {QKeySequence::Save});
-  save_machine_as = add("saveMachineAsAction", "", {QKeySequence("Ctrl+Shift+S")});
+  save_machine = add("saveMachineAction", "", {QKeySequence("Ctrl+Shift+M")});
+  save_machine_as = add("saveMachineAsAction", "");
   default_machine = add("defaultMachineAction", "");
   undo = add("undoAction", "undo", {QKeySequence("Ctrl+Z")});
   redo = add("redoAction", "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   find = add("findAction", "search", {QKeySequence::Find});
   edit_line = add("editLineAction", "", {QKeySequence("Ctrl+F2")});
+  insert_line = add("insertLineAction", "", {QKeySequence("Ctrl+Return"), QKeySequence("Ctrl+Enter")});
+  delete_lines = add("deleteLinesAction", "", {QKeySequence("Ctrl+Shift+K")});
   addPlan();
   addView();
   show_keys = add("keysAction", "", {QKeySequence(Qt::Key_F1)});
@@ -95,6 +99,8 @@ void Actions::setTheme(const ui::Theme& theme) {
 void Actions::retranslate() {
   open->setText(tr("&Open…"));
   open->setIconText(tr("Open"));
+  save_program->setText(tr("&Save"));
+  save_program_as->setText(tr("Save &as…"));
   reload->setText(tr("&Reload"));
   open_example->setText(tr("Open the e&xample"));
   close_window->setText(tr("&Quit"));
@@ -115,6 +121,8 @@ void Actions::retranslate() {
   redo->setText(tr("&Redo"));
   find->setText(tr("&Find in program"));
   edit_line->setText(tr("&Edit line"));
+  insert_line->setText(tr("&Insert a line"));
+  delete_lines->setText(tr("&Delete the lines chosen"));
   play->setText(tr("&Play or pause"));
   previous_line->setText(tr("One line &back"));
   next_line->setText(tr("One line &on"));

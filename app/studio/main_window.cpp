@@ -7,7 +7,6 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDropEvent>
-#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMimeData>
@@ -28,12 +27,6 @@
 #include "preview/contour_view.h"
 
 namespace toolpace::studio {
-namespace {
-
-constexpr auto kExample = ":/butterfly.ngc";
-
-}  // namespace
-
 MainWindow::MainWindow(bool remember)
     : remember_(remember), preferences_(remember ? load_preferences() : Preferences{}), actions_(new Actions(this)) {
   setObjectName("mainWindow");
@@ -65,34 +58,15 @@ MainWindow::~MainWindow() {
   QCoreApplication::removeTranslator(&qt_translator_);
 }
 
-void MainWindow::openProgram(const QString& path) { workspace_.openFile(path); }
-
-void MainWindow::openExample() {
-  QFile file(kExample);
-  if (!file.open(QIODevice::ReadOnly)) return;
-  workspace_.openText(file.readAll(), "butterfly.ngc");
-}
-
-void MainWindow::openLast() {
-  if (QFileInfo::exists(preferences_.last_machine)) openMachine(preferences_.last_machine);
-  if (QFileInfo::exists(preferences_.last_program)) return openProgram(preferences_.last_program);
-  openExample();
-}
-
-void MainWindow::showDocument() {
+void MainWindow::showDocument(bool another) {
   const auto& document = workspace_.document();
-  nc_->view().setDocument(document);
+  nc_->view().setDocument(document, another);
   nc_->setHintVisible(document->path.isEmpty());
   tuning_->setRotaryAxes(document->turned);
   showWholeTuning();
-  if (!document->path.isEmpty()) {
-    preferences_.last_program = QFileInfo(document->path).absoluteFilePath();
-    studio::remember(preferences_.recent_programs, preferences_.last_program);
-  } else {
-    preferences_.last_program.clear();
-  }
+  rememberProgram();
   next_problem_ = next_slow_ = 0;
-  transport_->setMessage({});
+  if (!document->edited_state) transport_->setMessage({});
   showTitle();
   emit openedOrFailed();
 }
@@ -202,9 +176,12 @@ void MainWindow::showPlotMenu(const QPoint& at) {
 }
 
 void MainWindow::showTitle() {
-  const auto& document = workspace_.document();
-  setWindowTitle(document ? document->name : QString());
-  const bool edited = !workspace_.tuning().undoStack().isClean();
+  const auto& program = workspace_.program();
+  setWindowTitle(program.name() + "[*]");
+  setWindowModified(program.isModified());
+  titles_["programDock"]->setBadge(program.isModified() ? tr("edited") : QString(), tr("Changes that are not saved"));
+  actions_->save_program->setEnabled(program.isModified() || program.path().isEmpty());
+  const bool edited = !workspace_.tuning().isClean();
   const QString name = machine_.name.isEmpty() ? tr("default limits") : machine_.name;
   machine_button_->setText(tr("Machine: %1").arg(name + (edited ? "*" : "")));
   actions_->save_machine->setEnabled(edited || machine_.path.isEmpty());
@@ -223,10 +200,12 @@ void MainWindow::showFailure(const Error& error, const QString& path) {
   docks_["problemsDock"]->show();
   docks_["problemsDock"]->raise();
   transport_->setMessage(ui::message_text(failure.code, failure.message));
+  emit failed(error);
   emit openedOrFailed();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayLeaveProgram([this] { close(); })) return event->ignore();
   if (remember_) {
     preferences_.geometry = saveGeometry();
     preferences_.layout = saveState();
@@ -245,6 +224,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
   if (path.endsWith(".toml", Qt::CaseInsensitive)) {
     openMachine(path);
+  } else if (workspace_.program().isModified()) {  // asks, and whoever drags waits for the drop to be over
+    QMetaObject::invokeMethod(
+        this, [this, path] { openProgram(path); }, Qt::QueuedConnection);
   } else {
     openProgram(path);
   }

@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QToolButton>
 #include <QTranslator>
+#include <functional>
 #include <map>
 
 #include "actions.h"
@@ -50,10 +51,13 @@ class MainWindow : public QMainWindow {
   ui::Workspace& workspace() { return workspace_; }
   Actions& actions() { return *actions_; }
 
+  /// Asks first where the program that is open has changes that are not saved; so does openExample.
   void openProgram(const QString& path);
   void openExample();
   /// What was open when the window was last closed, else the example.
   void openLast();
+  /// In a worker; the status line tells when it is done. The file becomes the program's.
+  void storeProgramAs(const QString& path);
   /// Opens a machine file, or imports a LinuxCNC .ini or a grbl dump (.txt).
   bool openMachine(const QString& path);
   void storeMachineAs(const QString& path);
@@ -62,7 +66,7 @@ class MainWindow : public QMainWindow {
   void setTimerFrequency(double hz);  ///< of the pulses' timer
   enum class Picture { contour, plots, window };
   bool saveReport(const QString& path);
-  bool savePicture(Picture picture, const QString& path);
+  Result<void> savePicture(Picture picture, const QString& path);
   void setDark(bool dark);
   void setTouch(bool touch);
   void setInch(bool inch);
@@ -71,7 +75,8 @@ class MainWindow : public QMainWindow {
   bool isSettled() const { return !workspace_.isBusy() && !exporter_.isBusy(); }
 
  signals:
-  void openedOrFailed();  ///< the program that was asked for is shown, or its failure is
+  void failed(const toolpace::Error& error);  ///< what was asked for could not be done; it is shown already
+  void openedOrFailed();                      ///< the program that was asked for is shown, or its failure is
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -84,7 +89,7 @@ class MainWindow : public QMainWindow {
   // main_window.cpp
   void showPlan();
   void showPinned();
-  void showDocument();
+  void showDocument(bool another);
   void showProblems();
   void showCursor(double time);
   void showTitle();
@@ -109,22 +114,33 @@ class MainWindow : public QMainWindow {
   void fillRecent();
   void fillFormats();
   void fillMachines();
-  // main_window_files.cpp
+  // main_window_program.cpp
+  void connectProgram();
   void askProgram();
+  void saveProgram(bool ask, std::function<void()> then = {});
+  void startSaving(const QString& path, std::function<void()> then);
+  void takeSaved(const QString& path);
+  bool mayLeaveProgram(std::function<void()> later);
+  void rememberProgram();
+  void showConflict(ui::Workspace::Conflict conflict);
+  // main_window_files.cpp
   void askMachine();
   void saveMachine(bool ask);
+  // main_window_exports.cpp
   void exportSetpoints(const QString& suffix);
   void exportPulses();
   void exportPicture(Picture picture);
   void exportReport();
   QString askFile(const QString& title, const QString& suffix, const QStringList& filters);
   void connectExporter();
-  void holdAt(std::optional<double> time);  ///< [s]; nothing = no feed hold
-  void showPlotMenu(const QPoint& at);
+  // main_window_help.cpp
   void goToProblem();
   void goToSlowest();
   void showKeys();
   void showAbout();
+  // main_window.cpp
+  void holdAt(std::optional<double> time);  ///< [s]; nothing = no feed hold
+  void showPlotMenu(const QPoint& at);
 
   bool remember_;
   Preferences preferences_;
@@ -159,6 +175,7 @@ class MainWindow : public QMainWindow {
   bool had_errors_ = false;
   bool following_ = true;  // the program scrolls along with the cursor
   std::size_t next_problem_ = 0, next_slow_ = 0;
+  std::function<void()> after_saving_;  // what waits for the program to be saved
 };
 
 }  // namespace toolpace::studio

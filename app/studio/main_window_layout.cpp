@@ -174,7 +174,9 @@ void MainWindow::buildMenus() {
   file_menu_ = menu("fileMenu");
   file_menu_->addAction(a.open);
   file_menu_->addMenu(recent_menu_);
-  file_menu_->addActions({a.open_example, a.reload});
+  file_menu_->addAction(a.open_example);
+  file_menu_->addSeparator();
+  file_menu_->addActions({a.save_program, a.save_program_as, a.reload});
   file_menu_->addSeparator();
   file_menu_->addMenu(machine_menu_);
   file_menu_->addMenu(export_menu_);
@@ -183,7 +185,7 @@ void MainWindow::buildMenus() {
   edit_menu_ = menu("editMenu");
   edit_menu_->addActions({a.undo, a.redo});
   edit_menu_->addSeparator();
-  edit_menu_->addActions({a.find, a.edit_line});
+  edit_menu_->addActions({a.find, a.edit_line, a.insert_line, a.delete_lines});
   plan_menu_ = menu("planMenu");
   plan_menu_->addActions({a.play, a.previous_line, a.next_line, a.to_start, a.to_end});
   plan_menu_->addSeparator();

@@ -20,6 +20,7 @@ namespace toolpace::studio {
 void MainWindow::connectWorkspace() {
   using ui::Workspace;
   connect(&workspace_, &Workspace::documentChanged, this, &MainWindow::showDocument);
+  connectProgram();
   connect(&workspace_, &Workspace::planChanged, this, &MainWindow::showPlan);
   connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPinned);
   connect(&workspace_, &Workspace::proofChanged, this, [this] {
@@ -37,7 +38,7 @@ void MainWindow::connectWorkspace() {
   connect(&workspace_, &Workspace::staleChanged, this, &MainWindow::showState);
   connect(&workspace_, &Workspace::refinementChanged, this, &MainWindow::showState);
   connect(&workspace_.playback(), &ui::Playback::playingChanged, transport_, &ui::TransportBar::setPlaying);
-  connect(&workspace_.tuning().undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::showTitle);
+  connect(&workspace_.tuning(), &ui::TuningModel::cleanChanged, this, &MainWindow::showTitle);
 }
 
 void MainWindow::connectPanels() {
@@ -47,7 +48,6 @@ void MainWindow::connectPanels() {
     following_ = true;
   };
   connect(&nc_->view(), &ui::NcView::lineActivated, this, go_to_line);
-  connect(&nc_->view(), &ui::NcView::lineEdited, &workspace_, &ui::Workspace::editLine);
   const auto show_line = [this, go_to_line](int line) {
     nc_->view().setCurrentLine(line);
     go_to_line(line);
@@ -86,6 +86,8 @@ void MainWindow::connectActions() {
   Actions& a = *actions_;
   const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
   on(a.open, [this] { askProgram(); });
+  on(a.save_program, [this] { saveProgram(false); });
+  on(a.save_program_as, [this] { saveProgram(true); });
   on(a.reload, [this] { workspace_.reload(); });
   on(a.open_example, [this] { openExample(); });
   on(a.close_window, [this] { close(); });
@@ -107,7 +109,7 @@ void MainWindow::connectActions() {
     workspace_.tuning().replace(tr("Default limits"), default_setup());
     showTitle();
   });
-  auto& undo = workspace_.tuning().undoStack();
+  auto& undo = workspace_.undoStack();
   on(a.undo, [&undo] { undo.undo(); });
   on(a.redo, [&undo] { undo.redo(); });
   connect(&undo, &QUndoStack::canUndoChanged, a.undo, &QAction::setEnabled);
@@ -116,6 +118,8 @@ void MainWindow::connectActions() {
   a.redo->setEnabled(false);
   on(a.find, [this] { nc_->openFindBar(); });
   on(a.edit_line, [this] { nc_->view().editCurrentLine(); });
+  on(a.insert_line, [this] { nc_->view().insertLine(); });
+  on(a.delete_lines, [this] { nc_->view().removeLines(); });
   on(a.play, [this] { workspace_.togglePlay(); });
   on(a.previous_line, [this] { workspace_.stepLine(-1); });
   on(a.next_line, [this] { workspace_.stepLine(+1); });

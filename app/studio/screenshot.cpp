@@ -4,34 +4,37 @@
 #include <QEventLoop>
 #include <QPixmap>
 #include <QTimer>
-#include <cstdio>
 
+#include "end_on_signals.h"
 #include "main_window.h"
+#include "theme/picture_file.h"
+#include "toolpace/base/monitor.h"
 
 namespace toolpace::studio {
 namespace {
 
 constexpr int kPaintMs = 250;  // for pictures that are refined at rest
 
+template <class Done>
+void wait_until(const Done& done) {
+  while (!done() && !is_ended()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+}
+
 }  // namespace
 
 void settle(MainWindow& window) {
+  wait_until([&window] { return window.isSettled(); });
   QEventLoop loop;
-  QObject::connect(&window.workspace(), &ui::Workspace::busyChanged, &loop, [&](bool busy) {
-    if (!busy) loop.quit();
-  });
-  while (!window.isSettled()) loop.exec();
   QTimer::singleShot(kPaintMs, &loop, &QEventLoop::quit);
   loop.exec();
 }
 
-bool take_screenshot(MainWindow& window, const QString& file) {
+Result<void> take_screenshot(MainWindow& window, const QString& file) {
   settle(window);
-  while (window.workspace().isProving()) QApplication::processEvents(QEventLoop::WaitForMoreEvents, kPaintMs);
+  wait_until([&window] { return !window.workspace().isProving(); });
   QApplication::processEvents();
-  if (window.grab().save(file)) return true;
-  std::fprintf(stderr, "toolpace-studio: error: %s: cannot be written\n", qPrintable(file));
-  return false;
+  if (is_ended()) return tl::unexpected(cancelled_error());
+  return ui::save_picture(file, {window.size(), [&window] { return window.grab().toImage(); }});
 }
 
 }  // namespace toolpace::studio

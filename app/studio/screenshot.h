@@ -3,15 +3,17 @@
 
 #include <QString>
 
+#include "toolpace/base/result.h"
+
 namespace toolpace::studio {
 
 class MainWindow;
 
-/// Waits until the program is open (or refused) and planned, then saves the window as PNG (the extension decides).
-/// False, with a message on stderr, where the file cannot be written.
-bool take_screenshot(MainWindow& window, const QString& file);
+/// Waits until the program is open (or refused), planned and proven, then saves the window as PNG. Errors: those of
+/// save_picture, and cancelled when a signal came.
+Result<void> take_screenshot(MainWindow& window, const QString& file);
 
-/// Runs the event loop until reading and planning are done and the picture has been drawn.
+/// Runs the event loop until reading and planning are done and the picture has been drawn, or a signal ends the process.
 void settle(MainWindow& window);
 
 }  // namespace toolpace::studio

@@ -1114,6 +1114,14 @@
             <source>g43.2-without-h</source>
             <translation>G43.2 没有刀具号 H</translation>
         </message>
+        <message>
+            <source>not-regular-file</source>
+            <translation>这不是普通文件，而是管道、套接字或设备</translation>
+        </message>
+        <message>
+            <source>picture-format-unknown</source>
+            <translation>不支持这种图片格式</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -2209,6 +2217,18 @@
             <source>name the tool with H</source>
             <translation>用 H 指定刀具</translation>
         </message>
+        <message>
+            <source>make the window smaller, or give more memory</source>
+            <translation>请缩小窗口，或提供更多内存</translation>
+        </message>
+        <message>
+            <source>save what comes from it as a file and open that</source>
+            <translation>请将其内容存成文件，再打开该文件</translation>
+        </message>
+        <message>
+            <source>use one of %1</source>
+            <translation>请使用其中之一：%1</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::Actions</name>
@@ -2403,6 +2423,22 @@
         <message>
             <source>Take the feed h&amp;old away</source>
             <translation>取消进给保持(&amp;O)</translation>
+        </message>
+        <message>
+            <source>&amp;Save</source>
+            <translation>保存(&amp;S)</translation>
+        </message>
+        <message>
+            <source>Save &amp;as…</source>
+            <translation>另存为(&amp;A)…</translation>
+        </message>
+        <message>
+            <source>&amp;Insert a line</source>
+            <translation>插入一行(&amp;I)</translation>
+        </message>
+        <message>
+            <source>&amp;Delete the lines chosen</source>
+            <translation>删除所选行(&amp;D)</translation>
         </message>
     </context>
     <context>
@@ -2690,6 +2726,22 @@
         <message>
             <source>Setpoints &amp;as</source>
             <translation>设定点另存为(&amp;A)</translation>
+        </message>
+        <message>
+            <source>edited</source>
+            <translation>已修改</translation>
+        </message>
+        <message>
+            <source>Changes that are not saved</source>
+            <translation>尚未保存的修改</translation>
+        </message>
+        <message>
+            <source>%1 has changes that are not saved.</source>
+            <translation>%1 有尚未保存的修改。</translation>
+        </message>
+        <message>
+            <source>Save the program</source>
+            <translation>保存程序</translation>
         </message>
     </context>
     <context>
@@ -4107,6 +4159,87 @@
         <message>
             <source>Modal state at the cursor line</source>
             <translation>光标行的模态</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::studio::Ask</name>
+        <message>
+            <source>They are lost unless you save them.</source>
+            <translation>不保存就会丢失。</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>保存</translation>
+        </message>
+        <message>
+            <source>Don&apos;t save</source>
+            <translation>不保存</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>%1 was changed by another program.</source>
+            <translation>%1 已被其他程序修改。</translation>
+        </message>
+        <message>
+            <source>Saving replaces what that program wrote.</source>
+            <translation>保存将覆盖该程序写入的内容。</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>覆盖</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::ChangeBar</name>
+        <message>
+            <source>Your changes are not saved. Reading the file again puts them aside.</source>
+            <translation>您的修改尚未保存。重新读取文件会撇开这些修改。</translation>
+        </message>
+        <message>
+            <source>The file was changed by another program, and your changes are not saved.</source>
+            <translation>文件已被其他程序修改，而您的修改尚未保存。</translation>
+        </message>
+        <message>
+            <source>Keep mine</source>
+            <translation>保留我的</translation>
+        </message>
+        <message>
+            <source>Stay with the text in the window; saving it replaces the file</source>
+            <translation>保留窗口中的文本；保存时将覆盖文件</translation>
+        </message>
+        <message>
+            <source>Take the file&apos;s</source>
+            <translation>采用文件的</translation>
+        </message>
+        <message>
+            <source>Read the file again; undo brings your changes back</source>
+            <translation>重新读取文件；撤销可恢复您的修改</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::ProgramModel</name>
+        <message>
+            <source>Reload</source>
+            <translation>重新加载</translation>
+        </message>
+        <message>
+            <source>Edit line %1</source>
+            <translation>编辑第 %1 行</translation>
+        </message>
+        <message>
+            <source>Insert line %1</source>
+            <translation>插入第 %1 行</translation>
+        </message>
+        <message>
+            <source>Delete line %1</source>
+            <translation>删除第 %1 行</translation>
+        </message>
+        <message>
+            <source>Delete lines %1 to %2</source>
+            <translation>删除第 %1 至 %2 行</translation>
         </message>
     </context>
 </TS>

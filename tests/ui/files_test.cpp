@@ -78,7 +78,7 @@ class FilesTest : public QObject {
     window.show();
     window.workspace().openText(kSquare, "square.ngc");
     settle(window);
-    window.workspace().editLine(2, "G1 F1200 X15");
+    window.workspace().program().replaceLine(2, "G1 F1200 X15");
     settle(window);
     QCOMPARE(window.workspace().document()->line(2), QString("G1 F1200 X15"));
     QVERIFY(window.workspace().timeline()->outcome()->summary.path_length > 40.0);
@@ -250,7 +250,7 @@ class FilesTest : public QObject {
       t.options.lookahead = 17;
     });
     window.storeMachineAs(in("mine.toml"));
-    QVERIFY(window.workspace().tuning().undoStack().isClean());
+    QVERIFY(window.workspace().tuning().isClean());
     window.workspace().tuning().reset(default_setup());
     QVERIFY(window.openMachine(in("mine.toml")));
     const auto& tuning = window.workspace().tuning().value();

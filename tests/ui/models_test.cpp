@@ -31,25 +31,6 @@ class ModelsTest : public QObject {
     QCOMPARE(duration_text(3720), QString("1 h 02 min"));
   }
 
-  void lines_of_a_text_are_found_whatever_their_ends() {
-    Document document;
-    document.text = "G1\r\nX1\n\nY2";
-    document.line_starts = find_line_starts(document.text);
-    QCOMPARE(document.line_count(), 4);
-    QCOMPARE(document.line(1), QString("G1"));
-    QCOMPARE(document.line(3), QString());
-    QCOMPARE(document.line(4), QString("Y2"));
-    QCOMPARE(find_line_starts("a\n").size(), std::size_t{1});
-    QCOMPARE(find_line_starts("").size(), std::size_t{1});
-  }
-
-  void a_line_that_is_not_utf8_is_shown_as_latin1() {
-    Document document;
-    document.text = "(\xe4)";
-    document.line_starts = find_line_starts(document.text);
-    QCOMPARE(document.line(1), QString::fromUtf8("(ä)"));
-  }
-
   void comments_and_line_numbers_are_quiet() {
     const auto spans = nc_spans("N10 G1 (fast) X1 ; end");
     QCOMPARE(spans.size(), std::size_t{5});

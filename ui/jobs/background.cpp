@@ -1,12 +1,32 @@
 #include "jobs/background.h"
 
 #include <QMetaObject>
+#include <exception>
 #include <memory>
+#include <new>
 
 namespace toolpace::ui {
 namespace {
 
 constexpr double kProgressStep = 0.01;  // do not flood the event loop
+
+/// Precondition: an exception is being handled.
+Error caught_error() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return {ErrorKind::input,
+            "out-of-memory",
+            "there is not enough memory for this",
+            "split the program, or give more memory",
+            {},
+            {}};
+  } catch (const std::exception& e) {
+    return {ErrorKind::input, "internal", std::string("internal error: ") + e.what(), "please report it", {}, {}};
+  } catch (...) {
+    return {ErrorKind::input, "internal", "internal error", "please report it", {}, {}};
+  }
+}
 
 }  // namespace
 
@@ -17,7 +37,7 @@ Background::~Background() {
   pool_.waitForDone();
 }
 
-void Background::start(Task task) {
+void Background::start(Task task, Failure failure) {
   Q_ASSERT(!running_);
   running_ = true;
   stop_ = std::stop_source();
@@ -29,12 +49,21 @@ void Background::start(Task task) {
     QMetaObject::invokeMethod(
         this, [this, fraction] { emit progressed(fraction); }, Qt::QueuedConnection);
   };
-  pool_.start([this, work = std::move(task), monitor = std::move(monitor)] {
-    Delivery delivery = work(monitor);
+  pool_.start([this, work = std::move(task), fail = std::move(failure), monitor = std::move(monitor)] {
+    Delivery delivery;
+    try {
+      delivery = work(monitor);
+    } catch (...) {
+      delivery = [fail, error = caught_error()] { fail(error); };
+    }
     QMetaObject::invokeMethod(
         this,
-        [this, hand_over = std::move(delivery)] {
-          if (hand_over) hand_over();  // still busy: what it submits waits for finished()
+        [this, hand_over = std::move(delivery), fail] {
+          try {
+            if (hand_over) hand_over();  // still busy: what it submits waits for finished()
+          } catch (...) {
+            fail(caught_error());
+          }
           running_ = false;
           emit finished();
         },

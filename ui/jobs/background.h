@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "toolpace/base/monitor.h"
+#include "toolpace/base/result.h"
 
 namespace toolpace::ui {
 
@@ -18,19 +19,21 @@ class Background : public QObject {
   /// Runs on the worker; returns what is to be done with the result on the owner's thread.
   using Delivery = std::function<void()>;
   using Task = std::function<Delivery(const Monitor&)>;
+  /// What is to be done, on the owner's thread, when a task or its delivery threw: "out-of-memory" or "internal".
+  using Failure = std::function<void(const Error&)>;
 
   explicit Background(QObject* parent = nullptr);
   ~Background() override;
 
   bool isBusy() const { return running_; }
-  /// Precondition: not busy.
-  void start(Task task);
+  /// Precondition: not busy. Exactly one of the task's delivery and `failure` is done to its end.
+  void start(Task task, Failure failure);
   /// Asks the running task to stop; its delivery still arrives.
   void cancel();
 
  signals:
   void progressed(double fraction);
-  void finished();  ///< after the delivery
+  void finished();  ///< after the delivery or the failure
 
  private:
   QThreadPool pool_;

@@ -9,7 +9,7 @@ ExportService::ExportService(QObject* parent) : QObject(parent) {
 }
 
 void ExportService::start(std::shared_ptr<const Outcome> outcome, const QString& file, const ExportOptions& options) {
-  worker_.start([this, outcome = std::move(outcome), file, options](const Monitor& monitor) -> Background::Delivery {
+  const auto write = [this, outcome = std::move(outcome), file, options](const Monitor& monitor) {
     const auto rows = write_setpoints(*outcome, file, options, monitor);
     return [this, rows, file] {
       if (rows) {
@@ -18,7 +18,8 @@ void ExportService::start(std::shared_ptr<const Outcome> outcome, const QString&
         emit failed(rows.error(), file);
       }
     };
-  });
+  };
+  worker_.start(write, [this, file](const Error& error) { emit failed(error, file); });
 }
 
 }  // namespace toolpace::ui

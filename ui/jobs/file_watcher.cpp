@@ -18,24 +18,26 @@ FileWatcher::FileWatcher(QObject* parent) : QObject(parent) {
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, soon);
 }
 
-void FileWatcher::watch(const QString& path) {
+void FileWatcher::watch(const QString& path, const std::optional<FileStamp>& known) {
   if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
   if (!watcher_.directories().isEmpty()) watcher_.removePaths(watcher_.directories());
   path_ = path;
-  if (path.isEmpty()) return;
-  const QFileInfo info(path);
-  modified_ = info.lastModified();
-  size_ = info.size();
-  watcher_.addPaths({path, info.absolutePath()});
+  known_ = known;
+  if (!path.isEmpty()) watcher_.addPaths({path, QFileInfo(path).absolutePath()});
+  release();
+}
+
+void FileWatcher::release() {
+  held_ = false;
+  if (!path_.isEmpty()) settle_.start();  // it may have changed before it was watched
 }
 
 void FileWatcher::look() {
-  const QFileInfo info(path_);
-  if (path_.isEmpty() || !info.exists()) return;
+  const auto now = stamp_of(path_);
+  if (held_ || path_.isEmpty() || !now) return;
   if (!watcher_.files().contains(path_)) watcher_.addPath(path_);
-  if (info.lastModified() == modified_ && info.size() == size_) return;
-  modified_ = info.lastModified();
-  size_ = info.size();
+  if (now == known_) return;
+  known_ = now;
   emit changed(path_);
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 /// Tells when a file was written to or replaced.
 
-#include <QDateTime>
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <QTimer>
+#include <optional>
+
+#include "jobs/regular_file.h"
 
 namespace toolpace::ui {
 
@@ -16,7 +18,12 @@ class FileWatcher : public QObject {
  public:
   explicit FileWatcher(QObject* parent = nullptr);
 
-  void watch(const QString& path);  ///< empty = nothing
+  /// @param path  empty = nothing
+  /// @param known  the file as it was read or written; what it is now, if that is something else, is a change
+  void watch(const QString& path, const std::optional<FileStamp>& known);
+  /// While the file is written here: what happens meanwhile is looked at by the next watch().
+  void hold() { held_ = true; }
+  void release();
 
  signals:
   void changed(const QString& path);
@@ -27,8 +34,8 @@ class FileWatcher : public QObject {
   QFileSystemWatcher watcher_;
   QTimer settle_;
   QString path_;
-  QDateTime modified_;
-  qint64 size_ = -1;
+  std::optional<FileStamp> known_;
+  bool held_ = false;
 };
 
 }  // namespace toolpace::ui

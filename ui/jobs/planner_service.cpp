@@ -30,8 +30,8 @@ void PlannerService::cancel() {
 
 void PlannerService::start(std::shared_ptr<const Job> job, quint64 generation) {
   if (last_.outcome && last_.outcome->job->program != job->program) last_ = {};
-  worker_.start([this, job = std::move(job), generation, before = last_, by = shown_,
-                 axes = axes_](const Monitor& monitor) -> Background::Delivery {
+  const auto work = [this, job = std::move(job), generation, before = last_, by = shown_,
+                     axes = axes_](const Monitor& monitor) -> Background::Delivery {
     auto outcome = before.outcome ? replan(job, *before.outcome, monitor) : run(job, monitor);
     if (!outcome) {
       return [this, error = outcome.error(), generation] { emit failed(error, generation); };
@@ -46,7 +46,8 @@ void PlannerService::start(std::shared_ptr<const Job> job, quint64 generation) {
       last_ = {plan.timeline->outcome(), plan.scene->geometry};
       emit planned(plan, generation);
     };
-  });
+  };
+  worker_.start(work, [this, generation](const Error& error) { emit failed(error, generation); });
 }
 
 }  // namespace toolpace::ui

@@ -130,7 +130,7 @@ void ProofService::start() {
     wanted_ = nullptr;
     return emit finished();
   }
-  worker_.start([this, scene = std::exchange(wanted_, nullptr)](const Monitor& monitor) -> Background::Delivery {
+  const auto prove = [this, scene = std::exchange(wanted_, nullptr)](const Monitor& monitor) {
     auto proof = proof_of(*scene, monitor);
     return [this, proof = std::move(proof)] {
       if (proof) {
@@ -139,7 +139,8 @@ void ProofService::start() {
         emit failed(proof.error());
       }
     };
-  });
+  };
+  worker_.start(prove, [this](const Error& error) { emit failed(error); });
 }
 
 }  // namespace toolpace::ui

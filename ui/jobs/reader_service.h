@@ -5,12 +5,22 @@
 #include <QString>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "jobs/background.h"
+#include "jobs/regular_file.h"
 #include "models/document.h"
 #include "toolpace/base/result.h"
 
 namespace toolpace::ui {
+
+/// A text to be read, and what it goes by.
+struct ProgramSource {
+  QString path;  ///< file that the text stands for, may be empty
+  QString name;  ///< its extension chooses the format
+  ProgramText text;
+  std::optional<quint64> edited_state = {};  ///< as in Document
+};
 
 /// The latest request wins: an older one that still runs is cancelled and dropped.
 class ReaderService : public QObject {
@@ -21,26 +31,32 @@ class ReaderService : public QObject {
 
   void readFile(const QString& path);
   /// @param name  its extension chooses the format
-  /// @param path  file that the text stands for, may be empty
-  void readText(const QByteArray& text, const QString& name, const QString& path = {});
-  /// Reads a document again with another text in one of its lines, which must be there.
-  void readEdited(std::shared_ptr<const Document> document, int line, const QString& text);
+  void readText(const QByteArray& text, const QString& name);
+  /// A text that is under edit. What leaves nothing to show (an empty program) is shown as a program with that problem.
+  void readEdited(const ProgramSource& source);
   void cancel();
   bool isBusy() const { return worker_.isBusy(); }
 
  signals:
-  void read(std::shared_ptr<const toolpace::ui::Document> document);
+  /// @param stamp  of the file that was read; none for texts
+  void read(std::shared_ptr<const toolpace::ui::Document> document, std::optional<toolpace::ui::FileStamp> stamp);
   void failed(const toolpace::Error& error, const QString& path);
   void progressed(double fraction);
   void busyChanged(bool busy);
 
  private:
-  using Request = std::function<Background::Delivery(const Monitor&)>;
-  void submit(Request request);
-  Background::Delivery deliver(Result<std::shared_ptr<const Document>> result, const QString& path, quint64 number);
+  struct Found {
+    std::shared_ptr<const Document> document;
+    std::optional<FileStamp> stamp;
+  };
+  using Read = std::function<Result<Found>(const Monitor&)>;
+
+  static Result<Found> load(const QString& path, const Monitor& monitor);
+  static Result<Found> understand(const ProgramSource& source, const Monitor& monitor);
+  void submit(const QString& path, Read read);
 
   Background worker_;
-  Request pending_;
+  std::function<void()> pending_;
   quint64 latest_ = 0;
 };
 

@@ -6,13 +6,13 @@ TuneService::TuneService(QObject* parent) : QObject(parent) {
   connect(&worker_, &Background::progressed, this, &TuneService::progressed);
   connect(&worker_, &Background::finished, this, [this] {
     if (!next_) return emit finished();
-    worker_.start(std::exchange(next_, nullptr));
+    std::exchange(next_, nullptr)();
   });
 }
 
 void TuneService::sweep(std::shared_ptr<const Job> job) {
   const quint64 number = ++latest_;
-  submit([this, job = std::move(job), number](const Monitor& monitor) {
+  submit(number, [this, job = std::move(job), number](const Monitor& monitor) {
     auto result = sweep_lookahead(*job, monitor);
     return ifLatest(number, [this, result = std::move(result)] {
       if (result) {
@@ -27,7 +27,7 @@ void TuneService::sweep(std::shared_ptr<const Job> job) {
 void TuneService::findSavings(std::shared_ptr<const Job> job, double cycle_time) {
   const quint64 number = ++latest_;
   constexpr double kRaise = 1.1;
-  submit([this, job = std::move(job), cycle_time, number](const Monitor& monitor) {
+  submit(number, [this, job = std::move(job), cycle_time, number](const Monitor& monitor) {
     auto result = find_savings(*job, cycle_time, kRaise, monitor);
     return ifLatest(number, [this, result = std::move(result)] {
       if (result) {
@@ -45,13 +45,15 @@ void TuneService::cancel() {
   worker_.cancel();
 }
 
-void TuneService::submit(Background::Task task) {
-  if (worker_.isBusy()) {
-    next_ = std::move(task);
-    worker_.cancel();
-  } else {
-    worker_.start(std::move(task));
-  }
+void TuneService::submit(quint64 number, Background::Task task) {
+  const auto start = [this, number, task = std::move(task)] {
+    worker_.start(task, [this, number](const Error& error) {
+      if (number == latest_) emit failed(error);
+    });
+  };
+  if (!worker_.isBusy()) return start();
+  next_ = start;
+  worker_.cancel();
 }
 
 Background::Delivery TuneService::ifLatest(quint64 number, Background::Delivery delivery) {

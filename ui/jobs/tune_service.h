@@ -2,6 +2,7 @@
 /// Sweeps the look-ahead, and finds what raising each limit saves, in a worker.
 
 #include <QObject>
+#include <functional>
 #include <memory>
 
 #include "jobs/background.h"
@@ -30,12 +31,12 @@ class TuneService : public QObject {
   void finished();
 
  private:
-  void submit(Background::Task task);
+  void submit(quint64 number, Background::Task task);
   /// Wraps a delivery so that it is dropped when the request is no longer the latest.
   Background::Delivery ifLatest(quint64 number, Background::Delivery delivery);
 
   Background worker_;
-  Background::Task next_;
+  std::function<void()> next_;
   quint64 latest_ = 0;
 };
 

@@ -12,14 +12,13 @@ Diagnostic as_diagnostic(const Error& error) {
 }  // namespace
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
+  connectProgram();
   connect(&tuning_, &TuningModel::changed, this, &Workspace::replan);
-  connect(&reader_, &ReaderService::read, this, &Workspace::takeDocument);
-  connect(&reader_, &ReaderService::failed, this, &Workspace::openFailed);
-  connect(&reader_, &ReaderService::progressed, this, &Workspace::progressed);
   connect(&planner_, &PlannerService::planned, this, &Workspace::takePlan);
   connect(&planner_, &PlannerService::failed, this, &Workspace::takeFailure);
   connect(&planner_, &PlannerService::progressed, this, &Workspace::progressed);
   connect(&proof_service_, &ProofService::proven, this, &Workspace::takeProof);
+  connect(&proof_service_, &ProofService::failed, this, &Workspace::addProblem);
   connect(&refiner_, &Refiner::refined, this, &Workspace::takeRefined);
   connect(&refiner_, &Refiner::failed, this, [this](const Error& error) { collectProblems({as_diagnostic(error)}); });
   connect(&refiner_, &Refiner::progressed, this, &Workspace::progressed);
@@ -29,11 +28,8 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
     if (state == Refiner::State::given_up && plan_) proof_service_.request(plan_.scene);
   });
   connect(&axis_worker_, &Background::finished, this, &Workspace::makeAxes);
-  connect(&watcher_, &FileWatcher::changed, this, &Workspace::reload);
   connect(&playback_, &Playback::advanced, this, &Workspace::setCursorTime);
-  const auto busy = [this] { emit busyChanged(isBusy()); };
-  connect(&reader_, &ReaderService::busyChanged, this, busy);
-  connect(&planner_, &PlannerService::busyChanged, this, busy);
+  connect(&planner_, &PlannerService::busyChanged, this, [this] { emit busyChanged(isBusy()); });
 }
 
 std::shared_ptr<const Job> Workspace::job() const {
@@ -46,51 +42,10 @@ std::shared_ptr<const Job> Workspace::job() const {
   return job;
 }
 
-void Workspace::openFile(const QString& path) { reader_.readFile(path); }
-
-void Workspace::openText(const QByteArray& text, const QString& name) { reader_.readText(text, name); }
-
-void Workspace::reload() {
-  if (!document_) return;
-  if (document_->path.isEmpty()) {
-    reader_.readText(document_->text, document_->name);
-  } else {
-    reader_.readFile(document_->path);
-  }
-}
-
-void Workspace::editLine(int line, const QString& text) {
-  if (!document_ || line < 1 || line > document_->line_count()) return;
-  reader_.readEdited(document_, line, text);
-}
-
 void Workspace::cancel() {
   reader_.cancel();
   planner_.cancel();
   refiner_.giveUp();
-}
-
-void Workspace::takeDocument(std::shared_ptr<const Document> document) {
-  const bool another = !document_ || document_->path != document->path || document_->name != document->name;
-  document_ = std::move(document);
-  if (another) {
-    playback_.pause();
-    watcher_.watch(document_->path);
-    pinned_ = {};
-    plan_ = {};
-    cursor_ = 0;
-  }
-  collectProblems({});
-  emit documentChanged();
-  if (another) {
-    emit pinnedChanged();
-    emit planChanged();
-    emit cursorChanged(cursor_);
-  }
-  if (another && tuning_.value().options.hold_at) {  // a moment of the other program
-    return tuning_.edit(tr("Feed hold"), "hold", [](Tuning& t) { t.options.hold_at.reset(); });
-  }
-  replan();
 }
 
 void Workspace::replan() {
@@ -104,7 +59,7 @@ void Workspace::replan() {
 
 void Workspace::takePlan(const Planned& plan, quint64 generation) {
   if (!document_ || plan.timeline->outcome()->job->program != document_->reading) return;  // another program was opened
-  if (planner_.isLatest(generation)) setStale(false);
+  if (planner_.isLatest(generation)) setStale(read_state_ != program_.state());
   show(plan);
   if (stale_) return;
   const auto asked = job();
@@ -120,6 +75,7 @@ void Workspace::takeRefined(const Planned& plan) {
 
 void Workspace::show(const Planned& plan) {
   plan_ = plan;
+  axes_failed_ = false;
   collectProblems(plan_.timeline->outcome()->warnings);
   emit planChanged();
   makeAxes();
@@ -128,16 +84,21 @@ void Workspace::show(const Planned& plan) {
 
 void Workspace::setShownAxes(const ShownAxes& axes) {
   shown_axes_ = axes;
+  axes_failed_ = false;
   planner_.setShownAxes(axes);
   refiner_.setShownAxes(axes);
   makeAxes();
 }
 
 void Workspace::makeAxes() {
-  if (!plan_ || axis_worker_.isBusy() || has_axes(*plan_.series, shown_axes_)) return;
-  axis_worker_.start([this, series = plan_.series, axes = shown_axes_](const Monitor&) -> Background::Delivery {
+  if (!plan_ || axes_failed_ || axis_worker_.isBusy() || has_axes(*plan_.series, shown_axes_)) return;
+  const auto make = [this, series = plan_.series, axes = shown_axes_](const Monitor&) {
     make_axes(*series, axes);
     return [this] { emit axesReady(); };
+  };
+  axis_worker_.start(make, [this](const Error& error) {
+    axes_failed_ = true;
+    addProblem(error);
   });
 }
 
@@ -159,6 +120,11 @@ void Workspace::takeFailure(const Error& error, quint64 generation) {
 void Workspace::collectProblems(const Diagnostics& of_plan) {
   problems_ = document_->reading->diagnostics;
   problems_.insert(problems_.end(), of_plan.begin(), of_plan.end());
+  emit problemsChanged();
+}
+
+void Workspace::addProblem(const Error& error) {
+  problems_.push_back(as_diagnostic(error));
   emit problemsChanged();
 }
 

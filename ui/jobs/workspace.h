@@ -2,7 +2,9 @@
 /// What is open in the window: the program, how it is tuned, its plan, a pinned plan beside it, and the cursor.
 
 #include <QObject>
+#include <QUndoStack>
 #include <memory>
+#include <optional>
 
 #include "jobs/file_watcher.h"
 #include "jobs/planner_service.h"
@@ -10,6 +12,8 @@
 #include "jobs/proof_service.h"
 #include "jobs/reader_service.h"
 #include "jobs/refiner.h"
+#include "jobs/save_service.h"
+#include "models/program_model.h"
 #include "models/tuning_model.h"
 
 namespace toolpace::ui {
@@ -19,18 +23,25 @@ class Workspace : public QObject {
   Q_OBJECT
 
  public:
+  /// Edits that are not in the file, and the file is to be read again: because somebody asked for it, or because it was
+  /// changed outside.
+  enum class Conflict { none, reload, changed_outside };
+
   explicit Workspace(QObject* parent = nullptr);
 
+  QUndoStack& undoStack() { return undo_stack_; }
   TuningModel& tuning() { return tuning_; }
+  ProgramModel& program() { return program_; }
   Playback& playback() { return playback_; }
-  const std::shared_ptr<const Document>& document() const { return document_; }
-  const Planned& plan() const { return plan_; }      ///< plan A; empty before the first one
-  const Planned& pinned() const { return pinned_; }  ///< plan B; empty = none
+  const std::shared_ptr<const Document>& document() const { return document_; }  ///< as last read
+  const Planned& plan() const { return plan_; }                                  ///< plan A; empty before the first one
+  const Planned& pinned() const { return pinned_; }                              ///< plan B; empty = none
   const std::shared_ptr<const Timeline>& timeline() const { return plan_.timeline; }
   const Diagnostics& problems() const { return problems_; }  ///< of reading and of planning
   double cursorTime() const { return cursor_; }
-  bool isStale() const { return stale_; }  ///< the plan shown is not yet the one of the present parameters
-  bool isBusy() const { return reader_.isBusy() || planner_.isBusy() || isRefining(); }
+  bool isStale() const { return stale_; }  ///< the plan shown is not yet the one of the present text and parameters
+  bool isBusy() const { return reader_.isBusy() || planner_.isBusy() || isRefining() || isSaving(); }
+  bool isSaving() const { return saver_.isBusy(); }
   /// The plan shown is a quick one; a better one is on its way.
   bool isRefining() const { return refiner_.state() == Refiner::State::running; }
   Refiner::State refinement() const { return refiner_.state(); }
@@ -40,8 +51,15 @@ class Workspace : public QObject {
 
   void openFile(const QString& path);
   void openText(const QByteArray& text, const QString& name);
+  /// Reads the file again, or the text where there is no file; with edits, asks first (conflict).
   void reload();
-  void editLine(int line, const QString& text);
+  Conflict conflict() const { return conflict_; }
+  void takeFile();  ///< ends a conflict for the file; undo brings the edits back
+  void keepMine();  ///< ends a conflict for the edits
+  /// Writes the program in a worker and makes it the program's file; saved or saveFailed follows. Not while isSaving().
+  void save(const QString& path);
+  /// False when the program's file holds something that was never shown here.
+  bool isFileKnown() const;
   void cancel();
   void setShown(ColourBy by) { planner_.setShown(by); }  ///< what the preview is coloured by
   /// Axes whose curves the plots show; axesReady() follows where a worker has to make them.
@@ -57,7 +75,12 @@ class Workspace : public QObject {
   void togglePlay();
 
  signals:
-  void documentChanged();
+  void documentChanged(bool another);  ///< read; another program than before, or the same one anew
+  void textChanged(qsizetype line);    ///< edited at this line; what is read from it comes later
+  void editsWanted();  ///< the file is about to be read again: what is being typed belongs into the text
+  void conflictChanged(toolpace::ui::Workspace::Conflict conflict);
+  void saved(const QString& path);
+  void saveFailed(const toolpace::Error& error, const QString& path);
   void planChanged();
   void pinnedChanged();
   void proofChanged();
@@ -71,19 +94,31 @@ class Workspace : public QObject {
   void openFailed(const toolpace::Error& error, const QString& path);
 
  private:
+  // workspace_program.cpp
+  void connectProgram();
+  void readText();
+  void takeDocument(std::shared_ptr<const Document> document, std::optional<FileStamp> stamp);
+  bool takeText(const Document& document, std::optional<FileStamp> stamp);
+  void takeSaved(const QString& path, quint64 state, std::optional<FileStamp> stamp);
+  void takeOutsideChange();
+  void setConflict(Conflict conflict);
+  // workspace.cpp
   void replan();
-  void takeDocument(std::shared_ptr<const Document> document);
   void show(const Planned& plan);
   void takeRefined(const Planned& plan);
   void takePlan(const Planned& plan, quint64 generation);
   void takeFailure(const Error& error, quint64 generation);
   void takeProof(std::shared_ptr<const Proof> proof);
   void collectProblems(const Diagnostics& of_plan);
+  void addProblem(const Error& error);
   void setStale(bool stale);
   void makeAxes();
 
-  TuningModel tuning_;
+  QUndoStack undo_stack_;
+  TuningModel tuning_{undo_stack_};
+  ProgramModel program_{undo_stack_};
   ReaderService reader_;
+  SaveService saver_;
   PlannerService planner_;
   Refiner refiner_;
   ProofService proof_service_;
@@ -92,10 +127,15 @@ class Workspace : public QObject {
   Background axis_worker_;
   ShownAxes shown_axes_ = {};
   std::shared_ptr<const Document> document_;
+  quint64 read_state_ = 0;          // of the text that the document was read from
+  std::optional<FileStamp> known_;  // the program's file as it was read, written, or passed over
+  bool saving_this_program_ = false;
+  Conflict conflict_ = Conflict::none;
   Planned plan_, pinned_;
   Diagnostics problems_;
   double cursor_ = 0;
   bool stale_ = false;
+  bool axes_failed_ = false;  // not tried again for the same plan
 };
 
 }  // namespace toolpace::ui

@@ -6,22 +6,25 @@ namespace toolpace::ui {
 
 class TuningCommand : public QUndoCommand {
  public:
-  TuningCommand(TuningModel& model, const QString& title, QString key, int gesture, Tuning before, Tuning after)
+  TuningCommand(TuningModel& model, const QString& title, QString key, int gesture, Tuning after)
       : QUndoCommand(title),
         model_(model),
         key_(std::move(key)),
         gesture_(gesture),
-        before_(std::move(before)),
-        after_(std::move(after)) {}
+        before_(model.value_),
+        after_(std::move(after)),
+        state_before_(model.state_.now),
+        state_after_(model.state_.fresh()) {}
 
-  void undo() override { model_.apply(before_); }
-  void redo() override { model_.apply(after_); }
+  void undo() override { model_.apply(before_, state_before_); }
+  void redo() override { model_.apply(after_, state_after_); }
   int id() const override { return 1; }
 
   bool mergeWith(const QUndoCommand* next) override {
     const auto& other = static_cast<const TuningCommand&>(*next);
     if (gesture_ == 0 || other.gesture_ != gesture_ || other.key_ != key_) return false;
     after_ = other.after_;
+    state_after_ = other.state_after_;
     return true;
   }
 
@@ -30,14 +33,15 @@ class TuningCommand : public QUndoCommand {
   QString key_;
   int gesture_;  // 0 = stands for itself
   Tuning before_, after_;
+  quint64 state_before_, state_after_;
 };
 
-TuningModel::TuningModel(QObject* parent) : QObject(parent) {}
+TuningModel::TuningModel(QUndoStack& undo_stack, QObject* parent) : QObject(parent), undo_stack_(undo_stack) {}
 
 void TuningModel::edit(const QString& title, const QString& key, const std::function<void(Tuning&)>& change) {
   Tuning after = value_;
   change(after);
-  undo_stack_.push(new TuningCommand(*this, title, key, in_gesture_ ? gesture_ : 0, value_, after));
+  undo_stack_.push(new TuningCommand(*this, title, key, in_gesture_ ? gesture_ : 0, std::move(after)));
 }
 
 void TuningModel::beginGesture() {
@@ -49,17 +53,26 @@ void TuningModel::beginGesture() {
 void TuningModel::endGesture() { in_gesture_ = false; }
 
 void TuningModel::replace(const QString& title, const Tuning& tuning) {
-  undo_stack_.push(new TuningCommand(*this, title, {}, 0, value_, tuning));
+  undo_stack_.push(new TuningCommand(*this, title, {}, 0, tuning));
 }
 
 void TuningModel::reset(const Tuning& tuning) {
   undo_stack_.clear();
-  apply(tuning);
+  apply(tuning, state_.fresh());
 }
 
-void TuningModel::apply(const Tuning& tuning) {
+void TuningModel::setClean() {
+  const bool was_clean = isClean();
+  state_.saved = state_.now;
+  if (!was_clean) emit cleanChanged(true);
+}
+
+void TuningModel::apply(const Tuning& tuning, quint64 state) {
+  const bool was_clean = isClean();
   value_ = tuning;
+  state_.now = state;
   emit changed();
+  if (isClean() != was_clean) emit cleanChanged(isClean());
 }
 
 }  // namespace toolpace::ui

@@ -5,6 +5,7 @@
 #include <QUndoStack>
 #include <functional>
 
+#include "models/edit_state.h"
 #include "toolpace/machine/setup.h"
 
 namespace toolpace::ui {
@@ -17,10 +18,14 @@ class TuningModel : public QObject {
   Q_OBJECT
 
  public:
-  explicit TuningModel(QObject* parent = nullptr);
+  /// @param undo_stack  takes the edits as steps, in one order with what else is edited
+  explicit TuningModel(QUndoStack& undo_stack, QObject* parent = nullptr);
 
   const Tuning& value() const { return value_; }
   QUndoStack& undoStack() { return undo_stack_; }
+  /// True when the value is the one of the last setClean, whatever was done and undone since.
+  bool isClean() const { return state_.is_saved(); }
+  void setClean();
 
   /// Applies `change` as an undo step called `title`.
   void edit(const QString& title, const QString& key, const std::function<void(Tuning&)>& change);
@@ -29,18 +34,20 @@ class TuningModel : public QObject {
 
   /// Takes over a whole new set, such as a machine that was opened, as one step.
   void replace(const QString& title, const Tuning& tuning);
-  /// Starts afresh, without undo.
+  /// Starts afresh, without undo of anything.
   void reset(const Tuning& tuning);
 
  signals:
   void changed();
+  void cleanChanged(bool clean);
 
  private:
   friend class TuningCommand;
-  void apply(const Tuning& tuning);
+  void apply(const Tuning& tuning, quint64 state);
 
+  QUndoStack& undo_stack_;
   Tuning value_ = default_setup();
-  QUndoStack undo_stack_;
+  EditState state_;
   int gesture_ = 0;  // number of the running gesture
   bool in_gesture_ = false;
 };

@@ -9,6 +9,7 @@ namespace toolpace::ui {
 
 NcPanel::NcPanel(QWidget* parent)
     : QWidget(parent),
+      change_bar_(new ChangeBar(this)),
       view_(new NcView(this)),
       modal_(new ModalStrip(this)),
       bar_(new QWidget(this)),
@@ -29,6 +30,7 @@ NcPanel::NcPanel(QWidget* parent)
   none_->setProperty("role", "error");
   none_->hide();
   bar_->hide();
+  column->addWidget(change_bar_);
   column->addWidget(bar_);
   column->addWidget(view_, 1);
   column->addWidget(modal_);

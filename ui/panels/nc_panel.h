@@ -1,10 +1,11 @@
 #pragma once
-/// The NC program with a find bar and what is modal at the cursor line.
+/// The NC program with a find bar, what is modal at the cursor line, and a question where file and text part.
 
 #include <QLabel>
 #include <QLineEdit>
 #include <QWidget>
 
+#include "panels/change_bar.h"
 #include "panels/modal_strip.h"
 #include "panels/nc_view.h"
 
@@ -17,6 +18,7 @@ class NcPanel : public QWidget {
   explicit NcPanel(QWidget* parent = nullptr);
 
   NcView& view() { return *view_; }
+  ChangeBar& changeBar() { return *change_bar_; }
   void setTheme(const Theme& theme);
   void openFindBar();
   /// Shows below the text that a program can be dropped here.
@@ -31,6 +33,7 @@ class NcPanel : public QWidget {
   void retranslate();
 
   void showModal(int line);
+  ChangeBar* change_bar_;
   NcView* view_;
   ModalStrip* modal_;
   QWidget* bar_;

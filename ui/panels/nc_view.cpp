@@ -8,6 +8,7 @@
 #include <QScrollBar>
 #include <QToolTip>
 #include <algorithm>
+#include <limits>
 
 #include "models/problem_model.h"
 #include "models/remedy_text.h"
@@ -31,11 +32,11 @@ NcView::NcView(QWidget* parent) : QAbstractScrollArea(parent), colours_(colour_t
   viewport()->setCursor(Qt::IBeamCursor);
 }
 
-void NcView::setDocument(std::shared_ptr<const Document> document) {
-  const bool same = document_ && document && document_->path == document->path && document_->name == document->name;
-  finishEdit(false);
+void NcView::setDocument(std::shared_ptr<const Document> document, bool another) {
+  if (another) finishEdit(false);
   document_ = std::move(document);
-  if (!same) {
+  text_ = document_ ? document_->text : ProgramText();
+  if (another) {
     current_ = anchor_ = 1;
     verticalScrollBar()->setValue(0);
     horizontalScrollBar()->setValue(0);
@@ -44,6 +45,15 @@ void NcView::setDocument(std::shared_ptr<const Document> document) {
   anchor_ = current_;
   emit currentLineChanged(current_);
   updateScrollBars();
+  placeEditor();
+  viewport()->update();
+}
+
+void NcView::setText(const ProgramText& text, int line) {
+  text_ = text;
+  updateScrollBars();
+  setCurrentLine(line);
+  placeEditor();
   viewport()->update();
 }
 
@@ -77,7 +87,7 @@ void NcView::setEmptyHint(const QString& text) {
   viewport()->update();
 }
 
-int NcView::lineCount() const { return document_ ? static_cast<int>(document_->line_count()) : 0; }
+int NcView::lineCount() const { return document_ ? static_cast<int>(text_.line_count()) : 0; }
 
 int NcView::lineHeight() const { return fontMetrics().height() + kLeading; }
 
@@ -132,7 +142,7 @@ bool NcView::findNext(const QString& text, bool backwards) {
   for (int i = 1; i <= count; ++i) {
     const int offset = backwards ? -i : i;
     const int line = ((current_ - 1 + offset) % count + count) % count + 1;
-    if (!document_->line(line).contains(text, Qt::CaseInsensitive)) continue;
+    if (!text_.line(line).contains(text, Qt::CaseInsensitive)) continue;
     setCurrentLine(line);
     emit lineActivated(line);
     return true;
@@ -142,8 +152,7 @@ bool NcView::findNext(const QString& text, bool backwards) {
 
 void NcView::copySelection() const {
   QStringList lines;
-  for (int line = std::min(current_, anchor_); line <= std::max(current_, anchor_); ++line)
-    lines << document_->line(line);
+  for (int line = std::min(current_, anchor_); line <= std::max(current_, anchor_); ++line) lines << text_.line(line);
   QGuiApplication::clipboard()->setText(lines.join('\n') + '\n');
 }
 
@@ -196,6 +205,11 @@ void NcView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) updateScrollBars();
 }
 
+void NcView::scrollContentsBy(int dx, int dy) {
+  QAbstractScrollArea::scrollContentsBy(dx, dy);
+  placeEditor();
+}
+
 void NcView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || lineCount() == 0) return;
   finishEdit(true);
@@ -226,37 +240,63 @@ void NcView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_F2:
     case Qt::Key_Return:
     case Qt::Key_Enter: return editCurrentLine();
+    case Qt::Key_Escape: return editor_ ? finishEdit(false) : event->ignore();
     default: event->ignore();
   }
 }
 
 void NcView::editCurrentLine() {
   if (lineCount() == 0) return;
-  finishEdit(false);
+  finishEdit(true);
   editor_ = new QLineEdit(viewport());
+  editor_line_ = current_;
   editor_->setObjectName("ncLineEditor");
   editor_->setAccessibleName(tr("Text of line %1").arg(current_));
   editor_->setFont(font());
-  editor_->setText(document_->line(current_));
-  const QRect row = lineRect(current_);
-  const int left = gutter().text_begin - 7;  // border and padding of the field, so that the text stays in place
-  editor_->setGeometry(left, row.top() - 1, viewport()->width() - left, row.height() + 2);
+  editor_->setMaxLength(std::numeric_limits<int>::max());  // a line that is cut off would be saved like that
+  editor_->setText(text_.line(current_));
   editor_->setStyleSheet("min-height: 0; padding: 0 5px;");
-  connect(editor_, &QLineEdit::editingFinished, this, [this] { finishEdit(true); });
+  placeEditor();
+  connect(editor_, &QLineEdit::editingFinished, this, &NcView::commitEdit);
   editor_->show();
   editor_->setFocus();
 }
 
+void NcView::placeEditor() {
+  if (!editor_) return;
+  if (editor_line_ > lineCount()) return finishEdit(false);
+  const QRect row = lineRect(editor_line_);
+  const int left = gutter().text_begin - 7;  // border and padding of the field, so that the text stays in place
+  editor_->setGeometry(left, row.top() - 1, viewport()->width() - left, row.height() + 2);
+}
+
+void NcView::commitEdit() { finishEdit(true); }
+
 void NcView::finishEdit(bool take) {
   if (!editor_) return;
   auto* editor = editor_.data();
-  editor_ = nullptr;  // losing the focus must not come back here
+  const bool focused = editor->hasFocus();  // else somebody has gone elsewhere
+  editor_ = nullptr;                        // losing the focus must not come back here
   editor->deleteLater();
   editor->hide();
-  if (take && editor->isModified() && editor->text() != document_->line(current_)) {
-    emit lineEdited(current_, editor->text());
-  }
-  setFocus();
+  if (take && editor->isModified()) emit lineEdited(editor_line_, editor->text());
+  if (focused) setFocus();
+}
+
+void NcView::insertLine() {
+  if (lineCount() == 0) return;
+  commitEdit();
+  const int line = current_ + 1;
+  emit lineInserted(current_);
+  setCurrentLine(line);
+  editCurrentLine();
+}
+
+void NcView::removeLines() {
+  if (lineCount() == 0) return;
+  commitEdit();
+  const int first = std::min(current_, anchor_);
+  emit linesRemoved(first, std::max(current_, anchor_) - first + 1);
 }
 
 }  // namespace toolpace::ui

@@ -17,14 +17,17 @@ class QLineEdit;
 namespace toolpace::ui {
 
 /// Draws only the lines in sight, so a program of a million lines scrolls like one of ten. A line is edited in place
-/// (double click, F2, Enter).
+/// (double click, F2, Enter); Escape leaves it as it was.
 class NcView : public QAbstractScrollArea {
   Q_OBJECT
 
  public:
   explicit NcView(QWidget* parent = nullptr);
 
-  void setDocument(std::shared_ptr<const Document> document);
+  /// @param another  another program than before, seen from its beginning
+  void setDocument(std::shared_ptr<const Document> document, bool another);
+  /// The text as it was edited just now, at this line; what is read from it comes later, as a document.
+  void setText(const ProgramText& text, int line);
   /// @param full_speed  [mm/s] that the upper end of the colour map stands for, as in the preview
   void setTimeline(std::shared_ptr<const Timeline> timeline, double full_speed);
   void setProblems(const Diagnostics& problems);
@@ -37,6 +40,9 @@ class NcView : public QAbstractScrollArea {
   int currentLine() const { return current_; }
   void setCurrentLine(int line);  ///< scrolls it into sight; emits nothing
   void editCurrentLine();
+  void commitEdit();   ///< what is being typed becomes the line
+  void insertLine();   ///< below the current one, to be written at once
+  void removeLines();  ///< those selected
   /// Selects the next line that contains `text`, from the current one on; wraps around. False where there is none.
   bool findNext(const QString& text, bool backwards = false);
   void copySelection() const;
@@ -45,6 +51,8 @@ class NcView : public QAbstractScrollArea {
   void lineActivated(int line);       ///< a person chose this line
   void currentLineChanged(int line);  ///< by a person or by the cursor; also when another program is shown
   void lineEdited(int line, const QString& text);
+  void lineInserted(int after);
+  void linesRemoved(int first, int count);
   void findRequested();
 
  protected:
@@ -55,6 +63,7 @@ class NcView : public QAbstractScrollArea {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void scrollContentsBy(int dx, int dy) override;
   bool viewportEvent(QEvent* event) override;
 
  private:
@@ -75,9 +84,11 @@ class NcView : public QAbstractScrollArea {
   void paintText(QPainter& painter, int line, const QRect& row, const Gutter& g) const;
   const Diagnostic* problemOf(int line) const;
   QString tipOf(int line) const;
+  void placeEditor();
   void finishEdit(bool take);
 
   std::shared_ptr<const Document> document_;
+  ProgramText text_;  // newer than the document while that is being read
   std::shared_ptr<const Timeline> timeline_;
   Diagnostics problems_;  // sorted by line
   Theme theme_ = light_theme();
@@ -88,6 +99,7 @@ class NcView : public QAbstractScrollArea {
   double fastest_ = 0, worst_loss_ = 0;
   int current_ = 1, anchor_ = 1;
   QPointer<QLineEdit> editor_;
+  int editor_line_ = 1;
 };
 
 }  // namespace toolpace::ui

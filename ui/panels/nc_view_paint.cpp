@@ -78,7 +78,8 @@ void NcView::paintGutter(QPainter& painter, int line, const QRect& row, const Gu
 }
 
 void NcView::paintText(QPainter& painter, int line, const QRect& row, const Gutter& g) const {
-  const QString text = document_->line(line).replace('\t', ' ');  // columns stay columns, and the words in sight
+  const QString text =
+      Document::shown_line(text_, line).replace('\t', ' ');  // columns stay columns, and the words in sight
   painter.save();
   painter.setClipRect(QRect(g.text_begin, row.top(), row.width() - g.text_begin, row.height()));
   const int left = g.text_begin - horizontalScrollBar()->value();

@@ -166,11 +166,12 @@ void StepperPage::exportTo(const QString& file) {
   if (!table_ || background_.isBusy()) return;
   setBusy(true);
   const PulseFormat format = file.endsWith(".h", Qt::CaseInsensitive) ? PulseFormat::c_header : PulseFormat::csv;
-  background_.start([this, file, format, table = *table_](const Monitor& monitor) -> Background::Delivery {
+  const auto write = [this, file, format, table = *table_](const Monitor& monitor) {
     auto written = std::make_shared<Result<void>>(
         write_pulses(std::filesystem::path(file.toStdU16String()), table, format, monitor));
     return [this, file, written] { finishExport(file, *written); };
-  });
+  };
+  background_.start(write, [this, file](const Error& error) { finishExport(file, tl::unexpected(error)); });
 }
 
 void StepperPage::finishExport(const QString& file, const Result<void>& written) {

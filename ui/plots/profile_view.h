@@ -11,6 +11,7 @@
 #include "plots/profile_series.h"
 #include "preview/contour_scene.h"
 #include "theme/theme.h"
+#include "toolpace/base/result.h"
 
 class QLabel;
 class QStackedWidget;
@@ -57,8 +58,8 @@ class ProfileView : public QWidget {
   QString measureText() const;
   ProfilePlot& plot() { return *plot_; }
 
-  /// Saves plots and ribbon as they are: .png, .svg or .pdf by extension. False if it cannot be written.
-  bool exportPicture(const QString& file) const;
+  /// Saves plots and ribbon as they are: .png, .svg or .pdf by extension. Errors: those of save_picture.
+  Result<void> exportPicture(const QString& file) const;
 
  signals:
   void cursorTimeRequested(double time);               ///< [s] somebody clicked

@@ -38,10 +38,10 @@ QImage ProfileView::picture(const QSize& size) const {
   return image;
 }
 
-bool ProfileView::exportPicture(const QString& file) const {
+Result<void> ProfileView::exportPicture(const QString& file) const {
   const QSize size(plot_->width(), plot_->height() + 18);
-  return save_picture(
-      file, size, [this](QPainter& painter) { paintAll(painter); }, [this, size] { return picture(size); });
+  const auto vectors = [this](QPainter& painter) { paintAll(painter); };
+  return save_picture(file, {size, [this, size] { return picture(size); }, vectors});
 }
 
 }  // namespace toolpace::ui

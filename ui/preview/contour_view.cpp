@@ -231,10 +231,10 @@ void ContourView::setView(View view) {
 
 void ContourView::fit() { canvas_->fit(); }
 
-bool ContourView::exportPicture(const QString& file) const {
-  return save_picture(
-      file, canvas_->size(), [this](QPainter& painter) { canvas_->paintVectors(painter, QSizeF(canvas_->size())); },
-      [this] { return canvas_->render(canvas_->size(), 2.0); });
+Result<void> ContourView::exportPicture(const QString& file) const {
+  const QSize size = canvas_->size();
+  const auto vectors = [this, size](QPainter& painter) { canvas_->paintVectors(painter, QSizeF(size)); };
+  return save_picture(file, {size, [this, size] { return canvas_->render(size, 2.0); }, vectors});
 }
 
 }  // namespace toolpace::ui

@@ -7,6 +7,7 @@
 
 #include "models/units.h"
 #include "preview/contour_canvas.h"
+#include "toolpace/base/result.h"
 
 class QButtonGroup;
 class QComboBox;
@@ -46,8 +47,8 @@ class ContourView : public QWidget {
   View view() const { return view_; }
   ContourCanvas& canvas() { return *canvas_; }
 
-  /// Saves the picture without cursor and mouse: .png, .svg or .pdf by extension. False if it cannot be written.
-  bool exportPicture(const QString& file) const;
+  /// Saves the picture without cursor and mouse: .png, .svg or .pdf by extension. Errors: those of save_picture.
+  Result<void> exportPicture(const QString& file) const;
 
  signals:
   void cursorTimeRequested(double time);  ///< [s] somebody clicked on the path

@@ -123,6 +123,7 @@ QLabel[role="error"] { color: $error; }
 QLabel[role="good"] { color: $good; }
 QFrame[role="line"] { background: $line; border: none; max-height: 1px; min-height: 1px; }
 QWidget[role="surface"] { background: $surface; }
+QWidget[role="question"] { background: $window; border: none; border-left: 3px solid $warning; }
 QWidget[role="dockTitle"] { background: $surface; border-bottom: 1px solid $line; }
 )";
 

@@ -1,0 +1,158 @@
+/// What the window writes for others: setpoints, pulses, pictures, the report.
+
+#include <QBuffer>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMenu>
+
+#include "main_window.h"
+#include "panels/transport_bar.h"
+#include "plots/profile_view.h"
+#include "preview/contour_view.h"
+#include "report.h"
+#include "theme/picture_file.h"
+#include "toolpace/io/output_file.h"
+
+namespace toolpace::studio {
+namespace {
+
+/// ".csv" of "Comma-separated (*.csv)".
+QString extension_of(const QString& filter) {
+  const qsizetype star = filter.indexOf('*');
+  return star < 0 ? QString() : filter.mid(star + 1).section(')', 0, 0).section(' ', 0, 0);
+}
+
+/// Extension and title of each format of setpoint files.
+std::vector<std::pair<QString, QString>> setpoint_formats() {
+  return {{".csv", MainWindow::tr("Comma-separated")},
+          {".npy", MainWindow::tr("NumPy array")},
+          {".npz", MainWindow::tr("NumPy archive")},
+          {".halstream", MainWindow::tr("LinuxCNC halstreamer")},
+          {".semicolon.csv", MainWindow::tr("Semicolons")}};
+}
+
+}  // namespace
+
+QString MainWindow::askFile(const QString& title, const QString& suffix, const QStringList& filters) {
+  const auto& document = workspace_.document();
+  const QString base = document ? QFileInfo(document->name).completeBaseName() : QString("toolpace");
+  QString filter;
+  QString path = QFileDialog::getSaveFileName(this, title, base + suffix, filters.join(";;"), &filter);
+  if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += extension_of(filter);
+  return path;
+}
+
+void MainWindow::fillFormats() {
+  setpoint_menu_->clear();
+  for (const auto& [suffix, title] : setpoint_formats()) {
+    setpoint_menu_->addAction(title, this, [this, ending = suffix] { exportSetpoints(ending); })
+        ->setObjectName("export" + suffix);
+  }
+}
+
+/// The dialog offers every format, the one asked for first.
+void MainWindow::exportSetpoints(const QString& suffix) {
+  if (!workspace_.timeline() || exporter_.isBusy()) return;
+  QStringList filters;
+  for (const auto& [ending, title] : setpoint_formats()) {
+    const QString filter = title + " (*" + ending + ")";
+    ending == suffix ? filters.prepend(filter) : filters.append(filter);
+  }
+  const QString path = askFile(tr("Save setpoints"), suffix, filters);
+  if (!path.isEmpty()) saveSetpoints(path);
+}
+
+void MainWindow::exportPulses() {
+  if (!workspace_.timeline() || exporter_.isBusy()) return;
+  constexpr double kSlowest = 1, kFastest = 1e10;
+  bool fine = false;
+  const double hz = QInputDialog::getDouble(this, tr("Step pulses"), tr("Frequency of the timer in Hz"),
+                                            preferences_.timer_hz, kSlowest, kFastest, 0, &fine);
+  if (!fine) return;
+  setTimerFrequency(hz);
+  const QString path = askFile(tr("Save step pulses"), ".pulses.csv", {tr("Step pulses") + " (*.pulses.csv)"});
+  if (!path.isEmpty()) saveSetpoints(path);
+}
+
+void MainWindow::setTimerFrequency(double hz) { preferences_.timer_hz = hz; }
+
+void MainWindow::saveSetpoints(const QString& path) {
+  if (!workspace_.timeline() || exporter_.isBusy()) return;
+  transport_->setTask(tr("saving"));
+  transport_->setBusy(true);
+  exporter_.start(workspace_.timeline()->outcome(), path,
+                  {preferences_.axis_derivatives, preferences_.decimal_comma, preferences_.timer_hz});
+}
+
+void MainWindow::connectExporter() {
+  connect(&exporter_, &ui::ExportService::progressed, transport_, &ui::TransportBar::setProgress);
+  connect(&exporter_, &ui::ExportService::saved, this, [this](const QString& file, qulonglong rows) {
+    transport_->setBusy(workspace_.isBusy());
+    showState();
+    transport_->setMessage(tr("saved %1 rows to %2").arg(rows).arg(QFileInfo(file).fileName()));
+  });
+  connect(&exporter_, &ui::ExportService::failed, this, [this](const Error& error, const QString& file) {
+    transport_->setBusy(workspace_.isBusy());
+    showState();
+    showFailure(error, file);
+  });
+  connect(transport_, &ui::TransportBar::cancelRequested, this, [this] { exporter_.cancel(); });
+}
+
+void MainWindow::exportPicture(Picture picture) {
+  const QString png = tr("Picture (*.png)");
+  QStringList filters = {png};
+  if (picture != Picture::window) filters << tr("Vector graphic (*.svg)") << tr("PDF (*.pdf)");
+  const QString suffix = picture == Picture::contour ? "-contour.png"
+                         : picture == Picture::plots ? "-plots.png"
+                                                     : ".png";
+  const QString path = askFile(tr("Save a picture"), suffix, filters);
+  if (!path.isEmpty()) savePicture(picture, path);
+}
+
+Result<void> MainWindow::savePicture(Picture picture, const QString& path) {
+  const ui::Drawing whole{size(), [this] { return grab().toImage(); }};
+  auto saved = picture == Picture::contour ? contour_->exportPicture(path)
+               : picture == Picture::plots ? profile_->exportPicture(path)
+                                           : ui::save_picture(path, whole);
+  if (saved) {
+    transport_->setMessage(tr("saved %1").arg(QFileInfo(path).fileName()));
+  } else {
+    showFailure(saved.error(), path);
+  }
+  return saved;
+}
+
+void MainWindow::exportReport() {
+  if (!workspace_.timeline()) return;
+  const QString path = askFile(tr("Save the report"), "-report.html", {tr("Web page (*.html)")});
+  if (!path.isEmpty()) saveReport(path);
+}
+
+bool MainWindow::saveReport(const QString& path) {
+  if (!workspace_.timeline()) return false;
+  const auto png = [](const QPixmap& pixmap) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    pixmap.save(&buffer, "PNG");
+    return bytes;
+  };
+  ReportParts parts{workspace_.plan(),
+                    workspace_.pinned(),
+                    workspace_.document()->name,
+                    machine_button_->text(),
+                    png(contour_->grab()),
+                    png(profile_->grab()),
+                    preferences_.inch ? ui::LengthUnit::inch : ui::LengthUnit::mm};
+  const auto written = write_whole_file(path.toStdString(), report_html(parts).toStdString());
+  if (written) {
+    transport_->setMessage(tr("saved %1").arg(QFileInfo(path).fileName()));
+  } else {
+    showFailure(written.error(), path);
+  }
+  return written.has_value();
+}
+
+}  // namespace toolpace::studio

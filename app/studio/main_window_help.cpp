@@ -1,0 +1,76 @@
+/// What is wrong and what is slow, one after the other; keys, and what this is.
+
+#include <QMenu>
+#include <QMessageBox>
+#include <QRegularExpression>
+
+#include "main_window.h"
+#include "panels/nc_panel.h"
+#include "panels/problems_panel.h"
+#include "panels/transport_bar.h"
+
+namespace toolpace::studio {
+namespace {
+
+/// Rows of a menu's keys below its title, those of its submenus among them.
+QString keys_of(const QMenu& menu, bool titled = true) {
+  QString rows;
+  if (titled) {
+    rows = QString("<tr><td colspan='2' style='padding-top:8px'><b>%1</b></td></tr>")
+               .arg(QString(menu.title()).remove('&').remove(QRegularExpression("\\(.\\)$")).toHtmlEscaped());
+  }
+  for (const QAction* action : menu.actions()) {
+    if (action->menu()) rows += keys_of(*action->menu(), false);
+    if (action->shortcut().isEmpty()) continue;
+    rows += QString("<tr><td style='padding-right:24px'>%1</td><td align='right'>%2</td></tr>")
+                .arg(action->text().remove('&').toHtmlEscaped(), action->shortcut().toString(QKeySequence::NativeText));
+  }
+  return rows;
+}
+
+}  // namespace
+
+void MainWindow::goToProblem() {
+  const auto& all = workspace_.problems();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& problem = all[(next_problem_ + i) % all.size()];
+    if (problem.where.line == 0) continue;
+    next_problem_ = (next_problem_ + i + 1) % all.size();
+    const int line = static_cast<int>(problem.where.line);
+    nc_->view().setCurrentLine(line);
+    workspace_.setCursorLine(static_cast<std::uint32_t>(line));
+    transport_->setMessage(ui::message_text(problem.code, problem.message));
+    return;
+  }
+}
+
+void MainWindow::goToSlowest() {
+  const auto& timeline = workspace_.timeline();
+  if (!timeline || timeline->worst_lines().empty()) return;
+  const std::uint32_t line = timeline->worst_lines()[next_slow_++ % timeline->worst_lines().size()];
+  nc_->view().setCurrentLine(static_cast<int>(line));
+  workspace_.setCursorTime(timeline->lines()[line].begin);
+}
+
+void MainWindow::showKeys() {
+  // By menu, in two columns of about the same height.
+  const QString left = keys_of(*file_menu_) + keys_of(*edit_menu_) + keys_of(*view_menu_);
+  const QString right = keys_of(*plan_menu_) + keys_of(*help_menu_);
+  const QString column = QStringLiteral("<td><table cellspacing='2'>%1</table></td>");
+  QMessageBox box(QMessageBox::NoIcon, tr("Keys"),
+                  "<table><tr>" + column.arg(left) + "<td width='40'></td>" + column.arg(right) + "</tr></table>",
+                  QMessageBox::Close, this);
+  box.setObjectName("keysBox");
+  box.exec();
+}
+
+void MainWindow::showAbout() {
+  QMessageBox box(QMessageBox::NoIcon, tr("About Toolpace"),
+                  "<b>Toolpace " TOOLPACE_VERSION "</b><p>" + tr("Plans the motion of CNC machines.") +
+                      "</p><p>GPL-3.0-or-later</p>",
+                  QMessageBox::Close, this);
+  box.setObjectName("aboutBox");
+  box.exec();
+}
+
+}  // namespace toolpace::studio

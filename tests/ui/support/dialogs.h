@@ -1,0 +1,42 @@
+#pragma once
+/// Answers to questions that a window asks in a dialog of its own event loop.
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QTest>
+#include <QTimer>
+#include <functional>
+#include <memory>
+
+namespace toolpace::ui {
+
+/// Does something to the next modal dialog as soon as it is there, while it lives.
+class NextDialog {
+ public:
+  explicit NextDialog(std::function<void(QWidget&)> act) {
+    QObject::connect(&timer_, &QTimer::timeout, &timer_, [this, act = std::move(act)] {
+      auto* const dialog = QApplication::activeModalWidget();
+      if (!dialog) return;
+      timer_.stop();
+      shown_ = dialog->objectName();
+      act(*dialog);
+    });
+    timer_.start(1);
+  }
+  /// Presses a button of it.
+  explicit NextDialog(const char* button)
+      : NextDialog([button](QWidget& dialog) {
+          auto* const found = dialog.findChild<QAbstractButton*>(button);
+          if (!found) qFatal("no button %s in %s", button, qPrintable(dialog.objectName()));
+          QTest::mouseClick(found, Qt::LeftButton);
+        }) {}
+
+  /// Name of the dialog that was answered; empty while there was none.
+  const QString& shown() const { return shown_; }
+
+ private:
+  QTimer timer_;
+  QString shown_;
+};
+
+}  // namespace toolpace::ui

@@ -1,0 +1,36 @@
+#pragma once
+/// Asks, without getting in the way, whether the text in the window or that of its file shall stay.
+
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+
+namespace toolpace::ui {
+
+class ChangeBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Reason { reload, changed_outside };
+
+  explicit ChangeBar(QWidget* parent = nullptr);
+
+  /// Hidden until somebody asks.
+  void ask(Reason reason);
+
+ signals:
+  void takeFileRequested();
+  void keepMineRequested();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void retranslate();
+
+  Reason reason_ = Reason::reload;
+  QLabel* text_;
+  QPushButton *take_file_, *keep_mine_;
+};
+
+}  // namespace toolpace::ui
