@@ -13,6 +13,7 @@
 #include "panels/sweep_panel.h"
 #include "panels/what_if_panel.h"
 #include "support/memory_limit.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;

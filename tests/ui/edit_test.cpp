@@ -16,6 +16,7 @@
 #include "panels/nc_view.h"
 #include "support/dialogs.h"
 #include "support/screenshot.h"
+#include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -110,11 +111,13 @@ class EditTest : public QObject {
     auto& field = window.field();
     QTest::keyClicks(&field, "5");
     QTest::keyClick(&field, Qt::Key_Return);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X105"));
     QVERIFY(window.isWindowModified());
     QVERIFY(window.windowTitle().startsWith("square.ngc[*]"));
     QTRY_VERIFY(window.the<QLabel>("programDockBadge").isVisible());
     QVERIFY(window.actions().save_program->isEnabled());
+    QVERIFY2(!window.view().findChild<QLineEdit*>(), "Enter ends the edit and begins no other");
     studio::settle(window);
     screenshot(window, "edited");
     window.actions().undo->trigger();

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "opened.h"
+#include "support/ui_test.h"
 #include "theme/picture_file.h"
 
 using namespace toolpace;

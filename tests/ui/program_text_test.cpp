@@ -6,6 +6,7 @@
 
 #include "models/program_model.h"
 #include "models/program_text.h"
+#include "support/ui_test.h"
 
 using namespace toolpace::ui;
 

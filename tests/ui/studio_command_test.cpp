@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "support/ui_test.h"
+
 namespace {
 
 struct Ended {

@@ -240,7 +240,6 @@ void NcView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_F2:
     case Qt::Key_Return:
     case Qt::Key_Enter: return editCurrentLine();
-    case Qt::Key_Escape: return editor_ ? finishEdit(false) : event->ignore();
     default: event->ignore();
   }
 }
@@ -257,9 +256,20 @@ void NcView::editCurrentLine() {
   editor_->setText(text_.line(current_));
   editor_->setStyleSheet("min-height: 0; padding: 0 5px;");
   placeEditor();
+  editor_->installEventFilter(this);
   connect(editor_, &QLineEdit::editingFinished, this, &NcView::commitEdit);
   editor_->show();
   editor_->setFocus();
+}
+
+// A field passes these keys on to what it stands in, where Enter would begin to edit again.
+bool NcView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != editor_.data() || event->type() != QEvent::KeyPress) return QAbstractScrollArea::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+  if (!enter && key != Qt::Key_Escape) return false;
+  finishEdit(enter);
+  return true;
 }
 
 void NcView::placeEditor() {

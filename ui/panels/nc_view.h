@@ -65,6 +65,7 @@ class NcView : public QAbstractScrollArea {
   void changeEvent(QEvent* event) override;
   void scrollContentsBy(int dx, int dy) override;
   bool viewportEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Gutter {
