@@ -131,6 +131,7 @@ class MainWindow : public QMainWindow {
   void exportPulses();
   void exportPicture(Picture picture);
   void exportReport();
+  Result<void> mayWrite(const QString& path);
   QString askFile(const QString& title, const QString& suffix, const QStringList& filters);
   void connectExporter();
   // main_window_help.cpp

@@ -13,6 +13,7 @@
 #include "report.h"
 #include "theme/picture_file.h"
 #include "toolpace/io/output_file.h"
+#include "toolpace/io/output_guard.h"
 
 namespace toolpace::studio {
 namespace {
@@ -33,6 +34,19 @@ std::vector<std::pair<QString, QString>> setpoint_formats() {
 }
 
 }  // namespace
+
+/// Nothing that was read to make an export may be what it is written to. Shows why not.
+Result<void> MainWindow::mayWrite(const QString& path) {
+  std::vector<FileRole> inputs = {{"the program", workspace_.program().path().toStdString()},
+                                  {"the machine file", machine_.path.toStdString()}};
+  if (const auto& document = workspace_.document()) {
+    const auto& files = document->reading->moves.files;  // the program itself, then what it calls
+    for (std::size_t i = 1; i < files.size(); ++i) inputs.push_back({"a sub-program", files[i]});
+  }
+  auto fine = check_outputs({{"the export", path.toStdString()}}, inputs);
+  if (!fine) showFailure(fine.error(), path);
+  return fine;
+}
 
 QString MainWindow::askFile(const QString& title, const QString& suffix, const QStringList& filters) {
   const auto& document = workspace_.document();
@@ -78,7 +92,7 @@ void MainWindow::exportPulses() {
 void MainWindow::setTimerFrequency(double hz) { preferences_.timer_hz = hz; }
 
 void MainWindow::saveSetpoints(const QString& path) {
-  if (!workspace_.timeline() || exporter_.isBusy()) return;
+  if (!workspace_.timeline() || exporter_.isBusy() || !mayWrite(path)) return;
   transport_->setTask(tr("saving"));
   transport_->setBusy(true);
   exporter_.start(workspace_.timeline()->outcome(), path,
@@ -112,6 +126,7 @@ void MainWindow::exportPicture(Picture picture) {
 }
 
 Result<void> MainWindow::savePicture(Picture picture, const QString& path) {
+  if (auto may = mayWrite(path); !may) return may;
   const ui::Drawing whole{size(), [this] { return grab().toImage(); }};
   auto saved = picture == Picture::contour ? contour_->exportPicture(path)
                : picture == Picture::plots ? profile_->exportPicture(path)
@@ -131,7 +146,7 @@ void MainWindow::exportReport() {
 }
 
 bool MainWindow::saveReport(const QString& path) {
-  if (!workspace_.timeline()) return false;
+  if (!workspace_.timeline() || !mayWrite(path)) return false;
   const auto png = [](const QPixmap& pixmap) {
     QByteArray bytes;
     QBuffer buffer(&bytes);

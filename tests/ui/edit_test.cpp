@@ -384,6 +384,25 @@ class EditTest : public QObject {
     QTRY_VERIFY(!window.bar().isVisible());
   }
 
+  void an_export_never_takes_the_place_of_the_open_program() {
+    Editing window(square_);
+    const QString link = folder_.filePath("link.csv");
+    QVERIFY(QFile::link(square_, link));
+    for (const QString& target : {square_, link}) {
+      QSignalSpy failed(&window, &studio::MainWindow::failed);
+      window.saveSetpoints(target);
+      window.saveReport(target);
+      QVERIFY(!window.savePicture(studio::MainWindow::Picture::window, target));
+      QCOMPARE(failed.count(), 3);
+      for (const auto& failure : failed) {
+        QCOMPARE(failure[0].value<Error>().code, std::string("output-is-input"));
+      }
+      studio::settle(window);
+      QCOMPARE(content(square_), QByteArray(kSquare));
+    }
+    QVERIFY(QFile::remove(link));
+  }
+
   void a_polyline_is_edited_and_saved_like_any_program() {
     const QString path = folder_.filePath("line.csv");
     write(path, "x_mm,y_mm\n0,0\n10,0\n");

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <new>
 
 #include "toolpace/machine/setup.h"
 #include "toolpace/pipeline/many.h"
@@ -72,18 +71,6 @@ TEST(ForMany, KeepsTheOrderAndReturnsTheFirstError) {
   });
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().code, "3");
-}
-
-TEST(ForMany, ThrowsWhatTheWorkThrewOnAnyThread) {
-  for (const std::size_t threads : {1u, 2u, 4u}) {
-    std::atomic<int> done = 0;
-    const auto work = [&done](std::size_t i, const Monitor&) -> Result<int> {
-      if (i >= 5) throw std::bad_alloc();
-      return ++done;
-    };
-    EXPECT_THROW((void)for_many<int>(1000, threads, {}, work), std::bad_alloc);
-    EXPECT_EQ(done, 5);
-  }
 }
 
 TEST(ForMany, CanBeCancelled) {
