@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "toolpace/machine/setup.h"
+#include "toolpace/machine/read_machine.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/pipeline/job.h"
 
@@ -21,7 +21,7 @@ int fail(const toolpace::Error& error) {
 
 int main(int argc, char** argv) {
   const std::string program = argc > 1 ? argv[1] : TOOLPACE_EXAMPLES_DIR "/nc/pocket.ngc";
-  const auto setup = argc > 2 ? toolpace::read_setup(argv[2]) : toolpace::default_setup();
+  const auto setup = argc > 2 ? toolpace::read_machine(argv[2]) : toolpace::default_setup();
   if (!setup) return fail(setup.error());
 
   auto reading = toolpace::read_file(program);

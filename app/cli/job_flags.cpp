@@ -6,7 +6,7 @@
 #include "interrupt.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
-#include "toolpace/machine/setup_keys.h"
+#include "toolpace/machine/read_machine.h"
 
 namespace toolpace::cli {
 namespace {
@@ -37,61 +37,68 @@ Result<void> set_lookahead(const std::string& text, std::optional<std::size_t>& 
   }
   std::size_t blocks = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), blocks);
-  if (error != std::errc() || end != text.data() + text.size() || blocks < 1) {
-    return tl::unexpected(bad_flag("--lookahead", text, "1, 2, 3 … (blocks), all"));
+  if (error != std::errc() || end != text.data() + text.size() || blocks < 1 || blocks > kDeepestLookahead) {
+    return tl::unexpected(bad_flag("--lookahead", text, "1, 2, 3 … 1000000000 (blocks), all"));
   }
   lookahead = blocks;
   return {};
 }
 
-void set(const std::optional<double>& flag, double& target, double unit = 1.0) {
-  if (flag) target = *flag * unit;
-}
-
-/// Names the flag whose number makes no sense on its own; check_setup() judges the whole.
-Result<void> check_positive(const JobFlags& f) {
-  const std::pair<const char*, std::optional<double>> flags[] = {{"--tacc-ms", f.tacc_ms},
-                                                                 {"--tdec-ms", f.tdec_ms},
-                                                                 {"--am", f.am},
-                                                                 {"--dm", f.dm},
-                                                                 {"--jm", f.jm},
-                                                                 {"--jd", f.jd},
-                                                                 {"--vmax", f.vmax},
-                                                                 {"--corner-step-mm-s", f.corner_step},
-                                                                 {"--tolerance-mm", f.tolerance},
-                                                                 {"--junction-deviation-mm", f.junction_deviation},
-                                                                 {"--override-percent", f.override_percent},
-                                                                 {"--rapid-percent", f.rapid_percent},
-                                                                 {"--period-ms", f.period_ms}};
-  for (const auto& [name, value] : flags) {
-    if (!value || *value > 0) continue;
-    return tl::unexpected(Error{ErrorKind::usage,
-                                "bad-limit",
-                                std::string(name) + " " + to_text(*value) + " makes no sense",
-                                "give a value above 0",
-                                {},
-                                {}});
+/// The values of flags, in the order in which they are set: dm and jd follow am and jm where only those are given.
+Result<void> set_numbers(const JobFlags& f, Setup& setup) {
+  struct Entry {
+    const char* flag;
+    std::optional<double> value;
+    const char *section, *key;
+  };
+  const Entry entries[] = {{"--tacc-ms", f.tacc_ms, "law", "tacc_ms"},
+                           {"--tdec-ms", f.tdec_ms, "law", "tdec_ms"},
+                           {"--vmax", f.vmax, "path", "max_speed_mm_s"},
+                           {"--am", f.am, "path", "max_acceleration_mm_s2"},
+                           {"--am", f.am, "path", "max_deceleration_mm_s2"},
+                           {"--dm", f.dm, "path", "max_deceleration_mm_s2"},
+                           {"--jm", f.jm, "path", "max_jerk_mm_s3"},
+                           {"--jm", f.jm, "path", "max_jerk_deceleration_mm_s3"},
+                           {"--jd", f.jd, "path", "max_jerk_deceleration_mm_s3"},
+                           {"--corner-step-mm-s", f.corner_step, "", "corner_step_mm_s"},
+                           {"--tolerance-mm", f.tolerance, "lookahead", "tolerance_mm"},
+                           {"--junction-deviation-mm", f.junction_deviation, "lookahead", "junction_deviation_mm"},
+                           {"--override-percent", f.override_percent, "", "override_percent"},
+                           {"--rapid-percent", f.rapid_percent, "", "rapid_percent"},
+                           {"--period-ms", f.period_ms, "machine", "period_ms"},
+                           {"--hold-at-s", f.hold_at, "", "hold_at_s"}};
+  if (f.corner_step) setup.options.corner.step = 0.0;
+  if (f.hold_at) setup.options.hold_at = 0.0;
+  for (const Entry& e : entries) {
+    if (auto done = set_flag(setup, e.flag, e.value, e.section, e.key); !done) return done;
   }
   return {};
 }
 
-/// dm and jd follow am and jm where only those are given.
-void set_path_limits(const JobFlags& f, PathLimits& path) {
-  set(f.vmax, path.speed);
-  set(f.am, path.acceleration);
-  set(f.am, path.deceleration);
-  set(f.dm, path.deceleration);
-  set(f.jm, path.jerk);
-  set(f.jm, path.jerk_deceleration);
-  set(f.jd, path.jerk_deceleration);
-}
-
 }  // namespace
+
+Result<void> set_flag(Setup& setup, const char* flag, const std::optional<double>& value, const std::string& section,
+                      const char* key) {
+  if (!value) return {};
+  const NumberKey number = find_number(setup, section, key);
+  if (!is_in_range(*value, number.range)) {
+    return tl::unexpected(
+        Error{ErrorKind::usage,
+              "bad-limit",
+              std::string(flag) + " is " + to_text(*value) + ", but must be " + range_text(number.range),
+              "",
+              {},
+              {}});
+  }
+  *number.value = *value * number.unit;
+  return {};
+}
 
 void JobFlags::add_to(Command& command) {
   Flags limits = command.titled("Machine and limits along the path (they override the machine file's)");
-  limits.input("--machine FILE", machine, "the machine file",
-               "Machine file (TOML); without one 100 mm/s, 3000 mm/s², 1e6 mm/s³, 1 ms");
+  limits.input(
+      "--machine FILE", machine, "the machine file",
+      "Machine file (TOML), LinuxCNC .ini or grbl's answer to $$;\nwithout one 100 mm/s, 3000 mm/s², 1e6 mm/s³, 1 ms");
   limits.number("--vmax MM/S", vmax, "Top speed");
   limits.number("--am MM/S2", am, "Acceleration");
   limits.number("--dm MM/S2", dm, "Deceleration; default am");
@@ -119,7 +126,7 @@ void JobFlags::add_to(Command& command) {
 }
 
 Result<Setup> JobFlags::setup() const {
-  auto setup = machine.empty() ? Result<Setup>(default_setup()) : read_setup(machine, terminal_monitor("reading"));
+  auto setup = machine.empty() ? Result<Setup>(default_setup()) : read_machine(machine, terminal_monitor("reading"));
   end_progress();
   if (!setup) return setup;
   PlanOptions& options = setup->options;
@@ -133,17 +140,7 @@ Result<Setup> JobFlags::setup() const {
         pick("--corner", corner, corner_names(), options.corner.rule), set_lookahead(lookahead, options.lookahead)}) {
     if (!done) return tl::unexpected(done.error());
   }
-  if (auto checked = check_positive(*this); !checked) return tl::unexpected(checked.error());
-  set_path_limits(*this, setup->machine.path);
-  set(tacc_ms, options.t_acc, 1e-3);
-  set(tdec_ms, options.t_dec, 1e-3);
-  if (corner_step) options.corner.step = corner_step;
-  set(tolerance, options.corner.tolerance);
-  set(junction_deviation, options.corner.junction_deviation);
-  set(override_percent, options.feed_override, 1e-2);
-  set(rapid_percent, options.rapid_override, 1e-2);
-  set(period_ms, setup->machine.period, 1e-3);
-  if (hold_at) options.hold_at = hold_at;
+  if (auto done = set_numbers(*this, *setup); !done) return tl::unexpected(done.error());
   if (auto checked = check_setup(setup->machine, options); !checked) return tl::unexpected(checked.error());
   return setup;
 }

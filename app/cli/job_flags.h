@@ -5,7 +5,7 @@
 #include <string>
 
 #include "command_line.h"
-#include "toolpace/machine/setup.h"
+#include "toolpace/machine/setup_keys.h"
 
 namespace toolpace::cli {
 
@@ -19,5 +19,10 @@ struct JobFlags {
   /// The machine file (or the defaults) with the flags on top. Usage and io errors.
   Result<Setup> setup() const;
 };
+
+/// Stores the value of a flag, where it is given, as the machine file would store this number (see find_number()).
+/// Usage error that names the flag and what it may be where the value makes no sense.
+Result<void> set_flag(Setup& setup, const char* flag, const std::optional<double>& value, const std::string& section,
+                      const char* key);
 
 }  // namespace toolpace::cli

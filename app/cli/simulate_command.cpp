@@ -99,8 +99,24 @@ Result<ServoSummary> simulate(const Outcome& outcome, std::optional<TraceFile>& 
   return summary;
 }
 
-void set_all(std::array<ServoAxis, kAxisCount>& servo, double ServoAxis::*value, const std::optional<double>& flag) {
-  for (auto& axis : servo) axis.*value = flag.value_or(axis.*value);
+/// Stores a flag for the drives of all axes.
+Result<void> set_all(Setup& setup, const char* flag, const std::optional<double>& value, const char* key) {
+  for (const char axis : kAxisNames) {
+    if (auto done = set_flag(setup, flag, value, std::string("servo.") + axis, key); !done) return done;
+  }
+  return {};
+}
+
+Result<Setup> setup_of(const SimulateFlags& flags) {
+  auto setup = flags.job.setup();
+  if (!setup) return setup;
+  for (const auto& done :
+       {set_all(*setup, "--kv-1-s", flags.kv, "kv_1_s"),
+        set_all(*setup, "--velocity-feed-forward", flags.velocity_feed_forward, "velocity_feed_forward"),
+        set_all(*setup, "--acceleration-feed-forward", flags.acceleration_feed_forward, "acceleration_feed_forward")}) {
+    if (!done) return tl::unexpected(done.error());
+  }
+  return setup;
 }
 
 void print(const Outcome& outcome, const ServoSummary& s) {
@@ -112,13 +128,10 @@ void print(const Outcome& outcome, const ServoSummary& s) {
 }
 
 Done run_simulate(const SimulateFlags& flags) {
-  auto setup = flags.job.setup();
+  const auto setup = setup_of(flags);
   if (!setup) return tl::unexpected(setup.error());
   auto trace = open_trace(flags.trace);
   if (!trace) return tl::unexpected(trace.error());
-  set_all(setup->machine.servo, &ServoAxis::position_gain, flags.kv);
-  set_all(setup->machine.servo, &ServoAxis::velocity_feed_forward, flags.velocity_feed_forward);
-  set_all(setup->machine.servo, &ServoAxis::acceleration_feed_forward, flags.acceleration_feed_forward);
   const auto outcome = plan_program(flags.reading, *setup);
   if (!outcome) return tl::unexpected(outcome.error());
   const auto summary = simulate(*outcome, *trace);

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "failure.h"
-#include "toolpace/machine/setup_keys.h"
+#include "toolpace/base/nearest_word.h"
 
 namespace toolpace::cli {
 namespace {

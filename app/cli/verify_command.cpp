@@ -6,9 +6,10 @@
 
 #include "commands.h"
 #include "interrupt.h"
+#include "job_flags.h"
 #include "reading_flags.h"
 #include "report.h"
-#include "toolpace/machine/setup.h"
+#include "toolpace/machine/read_machine.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/prove.h"
 #include "verification.h"
@@ -29,10 +30,11 @@ tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
     return tl::unexpected<Failure>(
         usage_error("bad-flag", "--tolerance-mm is no distance of 0 or more", "give a distance in mm"));
   }
-  auto setup = read_setup(flags.machine, terminal_monitor("reading"));
+  auto setup = read_machine(flags.machine, terminal_monitor("reading"));
   end_progress();
   if (!setup) return tl::unexpected<Failure>(setup.error());
-  if (flags.period_ms) setup->machine.period = *flags.period_ms * 1e-3;
+  if (auto set = set_flag(*setup, "--period-ms", flags.period_ms, "machine", "period_ms"); !set)
+    return tl::unexpected<Failure>(set.error());
   if (auto fine = check_setup(setup->machine, setup->options); !fine) return tl::unexpected<Failure>(fine.error());
   auto file = open_setpoint_file(flags.setpoints, terminal_monitor("reading"));
   if (!file) return tl::unexpected<Failure>(file.error());
@@ -72,7 +74,8 @@ void add_verify_command(CommandLine& line) {
       line.add("verify", "Prove that a setpoint file keeps a machine's limits", [flags] { return run_verify(*flags); });
   command.argument("SETPOINTS", flags->setpoints, "the setpoint file",
                    "Setpoint file: .csv, .npy, .npz or .halstream; - = standard input");
-  command.input("--machine FILE", flags->machine, "the machine file", "Machine file (TOML)", Need::required);
+  command.input("--machine FILE", flags->machine, "the machine file",
+                "Machine file (TOML), LinuxCNC .ini or grbl's answer to $$", Need::required);
   command.input("--program FILE", flags->reading.program, "the program",
                 "Program that the setpoints run: path, corners, lines, end");
   command.number("--tolerance-mm MM", flags->tolerance_mm,

@@ -21,10 +21,10 @@ struct BuiltInMachine {
 };
 std::vector<BuiltInMachine> built_in_machines();
 
-/// Reads a machine file (.toml), also from the resources.
+/// Reads a machine file, also from the resources, or settings of another controller.
 Result<Setup> load_machine(const QString& path);
 
-/// Writes the setup as a machine file, whole or not at all.
+/// Writes the setup as a machine file, whole or not at all; into one that is there only what differs.
 Result<void> store_machine(const QString& path, const Setup& setup);
 
 }  // namespace toolpace::studio

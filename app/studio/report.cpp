@@ -61,7 +61,8 @@ QString picture(const QString& title, const QByteArray& png) {
 QString report_html(const ReportParts& parts) {
   const Job& job = *parts.plan.timeline->outcome()->job;
   const QString title = parts.program + " · " + ui::duration_text(parts.plan.timeline->duration());
-  const QString setup = QString::fromStdString(format_setup({job.machine, job.options}));
+  const auto machine = format_setup({job.machine, job.options});
+  const QString setup = QString::fromStdString(machine ? *machine : machine.error().message);
   return "<!DOCTYPE html><html><head><meta charset='utf-8'><title>" + title.toHtmlEscaped() + "</title><style>" +
          QString(kStyle) + "</style></head><body><h1>" + title.toHtmlEscaped() + "</h1><p>" +
          parts.machine.toHtmlEscaped() + "</p>" + figures(parts) + proof(parts) +

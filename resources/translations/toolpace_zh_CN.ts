@@ -1122,6 +1122,14 @@
             <source>picture-format-unknown</source>
             <translation>不支持这种图片格式</translation>
         </message>
+        <message>
+            <source>import-value</source>
+            <translation>控制器设置中的值无效</translation>
+        </message>
+        <message>
+            <source>machine-unwritable</source>
+            <translation>无法写成机床文件</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -1538,10 +1546,6 @@
             <translation>函数有 ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN</translation>
         </message>
         <message>
-            <source>gain, bandwidth and damping are above 0, the others at least 0</source>
-            <translation>增益、带宽和阻尼大于 0，其余不小于 0</translation>
-        </message>
-        <message>
             <source>give --am, or an acceleration for each axis that moves</source>
             <translation>给出路径加速度，或每个运动轴的加速度</translation>
         </message>
@@ -1560,18 +1564,6 @@
         <message>
             <source>give 0 or more</source>
             <translation>取不小于 0 的值</translation>
-        </message>
-        <message>
-            <source>give 0 s or later</source>
-            <translation>取 0 s 或以后</translation>
-        </message>
-        <message>
-            <source>give 0.001 ms or more, such as 1 ms</source>
-            <translation>不小于 0.001 ms，如 1 ms</translation>
-        </message>
-        <message>
-            <source>give 1 (a stop at every node) or more, or all</source>
-            <translation>取 1（每个节点都停）或更多，或全部</translation>
         </message>
         <message>
             <source>give F before</source>
@@ -1634,10 +1626,6 @@
             <translation>整圆请用圆心 (I J K) 给出</translation>
         </message>
         <message>
-            <source>give a gain below 2·damping·2π·bandwidth</source>
-            <translation>增益要小于 2·阻尼·2π·带宽</translation>
-        </message>
-        <message>
             <source>give a larger Q</source>
             <translation>把 Q 改大</translation>
         </message>
@@ -1654,28 +1642,12 @@
             <translation>F 取正值</translation>
         </message>
         <message>
-            <source>give a positive P</source>
-            <translation>P 取正值</translation>
-        </message>
-        <message>
             <source>give a slower timer</source>
             <translation>用更慢的定时器</translation>
         </message>
         <message>
             <source>give a smaller count</source>
             <translation>次数取小一些</translation>
-        </message>
-        <message>
-            <source>give a speed in mm/s</source>
-            <translation>给出速度（mm/s）</translation>
-        </message>
-        <message>
-            <source>give a time from 0</source>
-            <translation>时间不小于 0</translation>
-        </message>
-        <message>
-            <source>give a value above 0</source>
-            <translation>取大于 0 的值</translation>
         </message>
         <message>
             <source>give an NC program or a CSV polyline, as UTF-8 or an 8-bit text</source>
@@ -1720,14 +1692,6 @@
         <message>
             <source>give its weight with P</source>
             <translation>用 P 给出权</translation>
-        </message>
-        <message>
-            <source>give more than 0 and at most 100 %</source>
-            <translation>大于 0 且不超过 100 %</translation>
-        </message>
-        <message>
-            <source>give more than 0 and at most 200 %</source>
-            <translation>大于 0 且不超过 200 %</translation>
         </message>
         <message>
             <source>give the angle with ^</source>
@@ -2229,6 +2193,34 @@
             <source>use one of %1</source>
             <translation>请使用其中之一：%1</translation>
         </message>
+        <message>
+            <source>correct the controller&apos;s settings</source>
+            <translation>改正控制器的设置</translation>
+        </message>
+        <message>
+            <source>give a gain below %1 1/s, which is 4π·damping·bandwidth</source>
+            <translation>增益应低于 %1 1/s，即 4π·阻尼·带宽</translation>
+        </message>
+        <message>
+            <source>give a time of 0 to 1e9 s</source>
+            <translation>时间应为 0 到 1e9 s</translation>
+        </message>
+        <message>
+            <source>give it a name in UTF-8 and limits in their ranges</source>
+            <translation>名称须为 UTF-8，限值须在允许范围内</translation>
+        </message>
+        <message>
+            <source>leave the key out for its default</source>
+            <translation>省略该键即用默认值</translation>
+        </message>
+        <message>
+            <source>save the machine under another name</source>
+            <translation>把机床另存为其他名称</translation>
+        </message>
+        <message>
+            <source>the gain must be 1e-3 to 1e5 1/s, bandwidth and resonance 0.01 to 1e5 Hz, damping 1e-3 to 100</source>
+            <translation>增益须为 1e-3 到 1e5 1/s，带宽和谐振频率 0.01 到 1e5 Hz，阻尼 1e-3 到 100</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::Actions</name>
@@ -2448,10 +2440,6 @@
             <translation>前瞻</translation>
         </message>
         <message>
-            <source>Default limits</source>
-            <translation>默认限值</translation>
-        </message>
-        <message>
             <source>Problems</source>
             <translation>问题</translation>
         </message>
@@ -2565,14 +2553,6 @@
         </message>
         <message>
             <source>Open a machine</source>
-            <translation>打开机床</translation>
-        </message>
-        <message>
-            <source>Machine files (*.toml);;LinuxCNC configuration (*.ini);;grbl settings, as $$ lists them (*.txt)</source>
-            <translation>机床文件 (*.toml);;LinuxCNC 配置 (*.ini);;grbl 设置（$$ 的输出） (*.txt)</translation>
-        </message>
-        <message>
-            <source>Open machine</source>
             <translation>打开机床</translation>
         </message>
         <message>
@@ -2742,6 +2722,18 @@
         <message>
             <source>Save the program</source>
             <translation>保存程序</translation>
+        </message>
+        <message>
+            <source>%1 was changed by another program and read again</source>
+            <translation>%1 已被其他程序更改，并已重新读取</translation>
+        </message>
+        <message>
+            <source>Machine files (*.toml);;LinuxCNC configuration (*.ini);;grbl settings, as $$ lists them (*.txt);;All files (*)</source>
+            <translation>机床文件 (*.toml);;LinuxCNC 配置 (*.ini);;grbl 设置（$$ 的输出） (*.txt);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>The machine “%1” has changes that are not saved.</source>
+            <translation>机床“%1”有尚未保存的更改。</translation>
         </message>
     </context>
     <context>
@@ -4218,6 +4210,14 @@
             <source>Read the file again; undo brings your changes back</source>
             <translation>重新读取文件；撤销可恢复您的修改</translation>
         </message>
+        <message>
+            <source>The machine file was changed by another program, and your changes are not saved.</source>
+            <translation>机床文件已被其他程序更改，而您的更改尚未保存。</translation>
+        </message>
+        <message>
+            <source>Stay with the values in the window; saving puts them into the file</source>
+            <translation>保留窗口中的值；保存时写入文件</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::ProgramModel</name>
@@ -4240,6 +4240,21 @@
         <message>
             <source>Delete lines %1 to %2</source>
             <translation>删除第 %1 至 %2 行</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::studio::MachineFile</name>
+        <message>
+            <source>Open machine</source>
+            <translation>打开机床</translation>
+        </message>
+        <message>
+            <source>Default limits</source>
+            <translation>默认限值</translation>
+        </message>
+        <message>
+            <source>Machine file changed</source>
+            <translation>机床文件已更改</translation>
         </message>
     </context>
 </TS>

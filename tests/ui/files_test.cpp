@@ -14,7 +14,6 @@
 #include "screenshot.h"
 #include "support/screenshot.h"
 #include "support/ui_test.h"
-#include "toolpace/machine/import_machine.h"
 
 using namespace toolpace;
 using namespace toolpace::studio;
@@ -259,35 +258,6 @@ class FilesTest : public QObject {
     QCOMPARE(tuning.options.lookahead, std::optional<std::size_t>(17));
     write(in("broken.toml"), "[path]\nmax_sped_mm_s = 3\n");
     QVERIFY(!window.openMachine(in("broken.toml")));
-  }
-
-  void a_linuxcnc_configuration_is_imported_in_millimetres() {
-    const char* ini =
-        "[EMC]\nMACHINE = old lathe\n[TRAJ]\nLINEAR_UNITS = inch\nMAX_LINEAR_VELOCITY = 2\nMAX_LINEAR_ACCELERATION = "
-        "10\n"
-        "[EMCMOT]\nSERVO_PERIOD = 2000000\n[AXIS_X]\nMAX_VELOCITY = 1\nMAX_ACCELERATION = 5\nMIN_LIMIT = -4\nMAX_LIMIT "
-        "= 4\n";
-    const auto setup = import_linuxcnc_ini(ini, "lathe.ini", default_setup());
-    QVERIFY(setup.has_value());
-    QCOMPARE(setup->machine.name, std::string("old lathe"));
-    QCOMPARE(setup->machine.path.speed, 50.8);
-    QCOMPARE(setup->machine.axes[0].speed, 25.4);
-    QCOMPARE(setup->machine.axes[0].acceleration, 127.0);
-    QCOMPARE(setup->machine.axes[0].travel_min, -101.6);
-    QCOMPARE(setup->machine.period, 0.002);
-    QVERIFY(!import_linuxcnc_ini("[X]\na = b\n", "x.ini", default_setup()).has_value());
-  }
-
-  void grbl_settings_are_imported() {
-    const char* dump = "$0=10\n$11=0.020\n$100=250.000\n$110=6000.000\n$120=500.000\n$130=300.000\nok\n";
-    const auto setup = import_grbl_dump(dump, "dump.txt", default_setup());
-    QVERIFY(setup.has_value());
-    QCOMPARE(setup->options.corner.junction_deviation, 0.02);
-    QCOMPARE(setup->machine.axes[0].speed, 100.0);  // 6000 mm/min
-    QCOMPARE(setup->machine.axes[0].acceleration, 500.0);
-    QCOMPARE(setup->machine.axes[0].travel_min, -300.0);
-    QCOMPARE(setup->machine.axes[0].steps_per_unit, 250.0);
-    QVERIFY(!import_grbl_dump("hello\n", "x.txt", default_setup()).has_value());
   }
 
   void preferences_are_remembered() {

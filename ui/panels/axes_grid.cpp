@@ -1,6 +1,7 @@
 #include "panels/axes_grid.h"
 
 #include "panels/form_grid.h"
+#include "panels/key_range.h"
 
 namespace toolpace::ui {
 namespace {
@@ -9,7 +10,16 @@ constexpr std::array<Quantity, AxesGrid::kLimits> kQuantities = {Quantity::speed
                                                                  Quantity::jerk};
 constexpr std::array<const char*, AxesGrid::kLimits> kIds = {"Speed", "Acceleration", "Jerk"};
 constexpr std::array<const char*, AxesGrid::kLimits> kSymbols = {"v", "a", "j"};
-constexpr double kLeast = 1e-6;  // zero would be no machine at all
+
+/// What the machine file takes.
+NumberField::Range range_of(std::size_t axis, int limit) {
+  const std::string u = is_rotary(axis) ? "deg" : "mm", section = std::string("axes.") + kAxisNames[axis];
+  switch (limit) {
+    case AxesGrid::kSpeed: return range_of_key(section, "max_speed_" + u + "_s");
+    case AxesGrid::kAcceleration: return range_of_key(section, "max_acceleration_" + u + "_s2");
+    default: return range_of_key(section, "max_jerk_" + u + "_s3");
+  }
+}
 
 double limit_of(const AxisLimits& axis, int limit) {
   switch (limit) {
@@ -57,7 +67,7 @@ AxesGrid::AxesGrid(QWidget* parent) : QWidget(parent) {
       const auto i = static_cast<std::size_t>(limit);
       const QString name = QString("axis%1%2").arg(QLatin1Char(kAxisNames[axis])).arg(kIds[i]);
       const Quantity quantity = is_rotary(axis) ? rotary(kQuantities[i]) : kQuantities[i];
-      auto* field = new NumberField(name, {}, quantity, {kLeast, kUnlimited, true}, this);
+      auto* field = new NumberField(name, {}, quantity, range_of(axis, limit), this);
       field->setMinimumWidth(56);
       fields_[axis][i] = field;
       grid->addWidget(field, row, limit + 1);

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/machine/setup_keys.h"
+
 namespace toolpace::ui {
 namespace {
 
 constexpr int kSteps = 1000;  // of the slider; the last one is "all"
-constexpr double kDeepest = 1e9;
+constexpr double kDeepest = kDeepestLookahead;
 
 }  // namespace
 

@@ -5,13 +5,12 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "panels/key_range.h"
 #include "toolpace/law/law_table.h"
 
 namespace toolpace::ui {
 namespace {
 
-constexpr double kTiny = 1e-6;  // zero would be no machine at all
-constexpr NumberField::Range kLimit = {kTiny, kUnlimited, true};
 const DisplayUnit kMilliseconds = {1e3, "ms"};
 const DisplayUnit kPercent = {100.0, "%"};
 enum Row {
@@ -124,36 +123,37 @@ void TuningPanel::buildLaw() {
     const auto kind = static_cast<LawKind>(law_->itemData(index).toInt());
     model_.edit(tr("Law"), "law", [kind](Tuning& tuning) { tuning.options.law = kind; });
   });
-  t_acc_ = addNumber("taccEdit", kTimeRow, 0, Quantity::time, {kTiny, 10, false});
+  t_acc_ = addNumber("taccEdit", kTimeRow, 0, Quantity::time, range_of_key("law", "tacc_ms"));
   t_acc_->setUnit(kMilliseconds);
   describe([](const Tuning& t) { return t.options.t_acc; }, [](Tuning& t, double v) { t.options.t_acc = v; },
            [] { return tr("Acceleration time"); }, [] { return QString("Tacc"); });
-  t_dec_ = addNumber("tdecEdit", kTimeRow, 1, Quantity::time, {kTiny, 10, false});
+  t_dec_ = addNumber("tdecEdit", kTimeRow, 1, Quantity::time, range_of_key("law", "tdec_ms"));
   t_dec_->setUnit(kMilliseconds);
   describe([](const Tuning& t) { return t.options.t_dec; }, [](Tuning& t, double v) { t.options.t_dec = v; },
            [] { return tr("Deceleration time"); }, [] { return QString("Tdec"); });
 }
 
 void TuningPanel::buildLimits() {
-  addNumber("amEdit", kAccelerationRow, 0, Quantity::acceleration, kLimit);
+  addNumber("amEdit", kAccelerationRow, 0, Quantity::acceleration, range_of_key("path", "max_acceleration_mm_s2"));
   describe([](const Tuning& t) { return t.machine.path.acceleration; },
            [](Tuning& t, double v) { t.machine.path.acceleration = v; },
            [] { return tr("Acceleration along the path"); }, [] { return QString("Am"); });
-  addNumber("dmEdit", kAccelerationRow, 1, Quantity::acceleration, kLimit);
+  addNumber("dmEdit", kAccelerationRow, 1, Quantity::acceleration, range_of_key("path", "max_deceleration_mm_s2"));
   describe([](const Tuning& t) { return t.machine.path.deceleration; },
            [](Tuning& t, double v) { t.machine.path.deceleration = v; },
            [] { return tr("Deceleration along the path"); }, [] { return QString("Dm"); });
-  jerk_ = addNumber("jmEdit", kJerkRow, 0, Quantity::jerk, kLimit);
+  jerk_ = addNumber("jmEdit", kJerkRow, 0, Quantity::jerk, range_of_key("path", "max_jerk_mm_s3"));
   describe([](const Tuning& t) { return t.machine.path.jerk; }, [](Tuning& t, double v) { t.machine.path.jerk = v; },
            [] { return tr("Jerk along the path, speeding up"); }, [] { return QString("Jm"); });
-  jerk_deceleration_ = addNumber("jdEdit", kJerkRow, 1, Quantity::jerk, kLimit);
+  jerk_deceleration_ =
+      addNumber("jdEdit", kJerkRow, 1, Quantity::jerk, range_of_key("path", "max_jerk_deceleration_mm_s3"));
   describe([](const Tuning& t) { return t.machine.path.jerk_deceleration; },
            [](Tuning& t, double v) { t.machine.path.jerk_deceleration = v; },
            [] { return tr("Jerk along the path, slowing down"); }, [] { return QString("Jd"); });
-  addNumber("vmaxEdit", kSpeedRow, 0, Quantity::speed, kLimit);
+  addNumber("vmaxEdit", kSpeedRow, 0, Quantity::speed, range_of_key("path", "max_speed_mm_s"));
   describe([](const Tuning& t) { return t.machine.path.speed; }, [](Tuning& t, double v) { t.machine.path.speed = v; },
            [] { return tr("Top speed along the path"); }, [] { return QString("Vmax"); });
-  addNumber("periodEdit", kSpeedRow, 1, Quantity::time, {1e-6, 1.0, false})->setUnit(kMilliseconds);
+  addNumber("periodEdit", kSpeedRow, 1, Quantity::time, range_of_key("machine", "period_ms"))->setUnit(kMilliseconds);
   describe([](const Tuning& t) { return t.machine.period; }, [](Tuning& t, double v) { t.machine.period = v; },
            [] { return tr("Interpolation period"); }, [] { return QString("Ts"); });
 }
@@ -188,23 +188,28 @@ void TuningPanel::buildCorner() {
 }
 
 void TuningPanel::buildJob() {
-  addNumber("holdEdit", kToleranceRow, 0, Quantity::time, {0, kUnlimited, true})->setUnlimitedText("–");
+  NumberField::Range hold = range_of_key("", "hold_at_s");
+  hold.may_be_unlimited = true;  // no hold
+  addNumber("holdEdit", kToleranceRow, 0, Quantity::time, hold)->setUnlimitedText("–");
   describe([](const Tuning& t) { return t.options.hold_at.value_or(kUnlimited); },
            [](Tuning& t, double v) { t.options.hold_at = v < kUnlimited ? std::optional(v) : std::nullopt; },
            [] { return tr("Feed hold at; empty = none"); }, [] { return tr("Hold"); });
-  tolerance_ = addNumber("toleranceEdit", kToleranceRow, 1, Quantity::length, {kTiny, 10, false});
+  tolerance_ =
+      addNumber("toleranceEdit", kToleranceRow, 1, Quantity::length, range_of_key("lookahead", "tolerance_mm"));
   describe([](const Tuning& t) { return t.options.corner.tolerance; },
            [](Tuning& t, double v) { t.options.corner.tolerance = v; },
            [] { return tr("Tolerance of rounded corners"); }, [] { return tr("Toler."); });
-  deviation_ = addNumber("deviationEdit", kToleranceRow, 1, Quantity::length, {kTiny, 10, false});
+  deviation_ = addNumber("deviationEdit", kToleranceRow, 1, Quantity::length,
+                         range_of_key("lookahead", "junction_deviation_mm"));
   describe([](const Tuning& t) { return t.options.corner.junction_deviation; },
            [](Tuning& t, double v) { t.options.corner.junction_deviation = v; },
            [] { return tr("Junction deviation"); }, [] { return QString("δ"); });
-  addNumber("feedOverrideEdit", kOverrideRow, 0, Quantity::time, {0.01, 2.0, false})->setUnit(kPercent);
+  addNumber("feedOverrideEdit", kOverrideRow, 0, Quantity::time, range_of_key("", "override_percent"))
+      ->setUnit(kPercent);
   describe([](const Tuning& t) { return t.options.feed_override; },
            [](Tuning& t, double v) { t.options.feed_override = v; }, [] { return tr("Feed override"); },
            [] { return tr("Feed"); });
-  addNumber("rapidOverrideEdit", kOverrideRow, 1, Quantity::time, {0.01, 1.0, false})->setUnit(kPercent);
+  addNumber("rapidOverrideEdit", kOverrideRow, 1, Quantity::time, range_of_key("", "rapid_percent"))->setUnit(kPercent);
   describe([](const Tuning& t) { return t.options.rapid_override; },
            [](Tuning& t, double v) { t.options.rapid_override = v; }, [] { return tr("Rapid override"); },
            [] { return tr("Rapid"); });

@@ -17,4 +17,12 @@ std::string to_text(double value) {
   return text;
 }
 
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
 }  // namespace toolpace

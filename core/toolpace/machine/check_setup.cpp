@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "toolpace/base/numbers.h"
 #include "toolpace/machine/setup.h"
 #include "toolpace/machine/setup_keys.h"
@@ -9,46 +7,39 @@
 namespace toolpace {
 namespace {
 
-constexpr double kShortestPeriod = 1e-6 * (1 - 1e-9);  // [s] no drive is that fast, and no disk that large
+Error bad_limit(const std::string& section, const std::string& key, const std::string& value,
+                const std::string& allowed) {
+  const std::string place = section.empty() ? "" : "[" + section + "] ";
+  return {
+      ErrorKind::usage, "bad-limit", fmt::format("{}{} is {}, but must be {}", place, key, value, allowed), "", {}, {}};
+}
 
-Error bad_limit(std::string what, std::string remedy) {
-  return {ErrorKind::usage, "bad-limit", std::move(what), std::move(remedy), {}, {}};
+Result<void> check_section(const SetupSection& section) {
+  for (const NumberKey& key : section.numbers) {
+    const double value = *key.value / key.unit;
+    if (!is_in_range(value, key.range))
+      return tl::unexpected(bad_limit(section.name, key.name, to_text(value), range_text(key.range)));
+  }
+  for (const RangeKey& key : section.ranges) {
+    if (is_ordered(key)) continue;
+    const std::string ends = fmt::format("[{}, {}]", to_text(*key.low / key.unit), to_text(*key.high / key.unit));
+    return tl::unexpected(bad_limit(section.name, key.name, ends, range_text(key)));
+  }
+  return {};
 }
 
 }  // namespace
 
 Result<void> check_setup(const Machine& machine, const PlanOptions& options) {
   Setup copy{machine, options};
-  for (const SetupSection& section : setup_sections(copy)) {
-    for (const NumberKey& key : section.numbers) {
-      const bool unset_steps = key.value != nullptr && *key.value == 0 && key.name.rfind("steps_per", 0) == 0;
-      if (!is_in_range(*key.value, key.range) && !unset_steps) {
-        return tl::unexpected(bad_limit(
-            fmt::format("[{}] {} is {}, which makes no sense", section.name, key.name, to_text(*key.value / key.unit)),
-            fmt::format("give a value {}", range_text(key.range))));
-      }
-    }
+  auto sections = setup_sections(copy);
+  sections.push_back(job_section(copy.options));
+  for (const SetupSection& section : sections) {
+    if (auto fine = check_section(section); !fine) return fine;
   }
-  if (!(std::isfinite(machine.period) && machine.period >= kShortestPeriod)) {
-    return tl::unexpected(bad_limit(fmt::format("a period of {:.6g} ms makes no sense", machine.period * 1e3),
-                                    "give 0.001 ms or more, such as 1 ms"));
-  }
-  if (options.lookahead && *options.lookahead < 1) {
-    return tl::unexpected(bad_limit("the look-ahead is 0 blocks", "give 1 (a stop at every node) or more, or all"));
-  }
-  if (!(options.feed_override > 0 && options.feed_override <= 2)) {
-    return tl::unexpected(bad_limit("the feed override is outside 0 … 200 %, or 0, at which the program never ends",
-                                    "give more than 0 and at most 200 %"));
-  }
-  if (!(options.rapid_override > 0 && options.rapid_override <= 1)) {
-    return tl::unexpected(
-        bad_limit("the rapid override is outside 0 … 100 %, or 0", "give more than 0 and at most 100 %"));
-  }
-  if (options.corner.step && !(*options.corner.step > 0)) {
-    return tl::unexpected(bad_limit("the corner's speed step is not above 0", "give a speed in mm/s"));
-  }
-  if (options.hold_at && !(*options.hold_at >= 0)) {
-    return tl::unexpected(bad_limit("the time of the feed hold is no number of 0 s or more", "give 0 s or later"));
+  if (options.lookahead && (*options.lookahead < 1 || *options.lookahead > kDeepestLookahead)) {
+    return tl::unexpected(bad_limit("lookahead", "blocks", std::to_string(*options.lookahead),
+                                    fmt::format("1 (a stop at every node) to {}, or all", kDeepestLookahead)));
   }
   return {};
 }

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
 #include "toolpace/base/input_file.h"
+#include "toolpace/base/nearest_word.h"
+#include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/machine/setup_keys.h"
 
@@ -28,10 +31,31 @@ bool has_key(const SetupSection& section, const std::string& key) {
          std::find(section.words.begin(), section.words.end(), key) != section.words.end();
 }
 
+/// The parser's own conversions take true for 1.
+std::optional<double> number_of(const toml::node* node) {
+  if (node == nullptr) return std::nullopt;
+  if (const auto* real = node->as_floating_point()) return real->get();
+  if (const auto* whole = node->as_integer()) return static_cast<double>(whole->get());
+  return std::nullopt;
+}
+
+/// A value as the message about it shows it.
+std::string shown(const toml::node& node) {
+  if (const auto number = number_of(&node)) return to_text(*number);
+  if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
+  if (const auto* list = node.as_array()) {
+    if (list->size() == 2 && number_of(list->get(0)) && number_of(list->get(1)))
+      return fmt::format("[{}, {}]", shown(*list->get(0)), shown(*list->get(1)));
+    return "a list";
+  }
+  if (node.is_string()) return "a text";
+  return node.is_table() ? "a section" : "a date or a time";
+}
+
 /// Reads one TOML document into a Setup.
 class SetupReader {
  public:
-  explicit SetupReader(std::string name) : name_(std::move(name)) {
+  SetupReader(std::string name, UnknownKeys unknown) : name_(std::move(name)), unknown_(unknown) {
     setup_.machine.period = default_setup().machine.period;
     sections_ = setup_sections(setup_);
   }
@@ -57,17 +81,20 @@ class SetupReader {
   }
 
   bool unknown(const std::string& what, const toml::key& key, const std::vector<std::string>& known) {
+    if (unknown_ == UnknownKeys::pass_over) return true;
     return fail("machine-key", fmt::format("there is no {} '{}'", what, key.str()),
                 fmt::format("did you mean '{}'?", nearest_word(key.str(), known)), key.source());
   }
+
+  bool unknown_axis(const toml::key& key) { return unknown("axis", key, {"X", "Y", "Z", "A", "B", "C"}); }
 
   bool read_axes(const toml::node& node) {
     const toml::table* axes = node.as_table();
     if (!axes) return fail("machine-value", "'axes' must be a table", "write [axes.X]", node.source());
     for (auto&& [key, axis] : *axes) {
       const std::string section = "axes." + std::string(key.str());
-      if (!find(section)) return unknown("axis", key, {"X", "Y", "Z", "A", "B", "C"});
-      if (!read_section(*find(section), axis)) return false;
+      const SetupSection* known = find(section);
+      if (!(known ? read_section(*known, axis) : unknown_axis(key))) return false;
     }
     return true;
   }
@@ -81,9 +108,13 @@ class SetupReader {
     }
     for (auto&& [key, value] : *servo) {
       if (!value.is_table()) continue;
-      const SetupSection* section = find("servo." + std::string(key.str()));
-      if (!section) return unknown("axis", key, {"X", "Y", "Z", "A", "B", "C"});
-      if (!read_section(*section, value)) return false;
+      const std::string name(key.str());
+      const SetupSection* known = find("servo." + name);
+      const bool is_number = has_key(*find("servo.X"), name) || has_key(*find("servo.A"), name);
+      const bool ok = known       ? read_section(*known, value)
+                      : is_number ? read_for_all_axes(key, value)
+                                  : unknown_axis(key);
+      if (!ok) return false;
     }
     return true;
   }
@@ -143,13 +174,18 @@ class SetupReader {
     return unknown("key", key, known);
   }
 
+  bool bad_value(const std::string& key, const std::string& allowed, const std::string& remedy,
+                 const toml::node& node) {
+    return fail("machine-value", fmt::format("{} is {}, but must be {}", key, shown(node), allowed), remedy,
+                node.source());
+  }
+
   bool read_number(const NumberKey& key, const toml::node& node) {
-    const auto value = node.value<double>();
+    const auto value = number_of(&node);
     if (!value || !is_in_range(*value, key.range)) {
-      return fail(
-          "machine-value", key.name + " must be a number " + range_text(key.range),
-          key.name.rfind("max_", 0) == 0 ? "leave the key out for no limit" : "leave the key out for its default",
-          node.source());
+      return bad_value(
+          key.name, range_text(key.range),
+          key.range.may_be_infinite ? "leave the key out for no limit" : "leave the key out for its default", node);
     }
     *key.value = *value * key.unit;
     if (key.name == "max_deceleration_mm_s2") deceleration_given_ = true;
@@ -159,20 +195,22 @@ class SetupReader {
 
   bool read_range(const RangeKey& key, const toml::node& node) {
     const toml::array* pair = node.as_array();
-    const auto low = pair && pair->size() == 2 ? (*pair)[0].value<double>() : std::nullopt;
-    const auto high = pair && pair->size() == 2 ? (*pair)[1].value<double>() : std::nullopt;
-    if (!low || !high || !(*low < *high)) {
-      return fail("machine-value", key.name + " must be [min, max] with min < max", "", node.source());
+    const bool is_pair = pair && pair->size() == 2;
+    const auto low = number_of(is_pair ? pair->get(0) : nullptr), high = number_of(is_pair ? pair->get(1) : nullptr);
+    if (low && high) {
+      *key.low = *low * key.unit;
+      *key.high = *high * key.unit;
     }
-    *key.low = *low * key.unit;
-    *key.high = *high * key.unit;
+    if (!low || !high || !is_ordered(key))
+      return bad_value(key.name, range_text(key), "leave the key out for no limit", node);
     return true;
   }
 
   bool read_word(const std::string& key, const toml::node& node) {
     if (key == "blocks") return read_blocks(node);
-    const auto word = node.value<std::string>();
-    if (!word) return fail("machine-value", "'" + key + "' must be a text", "put it in quotes", node.source());
+    const auto* text = node.as_string();
+    if (!text) return bad_value(key, "a text", "put it in quotes", node);
+    const std::string* word = &text->get();
     if (key == "name") {
       setup_.machine.name = *word;
       return true;
@@ -188,13 +226,15 @@ class SetupReader {
   }
 
   bool read_blocks(const toml::node& node) {
-    if (node.value<std::string>() == "all") {
+    if (const auto* word = node.as_string(); word && word->get() == "all") {
       setup_.options.lookahead.reset();
       return true;
     }
-    const auto blocks = node.value<std::int64_t>();
-    if (!blocks || *blocks < 1)
-      return fail("machine-value", "blocks must be a whole number ≥ 1 or \"all\"", "", node.source());
+    const auto blocks = number_of(&node);
+    if (!blocks || !(*blocks >= 1 && *blocks <= double{kDeepestLookahead}) || *blocks != std::floor(*blocks)) {
+      return bad_value("blocks", fmt::format("a whole number from 1 to {}, or \"all\"", kDeepestLookahead),
+                       "leave the key out for its default", node);
+    }
     setup_.options.lookahead = static_cast<std::size_t>(*blocks);
     return true;
   }
@@ -213,6 +253,7 @@ class SetupReader {
   }
 
   std::string name_;
+  UnknownKeys unknown_;
   Setup setup_;
   std::vector<SetupSection> sections_;
   bool deceleration_given_ = false, jerk_deceleration_given_ = false;
@@ -223,6 +264,7 @@ bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
 /// Whether a text in quotes goes on behind a backslash at the end of a line.
 bool continues_a_line(std::string_view text) {
+  if (text.find(R"(""")") == std::string_view::npos) return false;
   for (std::size_t at = text.find('\\'); at != std::string_view::npos; at = text.find('\\', at + 1)) {
     const std::size_t next = text.find_first_not_of(" \t\r", at + 1);
     if (next != std::string_view::npos && text[next] == '\n') return true;
@@ -242,7 +284,7 @@ Setup default_setup() {
   return setup;
 }
 
-Result<Setup> parse_setup(std::string_view text, const std::string& name) {
+Result<Setup> parse_setup(std::string_view text, const std::string& name, UnknownKeys unknown) {
   constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
   if (text.rfind(kUtf8Mark, 0) == 0) text.remove_prefix(kUtf8Mark.size());
   // The parser is not safe against every letter outside of ASCII where there should be none: the structure is read
@@ -264,17 +306,17 @@ Result<Setup> parse_setup(std::string_view text, const std::string& name) {
     return tl::unexpected(syntax_error(std::string(parsed.error().description()), "machine files are TOML",
                                        place(name, parsed.error().source())));
   }
-  return SetupReader(name).read(parsed.table());
+  return SetupReader(name, unknown).read(parsed.table());
 }
 
-Result<Setup> read_setup(const std::filesystem::path& file, const Monitor& monitor) {
+Result<std::string> read_settings_text(const std::filesystem::path& file, const Monitor& monitor) {
   const auto content = read_whole_file(file, monitor);
   if (!content) return tl::unexpected(content.error());
   if (content->bytes().size() > kLongestFile) {
     return tl::unexpected(
         syntax_error("the file is longer than 1 MiB", "machine files are short", {file.string(), 0, 0}));
   }
-  return parse_setup(content->bytes(), file.string());
+  return std::string(content->bytes());
 }
 
 }  // namespace toolpace

@@ -1,58 +1,114 @@
 #include "toolpace/machine/setup_keys.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <stdexcept>
+
+#include "toolpace/base/numbers.h"
+#include "toolpace/servo/servo_range.h"
 
 namespace toolpace {
 namespace {
+
+constexpr double kMilli = 1e-3;
+constexpr double kPercent = 1e-2;
+constexpr double kRounding = 1e-9;  // relative: of ms to s, degrees to radians, and back
+
+// Limits reach from a micrometre in a second to what no machine comes near.
+constexpr double kLeast = 1e-6, kFastest = 1e9, kStrongest = 1e12, kHardest = 1e15;
+
+constexpr NumberRange limit(double most, const char* unit) { return {kLeast, most, unit, false, true}; }
+
+constexpr NumberRange kPeriod = {1e-3, 1e4, "ms"};  // no drive is faster, and no disk holds more
+constexpr NumberRange kToolChange = {0, 86400, "s"};
+constexpr NumberRange kRampTime = {1e-3, 1e7, "ms"};
+constexpr NumberRange kCornerSize = {1e-6, 1e6, "mm"};
+constexpr NumberRange kShare = {0, 1};
+constexpr double kFarthestTravel = 1e9;  // [mm, deg], as programs
 
 SetupSection axis_section(AxisLimits& axis, std::size_t k) {
   const bool rotary = is_rotary(k);
   const std::string u = rotary ? "deg" : "mm";
   const double unit = rotary ? kRadiansPerDegree : 1.0;
   return {std::string("axes.") + kAxisNames[k],
-          {{"max_speed_" + u + "_s", &axis.speed, unit, KeyRange::positive},
-           {"max_acceleration_" + u + "_s2", &axis.acceleration, unit, KeyRange::positive},
-           {"max_jerk_" + u + "_s3", &axis.jerk, unit, KeyRange::positive},
-           {"steps_per_" + u, &axis.steps_per_unit, 1 / unit, KeyRange::positive}},
-          {{"travel_" + u, &axis.travel_min, &axis.travel_max, unit}},
+          {{"max_speed_" + u + "_s", &axis.speed, unit, limit(kFastest, rotary ? "deg/s" : "mm/s")},
+           {"max_acceleration_" + u + "_s2", &axis.acceleration, unit, limit(kStrongest, rotary ? "deg/s²" : "mm/s²")},
+           {"max_jerk_" + u + "_s3", &axis.jerk, unit, limit(kHardest, rotary ? "deg/s³" : "mm/s³")},
+           {"steps_per_" + u, &axis.steps_per_unit, 1 / unit, {1e-6, 1e9, rotary ? "steps/deg" : "steps/mm", true}}},
+          {{"travel_" + u,
+            &axis.travel_min,
+            &axis.travel_max,
+            unit,
+            {-kFarthestTravel, kFarthestTravel, rotary ? "deg" : "mm", false, true}}},
           {}};
+}
+
+NumberRange servo_range(const ServoRange& range, const char* unit) {
+  return {range.least, range.most, unit, range.may_be_zero};
 }
 
 SetupSection servo_section(ServoAxis& servo, std::size_t k) {
   const bool rotary = is_rotary(k);
   return {std::string("servo.") + kAxisNames[k],
-          {{"kv_1_s", &servo.position_gain, 1.0, KeyRange::positive},
-           {"velocity_feed_forward", &servo.velocity_feed_forward, 1.0, KeyRange::share},
-           {"acceleration_feed_forward", &servo.acceleration_feed_forward, 1.0, KeyRange::share},
-           {"bandwidth_hz", &servo.bandwidth, 1.0, KeyRange::positive},
-           {"damping", &servo.damping, 1.0, KeyRange::positive},
-           {rotary ? "backlash_deg" : "backlash_mm", &servo.backlash, rotary ? kRadiansPerDegree : 1.0,
-            KeyRange::not_negative},
-           {"resonance_hz", &servo.resonance, 1.0, KeyRange::not_negative},
-           {"resonance_damping", &servo.resonance_damping, 1.0, KeyRange::positive}},
+          {{"kv_1_s", &servo.position_gain, 1.0, servo_range(kServoGain, "1/s")},
+           {"velocity_feed_forward", &servo.velocity_feed_forward, 1.0, kShare},
+           {"acceleration_feed_forward", &servo.acceleration_feed_forward, 1.0, kShare},
+           {"bandwidth_hz", &servo.bandwidth, 1.0, servo_range(kServoBandwidth, "Hz")},
+           {"damping", &servo.damping, 1.0, servo_range(kServoDamping, "")},
+           {rotary ? "backlash_deg" : "backlash_mm",
+            &servo.backlash,
+            rotary ? kRadiansPerDegree : 1.0,
+            {0, rotary ? 360.0 : 1000.0, rotary ? "deg" : "mm"}},
+           {"resonance_hz", &servo.resonance, 1.0, servo_range(kServoResonance, "Hz")},
+           {"resonance_damping", &servo.resonance_damping, 1.0, servo_range(kServoDamping, "")}},
           {},
           {}};
 }
 
-}  // namespace
-
-bool is_in_range(double value, KeyRange range) {
-  switch (range) {
-    case KeyRange::positive: return value > 0;
-    case KeyRange::not_negative: return value >= 0;
-    case KeyRange::share: break;
-  }
-  return value >= 0 && value <= 1;
+/// 1e-06 -> 1e-6, 1e+09 -> 1e9
+std::string bound_text(double value) {
+  std::string text = to_text(value);
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  std::size_t digits = e + 1;
+  if (text[digits] == '+') text.erase(digits, 1);
+  if (text[digits] == '-') ++digits;
+  while (digits + 1 < text.size() && text[digits] == '0') text.erase(digits, 1);
+  return text;
 }
 
-const char* range_text(KeyRange range) {
-  switch (range) {
-    case KeyRange::positive: return "> 0";
-    case KeyRange::not_negative: return "≥ 0";
-    case KeyRange::share: break;
-  }
-  return "between 0 and 1";
+std::string with_unit(std::string text, const char* unit) { return *unit ? text + ' ' + unit : text; }
+
+}  // namespace
+
+bool is_in_range(double value, const NumberRange& range) {
+  if (value == 0 && range.may_be_zero) return true;
+  if (std::isinf(value)) return value > 0 && range.may_be_infinite;
+  const double slack = kRounding * std::abs(value);
+  return value >= range.least - slack && value <= range.most + slack;
+}
+
+std::string range_text(const NumberRange& range) {
+  std::string text = fmt::format("{} to {}", bound_text(range.least), bound_text(range.most));
+  text = with_unit(std::move(text), range.unit);
+  if (range.may_be_zero) text += ", or 0 for none";
+  if (range.may_be_infinite) text += ", or inf for no limit";
+  return text;
+}
+
+bool is_ordered(const RangeKey& key) {
+  const double low = *key.low / key.unit, high = *key.high / key.unit;
+  const auto fits = [&](double end) { return std::isinf(end) || is_in_range(end, key.range); };
+  return low < high && fits(low) && fits(high);
+}
+
+std::string range_text(const RangeKey& key) {
+  return "[min, max] with min < max, " +
+         with_unit(fmt::format("each {} to {}", bound_text(key.range.least), bound_text(key.range.most)),
+                   key.range.unit) +
+         ", or -inf and inf for open ends";
 }
 
 const std::vector<Named<Ramps>>& ramps_names() {
@@ -70,31 +126,28 @@ const std::vector<Named<CornerRule>>& corner_names() {
 }
 
 std::vector<SetupSection> setup_sections(Setup& s) {
-  constexpr double kMilli = 1e-3;
   PathLimits& p = s.machine.path;
   CornerOptions& corner = s.options.corner;
   std::vector<SetupSection> sections = {
       {"machine",
-       {{"period_ms", &s.machine.period, kMilli, KeyRange::positive},
-        {"tool_change_s", &s.machine.tool_change, 1.0, KeyRange::not_negative}},
+       {{"period_ms", &s.machine.period, kMilli, kPeriod}, {"tool_change_s", &s.machine.tool_change, 1.0, kToolChange}},
        {},
        {"name"}},
       {"path",
-       {{"max_speed_mm_s", &p.speed, 1.0, KeyRange::positive},
-        {"max_acceleration_mm_s2", &p.acceleration, 1.0, KeyRange::positive},
-        {"max_deceleration_mm_s2", &p.deceleration, 1.0, KeyRange::positive},
-        {"max_jerk_mm_s3", &p.jerk, 1.0, KeyRange::positive},
-        {"max_jerk_deceleration_mm_s3", &p.jerk_deceleration, 1.0, KeyRange::positive}},
+       {{"max_speed_mm_s", &p.speed, 1.0, limit(kFastest, "mm/s")},
+        {"max_acceleration_mm_s2", &p.acceleration, 1.0, limit(kStrongest, "mm/s²")},
+        {"max_deceleration_mm_s2", &p.deceleration, 1.0, limit(kStrongest, "mm/s²")},
+        {"max_jerk_mm_s3", &p.jerk, 1.0, limit(kHardest, "mm/s³")},
+        {"max_jerk_deceleration_mm_s3", &p.jerk_deceleration, 1.0, limit(kHardest, "mm/s³")}},
        {},
        {}},
       {"law",
-       {{"tacc_ms", &s.options.t_acc, kMilli, KeyRange::positive},
-        {"tdec_ms", &s.options.t_dec, kMilli, KeyRange::positive}},
+       {{"tacc_ms", &s.options.t_acc, kMilli, kRampTime}, {"tdec_ms", &s.options.t_dec, kMilli, kRampTime}},
        {},
        {"kind"}},
       {"lookahead",
-       {{"tolerance_mm", &corner.tolerance, 1.0, KeyRange::positive},
-        {"junction_deviation_mm", &corner.junction_deviation, 1.0, KeyRange::positive}},
+       {{"tolerance_mm", &corner.tolerance, 1.0, kCornerSize},
+        {"junction_deviation_mm", &corner.junction_deviation, 1.0, kCornerSize}},
        {},
        {"blocks", "ramps", "corner"}}};
   for (std::size_t k = 0; k < kAxisCount; ++k) sections.push_back(axis_section(s.machine.axes[k], k));
@@ -102,25 +155,29 @@ std::vector<SetupSection> setup_sections(Setup& s) {
   return sections;
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0u);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t above = row[j + 1];
-      row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0u : 1u)});
-      diagonal = above;
-    }
+SetupSection job_section(PlanOptions& options) {
+  SetupSection section = {"",
+                          {{"override_percent", &options.feed_override, kPercent, {0.01, 200, "%"}},
+                           {"rapid_percent", &options.rapid_override, kPercent, {0.01, 100, "%"}}},
+                          {},
+                          {}};
+  if (options.corner.step) {
+    section.numbers.push_back({"corner_step_mm_s", &*options.corner.step, 1.0, limit(kStrongest, "mm/s")});
   }
-  return row.back();
+  if (options.hold_at) section.numbers.push_back({"hold_at_s", &*options.hold_at, 1.0, {0, 1e9, "s"}});
+  return section;
 }
 
-std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
-  return *std::min_element(candidates.begin(), candidates.end(), [&](const std::string& a, const std::string& b) {
-    return edit_distance(word, a) < edit_distance(word, b);
-  });
+NumberKey find_number(Setup& setup, std::string_view section, std::string_view key) {
+  auto sections = setup_sections(setup);
+  sections.push_back(job_section(setup.options));
+  for (const SetupSection& candidate : sections) {
+    if (candidate.name != section) continue;
+    for (const NumberKey& number : candidate.numbers) {
+      if (number.name == key) return number;
+    }
+  }
+  throw std::logic_error(fmt::format("there is no number [{}] {}", section, key));
 }
 
 }  // namespace toolpace

@@ -1,5 +1,6 @@
 #pragma once
-/// The keys of a machine file, one table for reading, writing and naming the nearest known key.
+/// The keys of a machine file and what their values may be: one table for reading, writing, checking, flags, imports and
+/// fields of the window, and for naming the nearest known key.
 
 #include <string>
 #include <string_view>
@@ -9,25 +10,37 @@
 
 namespace toolpace {
 
-enum class KeyRange : std::uint8_t { positive, not_negative, share };
+/// The numbers that make sense for a value, in the unit that its name says. What lies beyond is a slip of the pen or the
+/// unit, and with it sums of speeds, times and lengths would lose their digits.
+struct NumberRange {
+  double least, most;            ///< both included
+  const char* unit = "";         ///< "mm/s²"; empty for pure numbers
+  bool may_be_zero = false;      ///< 0 too, as "none"
+  bool may_be_infinite = false;  ///< inf too, as "no limit"
+};
 
-bool is_in_range(double value, KeyRange range);
-/// "> 0", "≥ 0", "between 0 and 1"
-const char* range_text(KeyRange range);
+/// Rounding of the unit's conversion apart.
+bool is_in_range(double value, const NumberRange& range);
+/// "1e-6 to 1e9 mm/s, or inf for no limit"
+std::string range_text(const NumberRange& range);
 
 struct NumberKey {
   std::string name;
   double* value;
   double unit;  ///< core value = file value · unit
-  KeyRange range;
+  NumberRange range;
 };
 
-/// Two numbers [min, max].
+/// Two numbers [min, max], min < max.
 struct RangeKey {
   std::string name;
   double *low, *high;
   double unit;
+  NumberRange range;  ///< of either end; −inf and inf leave it open
 };
+bool is_ordered(const RangeKey& key);
+/// "[min, max] with min < max, each from −1e9 to 1e9 mm, or -inf and inf where it is open"
+std::string range_text(const RangeKey& key);
 
 /// Names of enumerated values, as flags and files spell them.
 template <class T>
@@ -37,8 +50,10 @@ struct Named {
 };
 const std::vector<Named<Ramps>>& ramps_names();
 const std::vector<Named<CornerRule>>& corner_names();
+inline constexpr std::size_t kDeepestLookahead = 1'000'000'000;  ///< blocks
 
-/// Sections "machine", "path", "law", "lookahead" and "axes.X" … "axes.C". The pointers point into `setup`.
+/// Sections "machine", "path", "law", "lookahead", "axes.X" … "axes.C" and "servo.X" … "servo.C". The pointers point into
+/// `setup`.
 struct SetupSection {
   std::string name;
   std::vector<NumberKey> numbers;
@@ -47,10 +62,10 @@ struct SetupSection {
 };
 std::vector<SetupSection> setup_sections(Setup& setup);
 
-/// The least number of letters to insert, drop or change that makes one word the other.
-std::size_t edit_distance(std::string_view a, std::string_view b);
+/// What a job says and no machine file: overrides, the step of corners and the time of a feed hold where they are given.
+SetupSection job_section(PlanOptions& options);
 
-/// The candidate with the least edit distance to `word`.
-std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
+/// One number of setup_sections() or job_section() (section ""); the key must exist.
+NumberKey find_number(Setup& setup, std::string_view section, std::string_view key);
 
 }  // namespace toolpace

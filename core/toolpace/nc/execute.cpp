@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "toolpace/nc/coordinates.h"
+#include "toolpace/nc/dwell.h"
 #include "toolpace/nc/interpreter.h"
 #include "toolpace/nc/motion/compensation.h"
 #include "toolpace/nc/motion/lathe_cycles.h"
@@ -231,8 +232,10 @@ bool Interpreter::run_dwell(const Block& block) {
   } else {
     return faults_.fail("dwell-without-time", "G4 without a time", "give it with P", column);
   }
-  if (!(seconds >= 0.0 && seconds < 1e9))
-    return faults_.fail("dwell-negative", fmt::format("a dwell of {:g} s", seconds), "give a time from 0", column);
+  if (!is_dwell(seconds)) {
+    return faults_.fail("dwell-negative", fmt::format("a dwell of {:g} s", seconds), "give a time of 0 to 1e9 s",
+                        column);
+  }
   out_.set_mode(state_.modal);
   out_.dwell(seconds);
   return true;

@@ -122,13 +122,14 @@ Result<void> check_duration(double cycle_time, double period) {
   constexpr double kMostSetpoints = 1e9;
   const double setpoints = cycle_time / period;
   if (setpoints <= kMostSetpoints) return {};
-  return tl::unexpected(
-      Error{ErrorKind::input,
-            "motion-too-long",
-            fmt::format("the program takes {:.4g} days, {:.3g} setpoints", cycle_time / 86400, setpoints),
-            "check feeds and dwells, or take a longer period",
-            {},
-            {}});
+  return tl::unexpected(Error{ErrorKind::input,
+                              "motion-too-long",
+                              std::isfinite(setpoints) ? fmt::format("the program takes {:.4g} days, {:.3g} setpoints",
+                                                                     cycle_time / 86400, setpoints)
+                                                       : "the program takes longer than can be counted",
+                              "check feeds and dwells, or take a longer period",
+                              {},
+                              {}});
 }
 
 /// Where the machine goes, however fast.

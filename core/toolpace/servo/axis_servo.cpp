@@ -1,9 +1,13 @@
 #include "toolpace/servo/axis_servo.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <unsupported/Eigen/MatrixFunctions>
+
+#include "toolpace/servo/servo_range.h"
 
 namespace toolpace {
 namespace {
@@ -12,21 +16,27 @@ Error servo_error(const char* code, std::string what, std::string remedy) {
   return {ErrorKind::usage, code, std::move(what), std::move(remedy), {}, {}};
 }
 
+bool is_within(double value, const ServoRange& range) {
+  return (value >= range.least && value <= range.most) || (range.may_be_zero && value == 0);
+}
+
 Result<void> check(const ServoAxis& s, double period) {
-  const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
   const auto not_negative = [](double v) { return std::isfinite(v) && v >= 0; };
-  const bool fits = positive(period) && positive(s.position_gain) && positive(s.bandwidth) && positive(s.damping) &&
-                    positive(s.resonance_damping) && not_negative(s.velocity_feed_forward) &&
-                    not_negative(s.acceleration_feed_forward) && not_negative(s.backlash) && not_negative(s.resonance);
+  const bool fits = std::isfinite(period) && period > 0 && is_within(s.position_gain, kServoGain) &&
+                    is_within(s.bandwidth, kServoBandwidth) && is_within(s.damping, kServoDamping) &&
+                    is_within(s.resonance, kServoResonance) && is_within(s.resonance_damping, kServoDamping) &&
+                    not_negative(s.velocity_feed_forward) && not_negative(s.acceleration_feed_forward) &&
+                    not_negative(s.backlash);
   if (!fits) {
-    return tl::unexpected(servo_error("servo-value", "a value of the servo drive is negative, zero or no number",
-                                      "gain, bandwidth and damping are above 0, the others at least 0"));
+    return tl::unexpected(
+        servo_error("servo-value", "a value of the servo drive is out of range or no number",
+                    "the gain must be 1e-3 to 1e5 1/s, bandwidth and resonance 0.01 to 1e5 Hz, damping 1e-3 to 100"));
   }
   // s³ + 2ζω·s² + ω²·s + Kv·ω² is stable exactly for 2ζω > Kv.
   const double most = 2 * s.damping * 2 * std::numbers::pi * s.bandwidth;
   if (s.position_gain < most) return {};
   Error error = servo_error("servo-unstable", "the position gain is too high for the drive: the loop would swing up",
-                            "give a gain below 2·damping·2π·bandwidth");
+                            fmt::format("give a gain below {:.6g} 1/s, which is 4π·damping·bandwidth", most));
   error.attainable = most;
   return tl::unexpected(error);
 }

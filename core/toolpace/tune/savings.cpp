@@ -53,7 +53,8 @@ std::pair<double, double> raise(Setup& setup, const Trial& trial, double factor)
       if (key.name != trial.key) continue;
       const double before = *key.value / key.unit;
       const bool is_time = trial.section == "law";
-      *key.value = is_time ? *key.value / factor : *key.value * factor;
+      const double raised = is_time ? *key.value / factor : *key.value * factor;
+      *key.value = std::clamp(raised, key.range.least * key.unit, key.range.most * key.unit);
       return {before, *key.value / key.unit};
     }
   }

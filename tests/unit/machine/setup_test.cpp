@@ -6,6 +6,9 @@
 #include <limits>
 #include <numbers>
 
+#include "toolpace/base/numbers.h"
+#include "toolpace/machine/setup_keys.h"
+
 namespace toolpace {
 namespace {
 
@@ -55,14 +58,12 @@ TEST(Setup, ReadsEveryKindOfKeyInCoreUnits) {
 TEST(Setup, WhatIsWrittenReadsBackTheSame) {
   const auto first = parse_setup(kMill, "mill.toml");
   ASSERT_TRUE(first);
-  const std::string text = format_setup(*first);
-  const auto second = parse_setup(text, "again.toml");
-  ASSERT_TRUE(second) << second.error().message << "\n" << text;
-  EXPECT_EQ(format_setup(*second), text);
-  EXPECT_EQ(second->machine.name, first->machine.name);
-  EXPECT_EQ(second->machine.axes[3].travel_min, first->machine.axes[3].travel_min);
-  EXPECT_EQ(second->machine.axes[3].speed, first->machine.axes[3].speed);
-  EXPECT_EQ(second->machine.period, first->machine.period);
+  const auto text = format_setup(*first);
+  ASSERT_TRUE(text) << text.error().message;
+  const auto second = parse_setup(*text, "again.toml");
+  ASSERT_TRUE(second) << second.error().message << "\n" << *text;
+  EXPECT_TRUE(is_same_file(*second, *first)) << *text;
+  EXPECT_EQ(*format_setup(*second), *text);
 }
 
 TEST(Setup, ServoHoldsForAllAxesAndServoXForOne) {
@@ -74,7 +75,7 @@ TEST(Setup, ServoHoldsForAllAxesAndServoXForOne) {
   EXPECT_EQ(setup->machine.servo[2].backlash, 0.01);
   EXPECT_EQ(setup->machine.servo[3].backlash, 90 * kRadiansPerDegree);
   EXPECT_EQ(setup->machine.servo[4].backlash, 0.0);
-  EXPECT_EQ(parse_setup(format_setup(*setup), "m.toml")->machine.servo, setup->machine.servo);
+  EXPECT_EQ(parse_setup(*format_setup(*setup), "m.toml")->machine.servo, setup->machine.servo);
   EXPECT_EQ(parse_setup("[servo]\nkw_1_s = 40\n", "m.toml").error().code, "machine-key");
   EXPECT_EQ(parse_setup("[servo.Q]\nkv_1_s = 40\n", "m.toml").error().code, "machine-key");
 }
@@ -83,8 +84,8 @@ TEST(Setup, TravelMayBeOpenToOneSide) {
   const auto setup = parse_setup("[axes.Z]\ntravel_mm = [-inf, 10]\n", "m.toml");
   ASSERT_TRUE(setup) << setup.error().message;
   EXPECT_EQ(setup->machine.axes[2].travel_max, 10.0);
-  const auto again = parse_setup(format_setup(*setup), "m.toml");
-  ASSERT_TRUE(again) << format_setup(*setup);
+  const auto again = parse_setup(*format_setup(*setup), "m.toml");
+  ASSERT_TRUE(again) << *format_setup(*setup);
   EXPECT_EQ(again->machine.axes[2].travel_min, -kUnlimited);
   EXPECT_EQ(again->machine.axes[2].travel_max, 10.0);
 }
@@ -123,22 +124,112 @@ TEST(Setup, BadSyntaxTellsTheLine) {
   EXPECT_EQ(setup.error().where.line, 2u);
 }
 
-class BadValue : public testing::TestWithParam<const char*> {};
+// The parser took the comment's backslash for one in a text.
+TEST(Setup, ACommentMayEndWithABackslashBesideOtherLetters) {
+  const auto setup = parse_setup("# C:\\machines\\\n[machine]\nname = \"Fr\u00e4se\"\n", "m.toml");
+  ASSERT_TRUE(setup) << setup.error().message;
+}
 
-TEST_P(BadValue, IsRefused) {
-  const auto setup = parse_setup(GetParam(), "m.toml");
+TEST(Setup, KeysOfALaterVersionAreRefusedUnlessTheyArePassedOver) {
+  const char* text =
+      "future = 1\n[kinematics]\na = [1, 2]\n[axes.U]\nb = 2\n[path]\nmax_snap = 3\nmax_speed_mm_s = 5\n";
+  EXPECT_EQ(parse_setup(text, "m.toml").error().code, "machine-key");
+  const auto setup = parse_setup(text, "m.toml", UnknownKeys::pass_over);
+  ASSERT_TRUE(setup) << setup.error().message;
+  EXPECT_EQ(setup->machine.path.speed, 5);
+}
+
+struct BadValue {
+  const char *text, *said;  ///< what is wrong with it, and the bounds with their unit
+};
+void PrintTo(const BadValue& value, std::ostream* out) { *out << value.text; }
+
+class BadValues : public testing::TestWithParam<BadValue> {};
+
+TEST_P(BadValues, AreRefusedWithTheirBounds) {
+  const auto setup = parse_setup(GetParam().text, "m.toml");
   ASSERT_FALSE(setup);
   EXPECT_EQ(setup.error().code, "machine-value");
   EXPECT_EQ(setup.error().kind, ErrorKind::usage);
+  EXPECT_GT(setup.error().where.line, 0u);
+  EXPECT_EQ(setup.error().message, GetParam().said);
 }
 
-INSTANTIATE_TEST_SUITE_P(MachineFile, BadValue,
-                         testing::Values("[path]\nmax_speed_mm_s = 0\n", "[path]\nmax_speed_mm_s = -1\n",
-                                         "[path]\nmax_speed_mm_s = nan\n", "[path]\nmax_speed_mm_s = \"fast\"\n",
-                                         "[axes.X]\ntravel_mm = [5, 1]\n", "[axes.X]\ntravel_mm = 5\n",
-                                         "[law]\nkind = \"cubic\"\n", "[lookahead]\nblocks = 0\n",
-                                         "[lookahead]\nramps = \"both\"\n", "[machine]\nperiod_ms = 0\n",
-                                         "[machine]\ntool_change_s = -1\n", "machine = 3\n"));
+INSTANTIATE_TEST_SUITE_P(
+    MachineFile, BadValues,
+    testing::Values(
+        BadValue{"[path]\nmax_speed_mm_s = 0\n",
+                 "max_speed_mm_s is 0, but must be 1e-6 to 1e9 mm/s, or inf for no limit"},
+        BadValue{"[path]\nmax_speed_mm_s = -1\n",
+                 "max_speed_mm_s is -1, but must be 1e-6 to 1e9 mm/s, or inf for no limit"},
+        BadValue{"[path]\nmax_speed_mm_s = nan\n",
+                 "max_speed_mm_s is nan, but must be 1e-6 to 1e9 mm/s, or inf for no limit"},
+        BadValue{"[path]\nmax_speed_mm_s = 1e-310\n",
+                 "max_speed_mm_s is 1e-310, but must be 1e-6 to 1e9 mm/s, or inf for no limit"},
+        BadValue{"[path]\nmax_speed_mm_s = true\n",
+                 "max_speed_mm_s is true, but must be 1e-6 to 1e9 mm/s, or inf for no limit"},
+        BadValue{"[path]\nmax_speed_mm_s = \"fast\"\n",
+                 "max_speed_mm_s is a text, but must be 1e-6 to 1e9 mm/s, or inf for no limit"},
+        BadValue{"[path]\nmax_acceleration_mm_s2 = 1e13\n",
+                 "max_acceleration_mm_s2 is 1e+13, but must be 1e-6 to 1e12 mm/s\u00b2, or inf for no limit"},
+        BadValue{"[axes.A]\nmax_jerk_deg_s3 = [1]\n",
+                 "max_jerk_deg_s3 is a list, but must be 1e-6 to 1e15 deg/s\u00b3, or inf for no limit"},
+        BadValue{"[axes.X]\ntravel_mm = [5, 1]\n",
+                 "travel_mm is [5, 1], but must be [min, max] with min < max, each -1e9 to 1e9 mm, or -inf and inf for "
+                 "open ends"},
+        BadValue{
+            "[axes.X]\ntravel_mm = [-2e9, 1]\n",
+            "travel_mm is [-2e+09, 1], but must be [min, max] with min < max, each -1e9 to 1e9 mm, or -inf and inf "
+            "for open ends"},
+        BadValue{
+            "[axes.A]\ntravel_deg = 5\n",
+            "travel_deg is 5, but must be [min, max] with min < max, each -1e9 to 1e9 deg, or -inf and inf for open "
+            "ends"},
+        BadValue{"[axes.X]\ntravel_mm = [false, true]\n",
+                 "travel_mm is a list, but must be [min, max] with min < max, each -1e9 to 1e9 mm, or -inf and inf for "
+                 "open ends"},
+        BadValue{"[axes.X]\nsteps_per_mm = -1\n",
+                 "steps_per_mm is -1, but must be 1e-6 to 1e9 steps/mm, or 0 for none"},
+        BadValue{"[servo]\nbandwidth_hz = 1e18\n", "bandwidth_hz is 1e+18, but must be 0.01 to 1e5 Hz"},
+        BadValue{"[servo]\ndamping = {}\n", "damping is a section, but must be 0.001 to 100"},
+        BadValue{"[servo.X]\nvelocity_feed_forward = inf\n", "velocity_feed_forward is inf, but must be 0 to 1"},
+        BadValue{"[lookahead]\nblocks = true\n",
+                 "blocks is true, but must be a whole number from 1 to 1000000000, or \"all\""},
+        BadValue{"[lookahead]\nblocks = 0\n",
+                 "blocks is 0, but must be a whole number from 1 to 1000000000, or \"all\""},
+        BadValue{"[lookahead]\nblocks = 1.5\n",
+                 "blocks is 1.5, but must be a whole number from 1 to 1000000000, or \"all\""},
+        BadValue{"[machine]\nperiod_ms = 0\n", "period_ms is 0, but must be 0.001 to 10000 ms"},
+        BadValue{"[machine]\ntool_change_s = inf\n", "tool_change_s is inf, but must be 0 to 86400 s"},
+        BadValue{"[machine]\nname = 3\n", "name is 3, but must be a text"},
+        BadValue{"[law]\nkind = 1979-05-27\n", "kind is a date or a time, but must be a text"}));
+
+TEST(Setup, WordsThatAreNotKnownAreRefused) {
+  for (const char* text : {"[law]\nkind = \"cubic\"\n", "[lookahead]\nramps = \"both\"\n", "machine = 3\n"})
+    EXPECT_EQ(parse_setup(text, "m.toml").error().code, "machine-value") << text;
+}
+
+// A deceleration without limit beside a bounded acceleration was left out, and read back as the acceleration.
+TEST(Setup, SlowingDownWithoutLimitIsWritten) {
+  toolpace::Setup setup = default_setup();
+  setup.machine.path.deceleration = kUnlimited;
+  const auto text = format_setup(setup);
+  ASSERT_TRUE(text);
+  EXPECT_EQ(parse_setup(*text, "m.toml")->machine.path.deceleration, kUnlimited) << *text;
+}
+
+TEST(Setup, WhatCannotBeReadBackIsNotWritten) {
+  toolpace::Setup setup = default_setup();
+  setup.machine.axes[0].travel_min = 100;
+  setup.machine.axes[0].travel_max = -100;
+  EXPECT_EQ(
+      format_setup(setup).error().message,
+      "[axes.X] travel_mm is [100, -100], but must be [min, max] with min < max, each -1e9 to 1e9 mm, or -inf and "
+      "inf for open ends");
+  setup = default_setup();
+  setup.machine.name = "Fr\xe4se";  // Latin-1
+  EXPECT_EQ(format_setup(setup).error().code, "machine-unwritable");
+}
 
 TEST(Setup, CheckRefusesLimitsThatMakeNoSense) {
   const toolpace::Setup good = default_setup();
@@ -158,11 +249,31 @@ TEST(Setup, CheckRefusesLimitsThatMakeNoSense) {
   bad = good;
   bad.options.lookahead = 0;
   EXPECT_FALSE(check_setup(bad.machine, bad.options));
+  bad = good;
+  bad.machine.axes[2].travel_max = -kUnlimited;
+  EXPECT_FALSE(check_setup(bad.machine, bad.options));
+  bad = good;
+  bad.options.hold_at = -1;
+  EXPECT_EQ(check_setup(bad.machine, bad.options).error().message, "hold_at_s is -1, but must be 0 to 1e9 s");
 }
 
-TEST(Setup, AMissingFileIsAnIoError) {
-  EXPECT_EQ(read_setup("no/such/machine.toml").error().kind, ErrorKind::io);
-  EXPECT_EQ(read_setup(".").error().kind, ErrorKind::io);
+// One table says what a key may be: its ends are fine everywhere, and what lies beyond nowhere.
+TEST(Setup, EndsOfEveryRangeAreFineInFilesAndInChecks) {
+  toolpace::Setup known;
+  for (const SetupSection& section : setup_sections(known)) {
+    for (std::size_t k = 0; k < section.numbers.size(); ++k) {
+      const NumberKey& key = section.numbers[k];
+      const auto file = [&](double value) { return "[" + section.name + "]\n" + key.name + " = " + to_text(value); };
+      for (const double end : {key.range.least, key.range.most}) {
+        const auto setup = parse_setup(file(end), "m.toml");
+        ASSERT_TRUE(setup) << file(end) << setup.error().message;
+        EXPECT_TRUE(check_setup(setup->machine, setup->options)) << file(end);
+        EXPECT_TRUE(format_setup(*setup)) << file(end);
+      }
+      EXPECT_FALSE(parse_setup(file(key.range.most * 1.001), "m.toml")) << file(key.range.most);
+      EXPECT_FALSE(parse_setup(file(key.range.least - 1e-3 * (key.range.least + 1)), "m.toml")) << key.name;
+    }
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/nc/dwell.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/text/whole_number.h"
 
@@ -191,7 +192,10 @@ bool remember(Context& context, const Block& block, Code code, bool same_series)
     memory.dwell = 0.0;
   }
   if (code == 870 && !remember_back_boring(context, block, same_series)) return false;
-  if (memory.dwell < 0.0) return fail(context, block, "dwell-negative", "a dwell below 0 s", "give a positive P");
+  if (!is_dwell(memory.dwell)) {
+    return fail(context, block, "dwell-negative", fmt::format("a dwell of {:g} s", memory.dwell),
+                "give a time of 0 to 1e9 s");
+  }
   return true;
 }
 

@@ -1,0 +1,54 @@
+#include "toolpace/machine/read_machine.h"
+
+#include <algorithm>
+#include <array>
+
+#include "toolpace/base/file_name.h"
+
+namespace toolpace {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_grbl_setting(std::string_view line) { return line.size() > 3 && line[0] == '$' && is_digit(line[1]); }
+
+/// [TRAJ] and its like; machine files have no such sections.
+bool is_linuxcnc_section(std::string_view line) {
+  constexpr std::array<std::string_view, 6> kSections = {"[EMC]", "[TRAJ]", "[EMCMOT]", "[KINS]", "[AXIS_", "[JOINT_"};
+  return std::any_of(kSections.begin(), kSections.end(), [&](auto section) { return line.starts_with(section); });
+}
+
+}  // namespace
+
+MachineFormat machine_format(const std::filesystem::path& name, std::string_view text) {
+  const std::string extension = extension_of(name);
+  if (extension == ".toml") return MachineFormat::toml;
+  if (extension == ".ini") return MachineFormat::linuxcnc;
+  while (!text.empty()) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) break;
+    text.remove_prefix(begin);
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (is_grbl_setting(line)) return MachineFormat::grbl;
+    if (is_linuxcnc_section(line)) return MachineFormat::linuxcnc;
+    text.remove_prefix(line.size());
+  }
+  return MachineFormat::toml;
+}
+
+Result<Setup> parse_machine(std::string_view text, const std::string& name) {
+  switch (machine_format(name, text)) {
+    case MachineFormat::linuxcnc: return import_linuxcnc_ini(text, name);
+    case MachineFormat::grbl: return import_grbl_dump(text, name);
+    case MachineFormat::toml: break;
+  }
+  return parse_setup(text, name);
+}
+
+Result<Setup> read_machine(const std::filesystem::path& file, const Monitor& monitor) {
+  const auto text = read_settings_text(file, monitor);
+  if (!text) return tl::unexpected(text.error());
+  return parse_machine(*text, file.string());
+}
+
+}  // namespace toolpace
