@@ -181,10 +181,8 @@ void MainWindow::showTitle() {
   setWindowModified(program.isModified());
   titles_["programDock"]->setBadge(program.isModified() ? tr("edited") : QString(), tr("Changes that are not saved"));
   actions_->save_program->setEnabled(program.isModified() || program.path().isEmpty());
-  const bool edited = !workspace_.tuning().isClean();
-  const QString name = machine_.name.isEmpty() ? tr("default limits") : machine_.name;
-  machine_button_->setText(tr("Machine: %1").arg(name + (edited ? "*" : "")));
-  actions_->save_machine->setEnabled(edited || machine_.path.isEmpty());
+  machine_button_->setText(tr("Machine: %1").arg(machineName() + (machine_.isModified() ? "*" : "")));
+  actions_->save_machine->setEnabled(machine_.isModified() || machine_.path().isEmpty());
 }
 
 void MainWindow::showFailure(const Error& error, const QString& path) {
@@ -205,7 +203,7 @@ void MainWindow::showFailure(const Error& error, const QString& path) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!mayLeaveProgram([this] { close(); })) return event->ignore();
+  if (!mayLeaveProgram([this] { close(); }) || !mayLeaveMachine()) return event->ignore();
   if (remember_) {
     preferences_.geometry = saveGeometry();
     preferences_.layout = saveState();
@@ -222,14 +220,11 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = event->mimeData()->urls().constFirst().toLocalFile();
   event->acceptProposedAction();
-  if (path.endsWith(".toml", Qt::CaseInsensitive)) {
-    openMachine(path);
-  } else if (workspace_.program().isModified()) {  // asks, and whoever drags waits for the drop to be over
-    QMetaObject::invokeMethod(
-        this, [this, path] { openProgram(path); }, Qt::QueuedConnection);
-  } else {
-    openProgram(path);
-  }
+  const bool is_machine = path.endsWith(".toml", Qt::CaseInsensitive) || path.endsWith(".ini", Qt::CaseInsensitive);
+  const auto open = [this, path, is_machine] { is_machine ? chooseMachine(path) : openProgram(path); };
+  const bool asks = is_machine ? machine_.isModified() : workspace_.program().isModified();
+  if (!asks) return open();
+  QMetaObject::invokeMethod(this, open, Qt::QueuedConnection);  // whoever drags waits for the drop to be over
 }
 
 // Keys without modifiers are shortcuts of the window, but a control that has the focus and uses the key comes first.

@@ -13,7 +13,7 @@
 #include "actions.h"
 #include "jobs/export_service.h"
 #include "jobs/workspace.h"
-#include "machine_profile.h"
+#include "machine_file.h"
 #include "models/units.h"
 #include "preferences.h"
 #include "theme/theme.h"
@@ -23,6 +23,7 @@ class QMenuBar;
 
 namespace toolpace::ui {
 class CirclePanel;
+class ChangeBar;
 class ContourView;
 class DockTitle;
 class LossPanel;
@@ -58,9 +59,10 @@ class MainWindow : public QMainWindow {
   void openLast();
   /// In a worker; the status line tells when it is done. The file becomes the program's.
   void storeProgramAs(const QString& path);
-  /// Opens a machine file, or imports a LinuxCNC .ini or a grbl dump (.txt).
+  /// Opens a machine file, or imports a LinuxCNC .ini or grbl's answer to $$, without asking about the one in use. False:
+  /// the window says why.
   bool openMachine(const QString& path);
-  void storeMachineAs(const QString& path);
+  bool storeMachineAs(const QString& path);
   /// In a worker; the status line tells when it is done. .pulses.csv = step pulses.
   void saveSetpoints(const QString& path);
   void setTimerFrequency(double hz);  ///< of the pulses' timer
@@ -123,9 +125,17 @@ class MainWindow : public QMainWindow {
   bool mayLeaveProgram(std::function<void()> later);
   void rememberProgram();
   void showConflict(ui::Workspace::Conflict conflict);
-  // main_window_files.cpp
+  // main_window_machine.cpp
+  void connectMachine();
   void askMachine();
-  void saveMachine(bool ask);
+  void chooseMachine(const QString& path);
+  void chooseDefaultMachine();
+  void takeMachine();
+  bool mayLeaveMachine();
+  bool saveMachine(bool ask);
+  QString askMachinePath(QString suggestion);
+  QString machineName() const;
+  static QString fileName(const QString& path);
   // main_window_exports.cpp
   void exportSetpoints(const QString& suffix);
   void exportPulses();
@@ -147,7 +157,7 @@ class MainWindow : public QMainWindow {
   Preferences preferences_;
   ui::Workspace workspace_;
   ui::ExportService exporter_;
-  MachineProfile machine_;
+  MachineFile machine_{workspace_.tuning()};
   Actions* actions_ = nullptr;
   ui::Theme theme_ = ui::light_theme();
   QTranslator translator_, qt_translator_;
@@ -157,6 +167,7 @@ class MainWindow : public QMainWindow {
   ui::ContourView* contour_ = nullptr;
   ui::ProfileView* profile_ = nullptr;
   ui::TuningPanel* tuning_ = nullptr;
+  ui::ChangeBar* machine_bar_ = nullptr;
   ui::ResultsPanel* results_ = nullptr;
   ui::WhatIfPanel* what_if_ = nullptr;
   ui::LossPanel* loss_ = nullptr;

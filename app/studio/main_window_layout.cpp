@@ -3,9 +3,11 @@
 #include <QResizeEvent>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "main_window.h"
+#include "panels/change_bar.h"
 #include "panels/circle_panel.h"
 #include "panels/dock_title.h"
 #include "panels/loss_panel.h"
@@ -39,6 +41,14 @@ QToolButton* menu_button(const char* name, QMenu* menu, QToolBar* bar) {
   return button;
 }
 
+/// One below the other, without a gap.
+void stack(std::initializer_list<QWidget*> widgets, QWidget* page) {
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  for (QWidget* widget : widgets) column->addWidget(widget);
+}
+
 }  // namespace
 
 void MainWindow::buildPanels() {
@@ -52,7 +62,11 @@ void MainWindow::buildPanels() {
   setCentralWidget(contour_);
   nc_ = new ui::NcPanel(this);
   profile_ = new ui::ProfileView(this);
-  tuning_ = new ui::TuningPanel(workspace_.tuning(), this);
+  auto* tuning_page = new QWidget(this);
+  machine_bar_ = new ui::ChangeBar(tuning_page);
+  machine_bar_->setObjectName("machineBar");
+  tuning_ = new ui::TuningPanel(workspace_.tuning(), tuning_page);
+  stack({machine_bar_, tuning_}, tuning_page);
   results_ = new ui::ResultsPanel(this);
   what_if_ = new ui::WhatIfPanel(this);
   loss_ = new ui::LossPanel(this);
@@ -61,7 +75,7 @@ void MainWindow::buildPanels() {
   problems_ = new ui::ProblemsPanel(this);
   addDock("programDock", nc_, Qt::LeftDockWidgetArea, true);
   addDock("plotsDock", profile_, Qt::BottomDockWidgetArea, false);
-  addDock("tuningDock", tuning_, Qt::RightDockWidgetArea, true);
+  addDock("tuningDock", tuning_page, Qt::RightDockWidgetArea, true);
   addDock("resultsDock", results_, Qt::RightDockWidgetArea, false);
   addDock("limitsDock", what_if_, Qt::RightDockWidgetArea, false);
   addDock("lossDock", loss_, Qt::RightDockWidgetArea, false);
@@ -256,12 +270,12 @@ void MainWindow::fillRecent() {
 void MainWindow::fillMachines() {
   machine_menu_->clear();
   for (const auto& machine : built_in_machines()) {
-    machine_menu_->addAction(machine.name, this, [this, path = machine.path] { openMachine(path); });
+    machine_menu_->addAction(machine.name, this, [this, path = machine.path] { chooseMachine(path); });
   }
   machine_menu_->addAction(actions_->default_machine);
   if (!preferences_.recent_machines.isEmpty()) machine_menu_->addSeparator();
   for (const QString& path : std::as_const(preferences_.recent_machines)) {
-    machine_menu_->addAction(path, this, [this, path] { openMachine(path); });
+    machine_menu_->addAction(path, this, [this, path] { chooseMachine(path); });
   }
   machine_menu_->addSeparator();
   machine_menu_->addActions({actions_->open_machine, actions_->save_machine, actions_->save_machine_as});

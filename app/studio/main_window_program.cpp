@@ -58,7 +58,8 @@ void MainWindow::openExample() {
 }
 
 void MainWindow::openLast() {
-  if (QFileInfo::exists(preferences_.last_machine)) openMachine(preferences_.last_machine);
+  const bool has_machine = !machine_.name().isEmpty();  // named on the command line
+  if (!has_machine && !preferences_.last_machine.isEmpty()) openMachine(preferences_.last_machine);
   if (QFileInfo::exists(preferences_.last_program)) return openProgram(preferences_.last_program);
   openExample();
 }

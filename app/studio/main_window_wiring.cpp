@@ -21,6 +21,7 @@ void MainWindow::connectWorkspace() {
   using ui::Workspace;
   connect(&workspace_, &Workspace::documentChanged, this, &MainWindow::showDocument);
   connectProgram();
+  connectMachine();
   connect(&workspace_, &Workspace::planChanged, this, &MainWindow::showPlan);
   connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPinned);
   connect(&workspace_, &Workspace::proofChanged, this, [this] {
@@ -38,7 +39,6 @@ void MainWindow::connectWorkspace() {
   connect(&workspace_, &Workspace::staleChanged, this, &MainWindow::showState);
   connect(&workspace_, &Workspace::refinementChanged, this, &MainWindow::showState);
   connect(&workspace_.playback(), &ui::Playback::playingChanged, transport_, &ui::TransportBar::setPlaying);
-  connect(&workspace_.tuning(), &ui::TuningModel::cleanChanged, this, &MainWindow::showTitle);
 }
 
 void MainWindow::connectPanels() {
@@ -104,11 +104,7 @@ void MainWindow::connectActions() {
   on(a.open_machine, [this] { askMachine(); });
   on(a.save_machine, [this] { saveMachine(false); });
   on(a.save_machine_as, [this] { saveMachine(true); });
-  on(a.default_machine, [this] {
-    machine_ = {};
-    workspace_.tuning().replace(tr("Default limits"), default_setup());
-    showTitle();
-  });
+  on(a.default_machine, [this] { chooseDefaultMachine(); });
   auto& undo = workspace_.undoStack();
   on(a.undo, [&undo] { undo.undo(); });
   on(a.redo, [&undo] { undo.redo(); });

@@ -43,11 +43,21 @@ void ChangeBar::changeEvent(QEvent* event) {
 }
 
 void ChangeBar::retranslate() {
-  text_->setText(reason_ == Reason::reload
-                     ? tr("Your changes are not saved. Reading the file again puts them aside.")
-                     : tr("The file was changed by another program, and your changes are not saved."));
+  switch (reason_) {
+    case Reason::reload:
+      text_->setText(tr("Your changes are not saved. Reading the file again puts them aside."));
+      break;
+    case Reason::changed_outside:
+      text_->setText(tr("The file was changed by another program, and your changes are not saved."));
+      break;
+    case Reason::machine_changed_outside:
+      text_->setText(tr("The machine file was changed by another program, and your changes are not saved."));
+      break;
+  }
   keep_mine_->setText(tr("Keep mine"));
-  keep_mine_->setToolTip(tr("Stay with the text in the window; saving it replaces the file"));
+  keep_mine_->setToolTip(reason_ == Reason::machine_changed_outside
+                             ? tr("Stay with the values in the window; saving puts them into the file")
+                             : tr("Stay with the text in the window; saving it replaces the file"));
   take_file_->setText(tr("Take the file's"));
   take_file_->setToolTip(tr("Read the file again; undo brings your changes back"));
 }

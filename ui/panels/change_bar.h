@@ -1,5 +1,5 @@
 #pragma once
-/// Asks, without getting in the way, whether the text in the window or that of its file shall stay.
+/// Asks, without getting in the way, whether what stands in the window or what stands in its file shall stay.
 
 #include <QLabel>
 #include <QPushButton>
@@ -11,7 +11,7 @@ class ChangeBar : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Reason { reload, changed_outside };
+  enum class Reason { reload, changed_outside, machine_changed_outside };
 
   explicit ChangeBar(QWidget* parent = nullptr);
 
