@@ -58,6 +58,8 @@ MainWindow::~MainWindow() {
   QCoreApplication::removeTranslator(&qt_translator_);
 }
 
+bool MainWindow::isAtRest() const { return isSettled() && !contour_->canvas().isMoving(); }
+
 void MainWindow::showDocument(bool another) {
   const auto& document = workspace_.document();
   nc_->view().setDocument(document, another);

@@ -75,6 +75,8 @@ class MainWindow : public QMainWindow {
   void setLanguage(const QString& language);  ///< "en" or "zh_CN"
   /// True when nothing is being read or planned any more.
   bool isSettled() const { return !workspace_.isBusy() && !exporter_.isBusy(); }
+  /// And when no better picture of it is on its way.
+  bool isAtRest() const;
 
  signals:
   void failed(const toolpace::Error& error);  ///< what was asked for could not be done; it is shown already

@@ -1,20 +1,18 @@
 #include "screenshot.h"
 
 #include <QApplication>
-#include <QEventLoop>
 #include <QPixmap>
-#include <QTimer>
 
 #include "end_on_signals.h"
 #include "main_window.h"
+#include "theme/finish_drawing.h"
 #include "theme/picture_file.h"
 #include "toolpace/base/monitor.h"
 
 namespace toolpace::studio {
 namespace {
 
-constexpr int kPaintMs = 250;  // for pictures that are refined at rest
-
+/// Whatever changes does so in this thread's events.
 template <class Done>
 void wait_until(const Done& done) {
   while (!done() && !is_ended()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
@@ -23,16 +21,20 @@ void wait_until(const Done& done) {
 }  // namespace
 
 void settle(MainWindow& window) {
-  wait_until([&window] { return window.isSettled(); });
-  QEventLoop loop;
-  QTimer::singleShot(kPaintMs, &loop, &QEventLoop::quit);
-  loop.exec();
+  do {
+    wait_until([&window] { return window.isAtRest(); });
+    ui::finish_drawing();
+  } while (!window.isAtRest() && !is_ended());
+}
+
+void settle_with_proof(MainWindow& window) {
+  settle(window);
+  wait_until([&window] { return !window.workspace().isProving(); });
+  settle(window);
 }
 
 Result<void> take_screenshot(MainWindow& window, const QString& file) {
-  settle(window);
-  wait_until([&window] { return !window.workspace().isProving(); });
-  QApplication::processEvents();
+  settle_with_proof(window);
   if (is_ended()) return tl::unexpected(cancelled_error());
   return ui::save_picture(file, {window.size(), [&window] { return window.grab().toImage(); }});
 }

@@ -13,7 +13,11 @@ class MainWindow;
 /// save_picture, and cancelled when a signal came.
 Result<void> take_screenshot(MainWindow& window, const QString& file);
 
-/// Runs the event loop until reading and planning are done and the picture has been drawn, or a signal ends the process.
+/// Runs the event loop until reading and planning are done and the window is laid out and drawn as it stays, or a signal
+/// ends the process.
 void settle(MainWindow& window);
+
+/// And until the setpoints are proven and the drives simulated.
+void settle_with_proof(MainWindow& window);
 
 }  // namespace toolpace::studio

@@ -244,6 +244,7 @@ void ContourCanvas::paintEvent(QPaintEvent*) {
     drawPicture(picture_, projection, ratio, canBeSmooth(pixels, projection));
     picture_.setDevicePixelRatio(ratio);
     stale_ = false;
+    ++pictures_drawn_;
   }
   QPainter painter(this);
   painter.drawImage(QPointF(0, 0), picture_);

@@ -57,8 +57,11 @@ class ContourCanvas : public QWidget {
   /// The same as vectors, for SVG and PDF: at most as many lines as a picture of this size can tell apart.
   void paintVectors(QPainter& painter, const QSizeF& size) const;
 
-  /// Pieces of the last picture. For the tests of speed.
+  /// The camera moves or plans follow each other: a better picture comes when they rest.
+  bool isMoving() const { return moving_; }
+  /// Pieces of the last picture, and how often the path was drawn anew. For the tests of what a picture costs.
   std::size_t lastPieces() const { return last_pieces_; }
+  std::size_t picturesDrawn() const { return pictures_drawn_; }
 
  signals:
   void cursorTimeRequested(double time);
@@ -113,6 +116,7 @@ class ContourCanvas : public QWidget {
   QImage picture_;
   bool stale_ = true, moving_ = false;
   mutable std::size_t last_pieces_ = 0;
+  std::size_t pictures_drawn_ = 0;
   QTimer settle_;
   QElapsedTimer since_scene_;
 
