@@ -1,17 +1,18 @@
 /// What rounding corners and planning through the tolerance tube cost.
 
 #include <benchmark/benchmark.h>
-#include <malloc.h>
 
-#include <fstream>
+#include <stop_token>
 #include <string>
 
+#include "meter.h"
 #include "places.h"
 #include "smooth_moves.h"
 #include "toolpace/limits/limit_speed.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/path/blend_path.h"
 #include "toolpace/path/build_path.h"
+#include "toolpace/pipeline/job.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/retime/retime.h"
 #include "toolpace/plan/smooth/build_tube.h"
@@ -29,26 +30,6 @@ Machine test_machine() {
     machine.axes[a].jerk = 50000;
   }
   return machine;
-}
-
-/// A line of /proc/self/status, in bytes; 0 where there is none.
-double status_bytes(const std::string& key) {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    double kibibytes = 0;
-    if (word == key + ":" && status >> kibibytes) return kibibytes * 1024;
-  }
-  return 0;
-}
-
-/// By how much the work's memory in use rises at its peak; 0 where the system does not tell.
-template <class Work>
-double peak_bytes(const Work& work) {
-  malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5";  // the peak counts from here
-  const double before = status_bytes("VmRSS");
-  work();
-  return status_bytes("VmHWM") - before;
 }
 
 void blend_blocks(benchmark::State& state) {
@@ -77,7 +58,7 @@ void blend_and_plan(benchmark::State& state, const Moves& moves) {
   };
   for (auto _ : state) work();
   const auto blocks = static_cast<std::int64_t>(moves.size());
-  state.counters["bytes_an_item"] = peak_bytes(work) / static_cast<double>(blocks);
+  state.counters["bytes_an_item"] = bench::peak_bytes(work) / static_cast<double>(blocks);
   state.SetItemsProcessed(state.iterations() * blocks);
   state.SetLabel("blocks");
 }
@@ -87,10 +68,10 @@ void blend_and_plan_blocks(benchmark::State& state) {
 }
 BENCHMARK(blend_and_plan_blocks)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
-/// Copies of a shared path, one behind the other.
-void blend_and_plan_shared(benchmark::State& state, const std::string& name) {
-  const auto reading = read_file(test::shared_dir() / "paths" / (name + ".csv"));
-  if (!reading) return state.SkipWithError("the shared paths are not here");
+/// Copies of a path of tests/data, one behind the other.
+void blend_and_plan_copies(benchmark::State& state, const std::string& name) {
+  const auto reading = read_file(test::source_dir() / "tests/data" / (name + ".csv"));
+  if (!reading) return state.SkipWithError(reading.error().message.c_str());
   Moves moves = reading->moves;
   const std::size_t blocks = moves.size();
   const AxisVector step = moves.end.back() - moves.start;
@@ -105,7 +86,7 @@ void blend_and_plan_shared(benchmark::State& state, const std::string& name) {
   for (std::size_t i = blocks; i < moves.size(); ++i) moves.end[i] += static_cast<double>(i / blocks) * step;
   blend_and_plan(state, moves);
 }
-BENCHMARK_CAPTURE(blend_and_plan_shared, smooth, "smooth")->Arg(20)->Arg(200)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(blend_and_plan_copies, smooth, "smooth")->Arg(20)->Arg(200)->Unit(benchmark::kMillisecond);
 
 /// The same path, timed anew under the axes' limits.
 void retime_blocks(benchmark::State& state) {
@@ -125,6 +106,32 @@ void retime_blocks(benchmark::State& state) {
   state.SetLabel("blocks");
 }
 BENCHMARK(retime_blocks)->Arg(5'000)->Unit(benchmark::kMillisecond);
+
+/// What `--corner smooth` still does after it was asked to stop, at 30 % of the way; all threads. The window wants 0.2 s.
+void smooth_stop(benchmark::State& state) {
+  auto job = std::make_shared<Job>();
+  auto reading = std::make_shared<Reading>();
+  reading->moves = bench::smooth_moves(5'000);
+  job->program = reading;
+  job->machine = test_machine();
+  job->options.law = LawKind::seven_phase;
+  job->options.ramps = Ramps::span;
+  job->options.corner.rule = CornerRule::smooth;
+  for (auto _ : state) {
+    std::stop_source source;
+    bench::Meter since;
+    const Monitor monitor{source.get_token(), [&](double fraction) {
+                            if (fraction < 0.3 || source.stop_requested()) return;
+                            since = bench::Meter();
+                            source.request_stop();
+                          }};
+    benchmark::DoNotOptimize(run(job, monitor));
+    state.SetIterationTime(since.process());
+  }
+  state.SetItemsProcessed(state.iterations());
+  state.SetLabel("stops");
+}
+BENCHMARK(smooth_stop)->UseManualTime()->Iterations(10)->Unit(benchmark::kMillisecond);
 
 /// Items are milliseconds of motion: the budget is 50 µs for each, on one core.
 void smooth_milliseconds(benchmark::State& state) {

@@ -76,7 +76,7 @@ class AccessTest : public QObject {
     window.openButterfly();
     for (const char* language : {"en", "zh_CN"}) {
       window.setLanguage(language);
-      QTest::qWait(50);
+      studio::settle(window);
       QSet<QString> names;
       QStringList troubles;
       for (auto* control : controls_of(window)) {
@@ -101,7 +101,7 @@ class AccessTest : public QObject {
     window.activateWindow();
     for (const char* tab : kTabs) {
       window.the<QDockWidget>(tab).raise();
-      QTest::qWait(30);
+      studio::settle(window);
       window.the<QWidget>("ncView").setFocus();
       QSet<QWidget*> visited;
       for (int i = 0; i < 400; ++i) {
@@ -142,11 +142,11 @@ class AccessTest : public QObject {
     Opened window({1600, 1200});
     window.openButterfly();
     window.setTouch(true);
-    QTest::qWait(50);
+    studio::settle(window);
     QStringList troubles;
     for (const char* tab : kTabs) {
       window.the<QDockWidget>(tab).raise();
-      QTest::qWait(30);
+      studio::settle(window);
       for (auto* control : controls_of(window)) {
         if (!control->isVisible() || control->visibleRegion().isEmpty()) continue;
         const bool touched = qobject_cast<QAbstractButton*>(control) || qobject_cast<QComboBox*>(control) ||

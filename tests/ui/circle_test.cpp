@@ -35,7 +35,7 @@ void open_circles(Opened& window, double backlash = 0) {
   });
   window.waitForProof();
   window.the<QDockWidget>("circleDock").raise();
-  QTest::qWait(50);
+  studio::settle(window);
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ class CircleTest : public QObject {
     window.open("G21 G90 G94 F600\nG1 X10\nY10\nM2\n");
     window.waitForProof();
     window.the<QDockWidget>("circleDock").raise();
-    QTest::qWait(50);
+    studio::settle(window);
     QVERIFY(window.the<CirclePanel>("circlePanel").roundness().is_empty());
     QVERIFY(window.the<QLabel>("circleFigures").text().isEmpty());
     screenshot(window, "circle-none");

@@ -12,6 +12,7 @@
 #include "preferences.h"
 #include "preview/contour_view.h"
 #include "screenshot.h"
+#include "support/patience.h"
 #include "support/screenshot.h"
 #include "support/ui_test.h"
 
@@ -66,7 +67,7 @@ class FilesTest : public QObject {
     write(in("new.ngc"), QByteArray(kSquare).replace("X10", "X20"));
     QVERIFY(QFile::remove(in("again.ngc")));
     QVERIFY(QFile::rename(in("new.ngc"), in("again.ngc")));
-    QVERIFY(changed.wait(5000));
+    QVERIFY(ui::eventually(changed));
     settle(window);
     QCOMPARE(window.workspace().timeline()->outcome()->summary.path_length, 60.0);
     QCOMPARE(window.workspace().cursorTime(), 0.5);
@@ -131,7 +132,7 @@ class FilesTest : public QObject {
     settle(window);
     for (const char* name : {"out.csv", "out.npy", "out.npz", "out.halstream", "out.semicolon.csv"}) {
       window.saveSetpoints(in(name));
-      QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 10000);
+      settle(window);
       QVERIFY2(QFileInfo(in(name)).size() > 10000, name);
     }
     QFile csv(in("out.csv"));
@@ -154,7 +155,7 @@ class FilesTest : public QObject {
     window.actions().decimal_comma->trigger();
     for (const char* name : {"axes.csv", "comma.semicolon.csv"}) {
       window.saveSetpoints(in(name));
-      QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 10000);
+      settle(window);
     }
     QFile csv(in("axes.csv"));
     QVERIFY(csv.open(QIODevice::ReadOnly));
@@ -174,7 +175,7 @@ class FilesTest : public QObject {
     settle(window);
     const QString file = in("square.pulses.csv");
     window.saveSetpoints(file);
-    QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 10000);
+    settle(window);
     QVERIFY(!QFile::exists(file));
     auto& problems = *window.findChild<QTableView*>("problemTable");
     QVERIFY(problems.model()->rowCount() > 0);
@@ -184,7 +185,7 @@ class FilesTest : public QObject {
     settle(window);
     window.setTimerFrequency(1e6);
     window.saveSetpoints(file);
-    QTRY_VERIFY_WITH_TIMEOUT(window.isSettled(), 10000);
+    settle(window);
     QFile csv(file);
     QVERIFY(csv.open(QIODevice::ReadOnly));
     QCOMPARE(csv.readLine().trimmed(), QByteArray("t_ticks,axis,direction"));

@@ -12,8 +12,10 @@
 #include "panels/pulse_plot.h"
 #include "panels/single_move_page.h"
 #include "panels/stepper_page.h"
+#include "support/patience.h"
 #include "support/screenshot.h"
 #include "support/ui_test.h"
+#include "theme/finish_drawing.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -21,7 +23,7 @@ using namespace toolpace::ui;
 namespace {
 
 void keep_picture(QWidget& widget, const QString& name) {
-  QTest::qWait(20);  // layouts and plots
+  finish_drawing();
   const QImage picture = screenshot(widget, name);
   QVERIFY(colours_in(picture) > 10);
 }
@@ -63,7 +65,7 @@ class MotionPagesTest : public QObject {
     SingleMovePage page;
     page.resize(1180, 720);
     page.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    QVERIFY(QTest::qWaitForWindowExposed(&page, kPatience));
     QCOMPARE(shown(page, "moveResult_t_total"), 63.75);
     QCOMPARE(shown(page, "moveResult_sa"), 1925.0);
     keep_picture(page, "single-move-zheng-1");
@@ -77,7 +79,7 @@ class MotionPagesTest : public QObject {
     SingleMovePage page;
     page.resize(1180, 720);
     page.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    QVERIFY(QTest::qWaitForWindowExposed(&page, kPatience));
     const auto* plot = child<MovePlot>(page, "movePlot");
     QCOMPARE(plot->phaseLabels(), QStringList({"17.5", "17.5", "8.75", "10", "10"}));
     choose(page, "movePreset", 3);
@@ -140,7 +142,7 @@ class MotionPagesTest : public QObject {
     StepperPage page;
     page.resize(1180, 720);
     page.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    QVERIFY(QTest::qWaitForWindowExposed(&page, kPatience));
     keep_picture(page, "stepper");
     enter(page, "stepperSteps", "1");
     QVERIFY(page.table().has_value());
@@ -158,7 +160,7 @@ class MotionPagesTest : public QObject {
     page.setMove({1000, 5000, 0.05, 0.03, 1e6});
     QSignalSpy done(&page, &StepperPage::exported);
     page.exportTo(folder.filePath("pulses.csv"));
-    QVERIFY(done.wait(10000));
+    QVERIFY(eventually(done));
     QVERIFY(done.last()[1].toBool());
     QFile file(folder.filePath("pulses.csv"));
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -167,9 +169,10 @@ class MotionPagesTest : public QObject {
     qint64 sum = 0;
     for (int i = 1; i < lines.size(); ++i) sum += lines[i].split(',')[1].toLongLong();
     QCOMPARE(sum, static_cast<qint64>(page.table()->total_ticks()));
-    QTRY_VERIFY(child<QPushButton>(page, "stepperExport")->isEnabled());
+    QVERIFY(eventually([&] { return child<QPushButton>(page, "stepperExport")->isEnabled(); }));
+    done.clear();
     page.exportTo(folder.filePath("nowhere/pulses.h"));
-    QVERIFY(done.wait(10000));
+    QVERIFY(eventually(done));
     QVERIFY(!done.last()[1].toBool());
   }
 

@@ -6,6 +6,7 @@
 #include "main_window.h"
 #include "screenshot.h"
 #include "support/find.h"
+#include "support/patience.h"
 
 namespace toolpace::ui {
 
@@ -25,11 +26,7 @@ class Opened : public studio::MainWindow {
     studio::settle(*this);
   }
   /// Until the setpoints are proven and the drives simulated.
-  void waitForProof() {
-    studio::settle(*this);
-    QTRY_VERIFY_WITH_TIMEOUT(!workspace().isProving(), 60000);
-    QTest::qWait(50);
-  }
+  void waitForProof() { studio::settle_with_proof(*this); }
   template <class T>
   T& the(const char* name) {
     return ui::find<T>(*this, name);

@@ -40,6 +40,26 @@ void choose_corner(Opened& window, CornerRule rule) {
   emit box.activated(box.currentIndex());
 }
 
+/// Runs the event loop until a refinement has begun, then `act` in that moment, before anything comes of it.
+template <class Act>
+bool when_refining(Workspace& workspace, const Act& act) {
+  QObject context;
+  bool done = false;
+  QObject::connect(&workspace, &Workspace::refinementChanged, &context, [&](Refiner::State state) {
+    if (state != Refiner::State::running) return;
+    // What comes of it comes later in the same queue.
+    QMetaObject::invokeMethod(
+        &context, [&] { done || (act(), done = true); }, Qt::QueuedConnection);
+  });
+  return eventually([&] { return done; });
+}
+
+QByteArray long_zigzag(int blocks) {
+  QByteArray text = "G21 G90 G94 F6000\n";
+  for (int i = 0; i < blocks; ++i) text += QString("G1 X%1 Y%2\n").arg(i % 2 ? 40 : 0).arg(i).toLatin1();
+  return text + "M2\n";
+}
+
 }  // namespace
 
 class SmoothTest : public QObject {
@@ -59,10 +79,11 @@ class SmoothTest : public QObject {
       times.push_back(window.workspace().timeline()->duration());
     });
     choose_corner(window, CornerRule::smooth);
-    QTRY_COMPARE(window.workspace().refinement(), Refiner::State::running);
-    QVERIFY(!window.workspace().isStale());
-    QVERIFY(window.the<QLabel>("tuningDockBadge").isVisible());
-    QVERIFY(window.the<QLabel>("tuningDockBadge").text().contains("refining"));
+    QVERIFY(when_refining(window.workspace(), [&] {
+      QVERIFY(!window.workspace().isStale());
+      QVERIFY(window.the<QLabel>("tuningDockBadge").isVisible());
+      QVERIFY(window.the<QLabel>("tuningDockBadge").text().contains("refining"));
+    }));
     studio::settle(window);
     QCOMPARE(times.size(), std::size_t{2});
     QVERIFY2(refining[0] && !refining[1], "a plan along blends first, then one through the tube");
@@ -86,7 +107,6 @@ class SmoothTest : public QObject {
       times.push_back(window.workspace().timeline()->duration());
     });
     choose_corner(window, CornerRule::blend);
-    QTRY_COMPARE(window.workspace().refinement(), Refiner::State::running);
     studio::settle(window);
     QCOMPARE(refined, (std::vector<bool>{false, true}));
     QVERIFY2(times[1] < times[0], "what took longer to compute takes less time to run");
@@ -94,47 +114,53 @@ class SmoothTest : public QObject {
 
   void an_edit_while_refining_is_planned_at_once_and_the_old_refinement_never_arrives() {
     Opened window;
-    QByteArray many = "G21 G90 G94 F6000\n";
-    for (int i = 0; i < 400; ++i) many += QString("G1 X%1 Y%2\n").arg(i % 2 ? 40 : 0).arg(i).toLatin1();
-    window.open(many + "M2\n");
-    limit_axes(window.workspace());
+    window.open(long_zigzag(100));
+    auto& workspace = window.workspace();
+    limit_axes(workspace);
     studio::settle(window);
-    choose_corner(window, CornerRule::smooth);
-    QTRY_COMPARE(window.workspace().refinement(), Refiner::State::running);
-    QTest::qWait(200);  // it has begun
-    QSignalSpy plans(&window.workspace(), &Workspace::planChanged);
     auto& feed = window.the<NumberField>("feedOverrideEdit");
     feed.setFocus();
-    QTest::keyClick(&feed, Qt::Key_Down);
-    QVERIFY2(plans.wait(5000), "the quick plan of the new parameters");
-    QCOMPARE(window.workspace().plan().timeline->outcome()->job->options.feed_override,
-             window.workspace().tuning().value().options.feed_override);
+    struct Shown {
+      double feed_override;
+      bool refined;
+      bool operator==(const Shown&) const = default;
+    };
+    std::vector<Shown> shown;
+    connect(&workspace, &Workspace::planChanged, this, [&] {
+      const Outcome& outcome = *workspace.timeline()->outcome();
+      shown.push_back({outcome.job->options.feed_override, !outcome.plan.splines.empty()});
+    });
+    // Progress while it refines: it has begun, and its result would come after this.
+    bool edited = false;
+    connect(&workspace, &Workspace::progressed, this, [&] {
+      if (edited || !workspace.isRefining()) return;
+      edited = true;
+      QTest::keyClick(&feed, Qt::Key_Down);
+    });
+    choose_corner(window, CornerRule::smooth);
     studio::settle(window);
-    QVERIFY(!window.workspace().plan().timeline->outcome()->plan.splines.empty());
-    QCOMPARE(window.workspace().plan().timeline->outcome()->job->options.feed_override,
-             window.workspace().tuning().value().options.feed_override);
+    QVERIFY(edited);
+    const double lower = workspace.tuning().value().options.feed_override;
+    QVERIFY(lower < 1.0);
+    QCOMPARE(shown, (std::vector<Shown>{{1.0, false}, {lower, false}, {lower, true}}));
   }
 
   void cancelling_keeps_the_quick_plan_and_says_so() {
     Opened window;
-    QByteArray many = "G21 G90 G94 F6000\n";
-    for (int i = 0; i < 1500; ++i) many += QString("G1 X%1 Y%2\n").arg(i % 2 ? 40 : 0).arg(i).toLatin1();
-    window.open(many + "M2\n");
+    window.open(long_zigzag(1500));
     limit_axes(window.workspace());
     studio::settle(window);
     choose_corner(window, CornerRule::smooth);
-    QTRY_COMPARE(window.workspace().refinement(), Refiner::State::running);
     auto& cancel = window.the<QToolButton>("cancelButton");
-    QTRY_VERIFY(cancel.isVisible());
+    QVERIFY(eventually([&] { return window.workspace().isRefining() && cancel.isVisible(); }));
     screenshot(window, "smooth-refining");
     QTest::mouseClick(&cancel, Qt::LeftButton);
     QCOMPARE(window.workspace().refinement(), Refiner::State::given_up);
     QVERIFY(!window.workspace().isBusy());
     QVERIFY(window.workspace().plan().timeline->outcome()->plan.splines.empty());
     QVERIFY(window.the<QLabel>("tuningDockBadge").text().contains("not refined"));
-    QTest::keyClick(&window, Qt::Key_F5);  // and begins anew
-    QTRY_COMPARE(window.workspace().refinement(), Refiner::State::running);
-    window.workspace().cancel();
+    QTest::keyClick(&window, Qt::Key_F5);
+    QVERIFY2(when_refining(window.workspace(), [&] { window.workspace().cancel(); }), "it begins anew");
   }
 
   void a_feed_hold_stops_on_the_smooth_motion_and_is_taken_away_again() {

@@ -165,7 +165,7 @@ class TextTest : public QObject {
     QStringList troubles;
     for (const char* tab : {"resultsDock", "limitsDock", "lossDock", "sweepDock", "circleDock", "problemsDock"}) {
       window.the<QDockWidget>(tab).raise();
-      QTest::qWait(30);
+      studio::settle(window);
       const TextCheck check(window);
       for (const QString& trouble : check.troubles()) {
         if (!troubles.contains(trouble)) troubles << trouble;
@@ -187,7 +187,7 @@ class TextTest : public QObject {
       for (const char* page : {"singleMoveDock", "stepperDock"}) {
         auto& dock = window.the<QDockWidget>(page);
         dock.show();
-        QTest::qWait(50);
+        studio::settle(window);
         const TextCheck check(dock);
         const QStringList troubles = check.troubles();
         screenshot(dock, QString("text-%1-%2").arg(page, language));

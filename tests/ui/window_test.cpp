@@ -16,6 +16,7 @@
 #include "preview/contour_view.h"
 #include "screenshot.h"
 #include "support/find.h"
+#include "support/patience.h"
 #include "support/screenshot.h"
 #include "support/ui_test.h"
 
@@ -95,7 +96,7 @@ class WindowTest : public QObject {
     window.workspace().playback().setRate(100);
     QTest::keyClick(&window, Qt::Key_Space);
     QVERIFY(window.workspace().playback().isPlaying());
-    QTRY_VERIFY_WITH_TIMEOUT(!window.workspace().playback().isPlaying(), 5000);
+    QVERIFY(ui::eventually([&] { return !window.workspace().playback().isPlaying(); }));
     QCOMPARE(window.workspace().cursorTime(), window.workspace().timeline()->duration());
   }
 
@@ -124,7 +125,7 @@ class WindowTest : public QObject {
     auto& panel = window.the<ui::SweepPanel>("sweepPanel");
     QSignalSpy computed(&panel, &ui::SweepPanel::computed);
     window.actions().sweep->trigger();
-    QVERIFY(computed.wait(20000));
+    QVERIFY(ui::eventually(computed));
     const auto& sweep = panel.lastSweep();
     QVERIFY(sweep.points.size() > 5);
     QVERIFY(!sweep.points.back().lookahead);
@@ -137,7 +138,7 @@ class WindowTest : public QObject {
     auto& panel = window.the<ui::WhatIfPanel>("whatIfPanel");
     QSignalSpy computed(&panel, &ui::WhatIfPanel::computed);
     window.actions().what_if->trigger();
-    QVERIFY(computed.wait(20000));
+    QVERIFY(ui::eventually(computed));
     auto& table = window.the<QTableView>("leverTable");
     QVERIFY(table.model()->rowCount() >= 5);
     const double best = table.model()->index(0, 1).data().toString().toDouble();
@@ -169,7 +170,7 @@ class WindowTest : public QObject {
   void touch_mode_makes_every_field_and_button_high_enough_for_a_finger() {
     Opened window({1600, 1200});
     window.setTouch(true);
-    QTest::qWait(50);
+    settle(window);
     for (const char* name : {"amEdit", "lawBox", "playButton", "lookaheadSlider"}) {
       QVERIFY2(window.the<QWidget>(name).height() >= 48, name);
     }
@@ -180,7 +181,7 @@ class WindowTest : public QObject {
   void inches_change_every_unit_that_is_shown() {
     Opened window;
     window.setInch(true);
-    QTest::qWait(50);
+    settle(window);
     QVERIFY(window.the<QLabel>("positionReadout").text().endsWith(" in"));
     QCOMPARE(window.the<ui::NumberField>("vmaxEdit").unitText(), QString("in/s"));
     ui::screenshot(window, "window-inch");
@@ -193,11 +194,10 @@ class WindowTest : public QObject {
     settle(window);
     window.workspace().pin();
     window.workspace().tuning().edit("A", "a", [](ui::Tuning& t) { t.machine.path.acceleration = 1500; });
-    settle(window);
-    QTRY_VERIFY_WITH_TIMEOUT(!window.workspace().isProving(), 60000);
+    settle_with_proof(window);
     for (const char* language : {"en", "zh_CN"}) {
       window.setLanguage(language);
-      QTest::qWait(50);
+      settle(window);
       auto& table = window.the<QTableView>("resultTable");
       QCOMPARE(table.verticalScrollBar()->maximum(), 0);
       QCOMPARE(table.horizontalScrollBar()->maximum(), 0);

@@ -48,7 +48,7 @@ class WorkbenchTest : public QObject {
     QVERIFY2(hidden_rows <= 20, "at most the last row is scrolled out of sight");
     // Taller windows give more to the plots, too.
     window.resize(1920, 1200);
-    QTest::qWait(50);
+    studio::settle(window);
     for (const auto* rect : plot.axisRects()) QVERIFY(rect->height() >= 130);
   }
 
@@ -61,7 +61,7 @@ class WorkbenchTest : public QObject {
     window.the<QDockWidget>("programDock").setFloating(true);
     window.resizeDocks({&window.the<QDockWidget>("plotsDock")}, {200}, Qt::Vertical);
     window.actions().reset_layout->trigger();
-    QTest::qWait(50);
+    studio::settle(window);
     QVERIFY(window.the<QDockWidget>("tuningDock").isVisible());
     QVERIFY(!window.the<QDockWidget>("programDock").isFloating());
     QVERIFY(std::abs(window.the<QDockWidget>("plotsDock").height() - plots) <= 4);
@@ -86,7 +86,7 @@ class WorkbenchTest : public QObject {
     QVERIFY(strip.text().contains(">G2<"));
     QVERIFY(strip.toolTip().contains("incremental"));
     window.setLanguage("zh_CN");
-    QTRY_VERIFY(!strip.toolTip().contains("incremental"));
+    QVERIFY(eventually([&] { return !strip.toolTip().contains("incremental"); }));
     // A polyline has none.
     window.open("x_mm,y_mm\n0,0\n10,0\n", "line.csv");
     QVERIFY(!strip.isVisible());
@@ -133,14 +133,17 @@ class WorkbenchTest : public QObject {
     const auto [left, right] = plot.edges();
     const QPoint at = plot.mapTo(&profile, QPoint(static_cast<int>((left + right) / 2), 40));
     const double time = *profile.timeAt(at);
-    QTimer::singleShot(200, &window, [&] {
+    QTimer look;  // the menu keeps this thread until it closes
+    connect(&look, &QTimer::timeout, &window, [&] {
       auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-      QVERIFY(menu);
+      if (!menu) return;
+      look.stop();
       auto* action = menu->findChild<QAction*>("holdHereAction");
       QVERIFY(action);
       action->trigger();
       menu->close();
     });
+    look.start(5);
     QContextMenuEvent ask(QContextMenuEvent::Mouse, at, profile.mapToGlobal(at));
     QApplication::sendEvent(&profile, &ask);
     studio::settle(window);
