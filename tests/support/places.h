@@ -8,7 +8,4 @@ namespace toolpace::test {
 /// The project's own folder.
 std::filesystem::path source_dir();
 
-/// The big reference programs beside the project, which may be absent: tests of them skip then.
-std::filesystem::path shared_dir();
-
 }  // namespace toolpace::test
