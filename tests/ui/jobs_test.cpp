@@ -1,0 +1,118 @@
+/// Workers and what they hand over, without a window. Under ThreadSanitizer this is the proof that nothing is shared without a
+/// lock.
+
+#include <QDir>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <random>
+
+#include "jobs/export_service.h"
+#include "jobs/tune_service.h"
+#include "jobs/workspace.h"
+#include "support/ui_test.h"
+
+using namespace toolpace;
+using namespace toolpace::ui;
+
+namespace {
+
+constexpr int kPatience = 60000;  // ms
+
+const QByteArray kSquare = "G21 G90 G94\nG1 F1200 X10\nY10\nX0\nY0\nM2\n";
+const QByteArray kTurn = "G21 G90 G94\nG1 F600 X5 A90\nG2 X10 I2.5\nG4 P0.1\nG1 Y3\nM2\n";
+const QByteArray kWrong = "G21 G90\nG2 X10 R1\nG1 X5 F100\nM2\n";
+
+/// Somebody who edits faster than workers plan.
+class Hurry {
+ public:
+  explicit Hurry(Workspace& workspace) : workspace_(workspace) {}
+
+  void act() {
+    switch (pick(9)) {
+      case 0: return workspace_.openText(pick(2) == 0 ? kSquare : kTurn, "square.ngc");
+      case 1: return workspace_.openText(kWrong, "wrong.ngc");
+      case 2: return workspace_.editLine(2, QString("G1 F%1 X%2").arg(100 + pick(3000)).arg(1 + pick(20)));
+      case 3: return workspace_.cancel();
+      case 4: return workspace_.reload();
+      case 5: return workspace_.setShownAxes({pick(2) == 0, pick(2) == 0, pick(2) == 0});
+      case 6: return pick(2) == 0 ? workspace_.pin() : workspace_.swap();
+      default: return edit();
+    }
+  }
+  int pick(int end) { return static_cast<int>(chance_() % static_cast<unsigned>(end)); }
+
+ private:
+  void edit() {
+    workspace_.tuning().edit("edit", "key", [this](Tuning& t) {
+      constexpr std::array kRules = {CornerRule::servo, CornerRule::blend, CornerRule::smooth};
+      t.options.corner.rule = kRules[static_cast<std::size_t>(pick(3))];
+      t.options.law = pick(2) == 0 ? LawKind::quintic : LawKind::seven_phase;
+      t.machine.path.speed = 10 + pick(100);
+      if (t.options.corner.rule == CornerRule::smooth) {
+        for (auto& axis : t.machine.axes) axis.speed = 100, axis.acceleration = 1000, axis.jerk = 1e5;
+      }
+    });
+  }
+
+  Workspace& workspace_;
+  std::mt19937 chance_{1};
+};
+
+bool comes_to_rest(const Workspace& workspace) {
+  return QTest::qWaitFor([&] { return !workspace.isBusy() && !workspace.isProving(); }, kPatience);
+}
+
+}  // namespace
+
+class JobsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void however_fast_somebody_edits_the_plan_at_rest_is_the_one_of_what_is_there() {
+    Workspace workspace;
+    Hurry hurry(workspace);
+    for (int step = 0; step < 300; ++step) {
+      hurry.act();
+      if (hurry.pick(3) == 0) QCoreApplication::processEvents();
+      if (hurry.pick(20) == 0) QVERIFY(comes_to_rest(workspace));
+    }
+    workspace.openText(kSquare, "square.ngc");
+    QVERIFY(comes_to_rest(workspace));
+    QVERIFY(workspace.plan() && !workspace.isStale());
+    QCOMPARE(workspace.timeline()->outcome()->job->program, workspace.document()->reading);
+    QVERIFY(workspace.plan().proof);
+  }
+
+  void a_workspace_that_goes_away_while_its_workers_work_takes_them_along() {
+    for (int turn = 0; turn < 20; ++turn) {
+      Workspace workspace;
+      workspace.openText(turn % 2 == 0 ? kSquare : kTurn, "program.ngc");
+      for (int events = 0; events < turn; ++events) QCoreApplication::processEvents();
+      workspace.tuning().edit("edit", "key", [](Tuning& t) { t.machine.path.speed = 20; });
+      for (int events = 0; events < turn; ++events) QCoreApplication::processEvents();
+    }
+  }
+
+  void plans_are_swept_searched_and_exported_beside_each_other() {
+    Workspace workspace;
+    workspace.openText(kSquare, "square.ngc");
+    QVERIFY(comes_to_rest(workspace));
+    TuneService sweeps, savings;
+    ExportService exporter;
+    QTemporaryDir folder;
+    QSignalSpy swept(&sweeps, &TuneService::swept), found(&savings, &TuneService::savingsFound),
+        saved(&exporter, &ExportService::saved);
+    const auto job = workspace.job();
+    sweeps.sweep(job);
+    savings.findSavings(job, workspace.timeline()->duration());
+    exporter.start(workspace.timeline()->outcome(), folder.filePath("out.npz"));
+    workspace.tuning().edit("edit", "key", [](Tuning& t) { t.machine.path.speed = 30; });
+    QTRY_VERIFY_WITH_TIMEOUT(!swept.isEmpty() && !found.isEmpty() && !saved.isEmpty(), kPatience);
+    QVERIFY(comes_to_rest(workspace));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{"out.npz"});
+  }
+};
+
+TOOLPACE_UI_TEST(JobsTest)
+#include "jobs_test.moc"
