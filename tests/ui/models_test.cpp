@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "models/document.h"
+#include "models/problem_model.h"
 #include "models/timeline.h"
 #include "models/units.h"
 #include "panels/nc_syntax.h"
@@ -29,6 +30,19 @@ class ModelsTest : public QObject {
     QCOMPARE(duration_text(12.3456), QString("12.346 s"));
     QCOMPARE(duration_text(63.6), QString("1 min 03.6 s"));
     QCOMPARE(duration_text(3720), QString("1 h 02 min"));
+  }
+
+  void icons_of_problems_are_drawn_once_and_not_for_each_row() {
+    ProblemModel model;
+    model.setProblems({{Severity::warning, "a", "a", {}, {}, {}},
+                       {Severity::warning, "b", "b", {}, {}, {}},
+                       {Severity::error, "c", "c", {}, {}, {}}});
+    const auto icon_of = [&](int row) {
+      return model.index(row, ProblemModel::kPlace).data(Qt::DecorationRole).value<QIcon>().cacheKey();
+    };
+    QCOMPARE(icon_of(0), icon_of(1));
+    QCOMPARE(icon_of(0), icon_of(0));
+    QVERIFY(icon_of(0) != icon_of(2));
   }
 
   void comments_and_line_numbers_are_quiet() {

@@ -6,6 +6,19 @@
 #include "theme/icons.h"
 
 namespace toolpace::ui {
+namespace {
+
+QIcon icon_of(Severity severity, const Theme& theme) {
+  Theme tint = theme;
+  tint.text = severity == Severity::error     ? theme.error
+              : severity == Severity::warning ? theme.warning
+                                              : theme.secondary;
+  return icon(severity == Severity::error ? "error" : "warning", tint);
+}
+
+}  // namespace
+
+ProblemModel::ProblemModel(QObject* parent) : QAbstractTableModel(parent) { setTheme(light_theme()); }
 
 void ProblemModel::setProblems(Diagnostics problems) {
   beginResetModel();
@@ -15,7 +28,9 @@ void ProblemModel::setProblems(Diagnostics problems) {
 
 void ProblemModel::setTheme(const Theme& theme) {
   beginResetModel();
-  theme_ = theme;
+  for (const Severity severity : {Severity::note, Severity::warning, Severity::error}) {
+    icons_.at(static_cast<std::size_t>(severity)) = icon_of(severity, theme);
+  }
   endResetModel();
 }
 
@@ -34,11 +49,7 @@ QVariant ProblemModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Diagnostic& problem = at(index.row());
   if (role == Qt::DecorationRole && index.column() == kPlace) {
-    Theme tint = theme_;
-    tint.text = problem.severity == Severity::error     ? theme_.error
-                : problem.severity == Severity::warning ? theme_.warning
-                                                        : theme_.secondary;
-    return icon(problem.severity == Severity::error ? "error" : "warning", tint);
+    return icons_.at(static_cast<std::size_t>(problem.severity));
   }
   const QString message = message_text(problem.code, problem.message);
   const QString remedy = remedy_text(problem.remedy);

@@ -2,6 +2,8 @@
 /// Errors and warnings of the program and of its plan, as a table.
 
 #include <QAbstractTableModel>
+#include <QIcon>
+#include <array>
 
 #include "models/diagnostic_text.h"
 #include "theme/theme.h"
@@ -17,7 +19,7 @@ class ProblemModel : public QAbstractTableModel {
 
   static constexpr int kRemedyRole = Qt::UserRole;  ///< what to do about it, may be empty
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit ProblemModel(QObject* parent = nullptr);
 
   void setProblems(Diagnostics problems);
   void setTheme(const Theme& theme);
@@ -32,7 +34,7 @@ class ProblemModel : public QAbstractTableModel {
 
  private:
   Diagnostics problems_;
-  Theme theme_ = light_theme();
+  std::array<QIcon, 3> icons_;  ///< of each severity; drawing one takes longer than all else about a row
 };
 
 }  // namespace toolpace::ui

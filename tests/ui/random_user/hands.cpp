@@ -51,20 +51,22 @@ Qt::KeyboardModifiers modifiers(Chance& chance) {
   return one_of(chance, all);
 }
 
+// What an answer opens asks in its turn; a timer does not fire again before it comes back. So answers are left to the event loop.
+
 void answer_files(QFileDialog& dialog, const Desk& desk, Chance& chance) {
   if (happens(chance, 25)) return dialog.reject();
   const bool saves = dialog.acceptMode() == QFileDialog::AcceptSave;
   const QString path = one_of(chance, saves ? desk.targets() : happens(chance, 50) ? desk.programs() : desk.machines());
   if (auto* name = dialog.findChild<QLineEdit*>("fileNameEdit")) name->setText(path);
-  QMetaObject::invokeMethod(&dialog, "accept");
-  if (dialog.isVisible()) dialog.reject();  // it does not take this name
+  QMetaObject::invokeMethod(&dialog, "accept", Qt::QueuedConnection);
 }
 
 void answer_menu(QMenu& menu, Chance& chance) {
   const auto actions = menu.actions();
   QAction* const chosen = actions.isEmpty() || happens(chance, 40) ? nullptr : one_of(chance, actions);
   menu.close();
-  if (chosen && chosen->isEnabled() && !chosen->menu()) chosen->trigger();
+  if (chosen && chosen->isEnabled() && !chosen->menu())
+    QMetaObject::invokeMethod(chosen, "trigger", Qt::QueuedConnection);
 }
 
 }  // namespace
@@ -82,7 +84,10 @@ void Answers::answer() {
   }
   QWidget* const asking = QApplication::activeModalWidget();
   if (auto* files = qobject_cast<QFileDialog*>(asking)) return answer_files(*files, desk_, chance_);
-  if (auto* box = qobject_cast<QMessageBox*>(asking)) return one_of(chance_, box->buttons())->click();
+  if (auto* box = qobject_cast<QMessageBox*>(asking)) {
+    QMetaObject::invokeMethod(one_of(chance_, box->buttons()), "click", Qt::QueuedConnection);
+    return;
+  }
   if (auto* dialog = qobject_cast<QDialog*>(asking)) {
     return dialog->done(happens(chance_, 60) ? QDialog::Accepted : QDialog::Rejected);
   }
