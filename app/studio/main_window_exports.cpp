@@ -38,7 +38,7 @@ std::vector<std::pair<QString, QString>> setpoint_formats() {
 /// Nothing that was read to make an export may be what it is written to. Shows why not.
 Result<void> MainWindow::mayWrite(const QString& path) {
   std::vector<FileRole> inputs = {{"the program", workspace_.program().path().toStdString()},
-                                  {"the machine file", machine_.path.toStdString()}};
+                                  {"the machine file", machine_.path().toStdString()}};
   if (const auto& document = workspace_.document()) {
     const auto& files = document->reading->moves.files;  // the program itself, then what it calls
     for (std::size_t i = 1; i < files.size(); ++i) inputs.push_back({"a sub-program", files[i]});

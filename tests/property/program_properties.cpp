@@ -53,7 +53,7 @@ std::string described(const toolpace::Setup& setup, const std::string& text) {
   return fmt::format("law {}, corner {}, tolerance {}, ramps {}, lookahead {}, override {}, hold {}, period {}\n{}\n{}",
                      law_row(o.law).id, static_cast<int>(o.corner.rule), o.corner.tolerance, static_cast<int>(o.ramps),
                      o.lookahead.value_or(0), o.feed_override, o.hold_at.value_or(-1), setup.machine.period, text,
-                     format_setup(setup));
+                     format_setup(setup).value());
 }
 
 void prove_program(std::uint64_t seed, SetpointTally& tally) {

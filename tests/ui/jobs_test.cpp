@@ -32,7 +32,7 @@ class Hurry {
     switch (pick(9)) {
       case 0: return workspace_.openText(pick(2) == 0 ? kSquare : kTurn, "square.ngc");
       case 1: return workspace_.openText(kWrong, "wrong.ngc");
-      case 2: return workspace_.editLine(2, QString("G1 F%1 X%2").arg(100 + pick(3000)).arg(1 + pick(20)));
+      case 2: return workspace_.program().replaceLine(2, QString("G1 F%1 X%2").arg(100 + pick(3000)).arg(1 + pick(20)));
       case 3: return workspace_.cancel();
       case 4: return workspace_.reload();
       case 5: return workspace_.setShownAxes({pick(2) == 0, pick(2) == 0, pick(2) == 0});

@@ -14,6 +14,11 @@ namespace {
 
 constexpr int kPatience = 120000;  // ms; what is not done by then hangs
 
+std::string text_of(const Setup& setup) {
+  const auto text = format_setup(setup);
+  return text ? *text : text.error().message;
+}
+
 }  // namespace
 
 RandomUser::RandomUser(std::uint64_t seed) : chance_(seed), window_(std::make_unique<studio::MainWindow>(false)) {
@@ -80,7 +85,7 @@ QString RandomUser::use_workspace() {
       const auto lines = workspace.document() ? workspace.document()->line_count() : 1;
       const int line = pick(chance_, lines + 2);
       const QString text = one_of(chance_, typed_lines());
-      workspace.editLine(line, text);
+      workspace.program().replaceLine(line, text);
       return QString("types '%1' as line %2").arg(text).arg(line);
     }
     case 1: workspace.setCursorTime(pick(chance_, 100) * 0.1); return "moves the cursor";
@@ -110,7 +115,7 @@ QString RandomUser::use_window() {
   }
 }
 
-std::string RandomUser::tuning() const { return format_setup(window_->workspace().tuning().value()); }
+std::string RandomUser::tuning() const { return text_of(window_->workspace().tuning().value()); }
 
 QString RandomUser::trouble() {
   Workspace& workspace = window_->workspace();
@@ -119,7 +124,7 @@ QString RandomUser::trouble() {
   if (workspace.plan() && !workspace.isStale() && !workspace.isBusy()) {
     const Job& job = *workspace.timeline()->outcome()->job;
     if (job.program != document->reading) return "the plan that counts as fresh is of another program";
-    if (workspace.refinement() == Refiner::State::idle && format_setup({job.machine, job.options}) != tuning())
+    if (workspace.refinement() == Refiner::State::idle && text_of({job.machine, job.options}) != tuning())
       return "the plan that counts as fresh has other parameters";
   }
   const QUndoStack& undo = workspace.tuning().undoStack();
