@@ -63,8 +63,7 @@ void MainWindow::buildPanels() {
   nc_ = new ui::NcPanel(this);
   profile_ = new ui::ProfileView(this);
   auto* tuning_page = new QWidget(this);
-  machine_bar_ = new ui::ChangeBar(tuning_page);
-  machine_bar_->setObjectName("machineBar");
+  machine_bar_ = new ui::ChangeBar("machineBar", tuning_page);
   tuning_ = new ui::TuningPanel(workspace_.tuning(), tuning_page);
   stack({machine_bar_, tuning_}, tuning_page);
   results_ = new ui::ResultsPanel(this);

@@ -230,6 +230,7 @@ class EditTest : public QObject {
   void saving_that_fails_leaves_the_edits_and_says_why() {
     Editing window(square_);
     window.program().replaceLine(2, "G1 F1200 X20");
+    studio::settle(window);
     QSignalSpy failed(&window.workspace(), &Workspace::saveFailed);
     window.storeProgramAs(folder_.filePath("no/such/folder.ngc"));
     QTRY_COMPARE(failed.count(), 1);
@@ -334,7 +335,7 @@ class EditTest : public QObject {
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X20"));
     studio::settle(window);
     screenshot(window, "reload-question");
-    QTest::mouseClick(&window.the<QPushButton>("takeFileButton"), Qt::LeftButton);
+    QTest::mouseClick(&window.the<QPushButton>("changeBarTakeFile"), Qt::LeftButton);
     studio::settle(window);
     QVERIFY(!window.bar().isVisible());
     QCOMPARE(window.text(), QString(kSquare));
@@ -344,7 +345,7 @@ class EditTest : public QObject {
     QVERIFY(window.isWindowModified());
     window.actions().reload->trigger();
     QTRY_VERIFY(window.bar().isVisible());
-    QTest::mouseClick(&window.the<QPushButton>("keepMineButton"), Qt::LeftButton);
+    QTest::mouseClick(&window.the<QPushButton>("changeBarKeepMine"), Qt::LeftButton);
     QVERIFY(!window.bar().isVisible());
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X20"));
     studio::settle(window);
@@ -359,7 +360,7 @@ class EditTest : public QObject {
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X20"));
     QVERIFY(!QApplication::activeModalWidget());
     screenshot(window, "changed-outside");
-    QTest::mouseClick(&window.the<QPushButton>("keepMineButton"), Qt::LeftButton);
+    QTest::mouseClick(&window.the<QPushButton>("changeBarKeepMine"), Qt::LeftButton);
     // Going back to what the file was once is no way back to what it is.
     window.actions().undo->trigger();
     QCOMPARE(window.text(), QString(kSquare));

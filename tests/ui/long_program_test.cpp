@@ -166,27 +166,6 @@ class LongProgramTest : public QObject {
     QCOMPARE(canvas.picturesDrawn(), drawn);
     QCOMPARE(plots.count(), 0);
   }
-
-  void a_picture_holds_no_more_pieces_than_can_be_told_apart() {
-    const auto pieces = [](std::size_t blocks) {
-      ContourView view;
-      view.resize(900, 640);
-      view.show();
-      view.setScene(make_contour_scene(planned(winding(blocks))));
-      std::vector<double> counts;
-      for (int i = 0; i < 12; ++i) {
-        view.canvas().grab();
-        counts.push_back(static_cast<double>(view.canvas().lastPieces()));
-        wheel(view.canvas(), {450, 300}, 120);
-      }
-      return counts;
-    };
-    // The same path in four times as many blocks looks the same.
-    const auto some = pieces(kBlocks / 6), many = pieces(4 * kBlocks / 6);
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      QVERIFY2(many[i] < 2 * some[i] + 100, qPrintable(QString("%1: %2, %3").arg(i).arg(some[i]).arg(many[i])));
-    }
-  }
 };
 
 TOOLPACE_UI_TEST(LongProgramTest)

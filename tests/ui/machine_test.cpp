@@ -118,7 +118,7 @@ class MachineTest : public QObject {
     QTRY_VERIFY(!window.bar().isHidden());
     QCOMPARE(window.speed(), 99.0);
     screenshot(window, "machine-changed-outside");
-    QTest::mouseClick(window.bar().findChild<QPushButton*>("takeFileButton"), Qt::LeftButton);
+    QTest::mouseClick(window.bar().findChild<QPushButton*>("machineBarTakeFile"), Qt::LeftButton);
     QCOMPARE(window.speed(), 77.0);
     QVERIFY(!window.hasStar());
     QVERIFY(window.bar().isHidden());
@@ -128,7 +128,7 @@ class MachineTest : public QObject {
 
     write(in("mill.toml"), "# newer\n" + with_speed("66"));
     QTRY_VERIFY(!window.bar().isHidden());
-    QTest::mouseClick(window.bar().findChild<QPushButton*>("keepMineButton"), Qt::LeftButton);
+    QTest::mouseClick(window.bar().findChild<QPushButton*>("machineBarKeepMine"), Qt::LeftButton);
     QCOMPARE(window.speed(), 99.0);
     QVERIFY(window.hasStar());
     window.save();
@@ -242,12 +242,12 @@ class MachineTest : public QObject {
     Tuned window;
     QVERIFY(window.openMachine(in("lathe.ini")));
     QVERIFY(window.hasStar());
-    auto name = named(in("lathe.ini"));
+    auto name = named(in("turning.ini"));
     window.save();
     QVERIFY(!window.hasStar());
     QCOMPARE(content(in("lathe.ini")), ini);
     Tuned again;
-    QVERIFY(again.openMachine(in("lathe.ini.toml")));
+    QVERIFY(again.openMachine(in("turning.ini.toml")));
     QCOMPARE(again.speed(), 50.0);
     QVERIFY(!again.hasStar());
   }

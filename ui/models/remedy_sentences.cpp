@@ -87,6 +87,9 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "comments do not nest: remove the inner parenthesis"),
     QT_TRANSLATE_NOOP("remedies", "correct the controller's settings"),
     QT_TRANSLATE_NOOP("remedies", "correct the value"),
+    QT_TRANSLATE_NOOP("remedies",
+                      "define it in this program, or put its file beside the program or into a folder given with "
+                      "--sub-path"),
     QT_TRANSLATE_NOOP("remedies", "did you mean '%1'?"),
     QT_TRANSLATE_NOOP("remedies", "end it with G40 first"),
     QT_TRANSLATE_NOOP("remedies", "end it with G40; G70 alone finishes with it"),

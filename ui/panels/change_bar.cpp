@@ -6,21 +6,21 @@
 
 namespace toolpace::ui {
 
-ChangeBar::ChangeBar(QWidget* parent)
+ChangeBar::ChangeBar(const QString& name, QWidget* parent)
     : QWidget(parent), text_(new QLabel(this)), take_file_(new QPushButton(this)), keep_mine_(new QPushButton(this)) {
-  setObjectName("changeBar");
+  setObjectName(name);
   setProperty("role", "question");
   setAttribute(Qt::WA_StyledBackground);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->setSpacing(8);
-  text_->setObjectName("changeText");
+  text_->setObjectName(name + "Text");
   text_->setWordWrap(true);
   column->addWidget(text_);
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
-  keep_mine_->setObjectName("keepMineButton");
-  take_file_->setObjectName("takeFileButton");
+  keep_mine_->setObjectName(name + "KeepMine");
+  take_file_->setObjectName(name + "TakeFile");
   row->addWidget(keep_mine_);
   row->addWidget(take_file_);
   row->addStretch(1);

@@ -13,7 +13,8 @@ class ChangeBar : public QWidget {
  public:
   enum class Reason { reload, changed_outside, machine_changed_outside };
 
-  explicit ChangeBar(QWidget* parent = nullptr);
+  /// @param name  of the bar, and with TakeFile and KeepMine behind it of its buttons
+  explicit ChangeBar(const QString& name, QWidget* parent = nullptr);
 
   /// Hidden until somebody asks.
   void ask(Reason reason);

@@ -9,7 +9,7 @@ namespace toolpace::ui {
 
 NcPanel::NcPanel(QWidget* parent)
     : QWidget(parent),
-      change_bar_(new ChangeBar(this)),
+      change_bar_(new ChangeBar("changeBar", this)),
       view_(new NcView(this)),
       modal_(new ModalStrip(this)),
       bar_(new QWidget(this)),

@@ -70,7 +70,7 @@ class Values(CommandLineTest):
                 self.judge(self.plan(f"{flag}={value}"), (flag, value))
 
     def test_limits_at_both_ends_of_their_ranges_make_plans(self):
-        self.file("a.ngc", "G21 G90 G94\nG1 X0.01 F3000\nG3 X0.015 Y0.005 J0.005\nM2\n")
+        self.file("a.ngc", "G21 G90 G94\nG1 X0.01 F3000\nG3 X0.03 Y0.02 J0.02\nM2\n")
         ends = {"--vmax": ("1e-6", "1e9"), "--am": ("1e-6", "1e12"), "--jm": ("1e-6", "1e15")}
         for speed, acceleration, jerk in itertools.product(*ends.values()):
             for law in ("trapezoid", "five-phase-time", "five-phase-jerk", "seven-phase", "quintic", "time-optimal"):
