@@ -3,13 +3,13 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr int kDelayMs = 150;
+constexpr int kRefineDelayMs = 150;
 
 }  // namespace
 
 Refiner::Refiner(QObject* parent) : QObject(parent) {
   delay_.setSingleShot(true);
-  delay_.setInterval(kDelayMs);
+  delay_.setInterval(kRefineDelayMs);
   connect(&delay_, &QTimer::timeout, this, [this] {
     if (wanted_) planner_.submit(wanted_);
   });

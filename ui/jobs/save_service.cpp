@@ -7,16 +7,16 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{1} << 22;  // bytes between two looks at the monitor
+constexpr std::size_t kPieceWritten = std::size_t{1} << 22;  // bytes between two looks at the monitor
 
 Result<void> write_text(const ProgramText& text, const QString& path, const Monitor& monitor) {
   auto file = OutputFile::create(path.toStdString());
   if (!file) return tl::unexpected(file.error());
   Result<void> done;
   text.for_each_piece([&](std::string_view bytes) {
-    for (; done && !bytes.empty(); bytes.remove_prefix(std::min(kPiece, bytes.size()))) {
+    for (; done && !bytes.empty(); bytes.remove_prefix(std::min(kPieceWritten, bytes.size()))) {
       done = monitor.is_cancelled() ? Result<void>(tl::unexpected(cancelled_error()))
-                                    : file->write(bytes.substr(0, kPiece));
+                                    : file->write(bytes.substr(0, kPieceWritten));
     }
     return done.has_value();
   });

@@ -10,7 +10,7 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr qreal kFontPoints = 8.5;
+constexpr qreal kStripFontPoints = 8.5;
 constexpr int kMargin = 8;
 
 /// A code in force and the one that holds before a program says anything.
@@ -90,7 +90,7 @@ QString code_text(std::int16_t tenths) {
 ModalStrip::ModalStrip(QWidget* parent) : QLabel(parent) {
   setObjectName("modalStrip");
   setProperty("role", "hint");
-  setFont(monospace_font(kFontPoints));
+  setFont(monospace_font(kStripFontPoints));
   setTextFormat(Qt::RichText);
   setWordWrap(true);
   setContentsMargins(kMargin, 4, kMargin, 4);

@@ -23,9 +23,9 @@ struct Place {
   double half_band;  ///< [px]
 };
 
-class Screen {
+class TubeScreen {
  public:
-  Screen(const TubeTrace& trace, const Projection& projection, double enlargement)
+  TubeScreen(const TubeTrace& trace, const Projection& projection, double enlargement)
       : trace_(trace), projection_(projection), enlargement_(enlargement) {}
 
   Place at(std::size_t row) const {
@@ -51,7 +51,8 @@ struct Band {
   double half_width;
 };
 
-std::vector<Band> bands_in(const TubeTrace& trace, const Screen& screen, const QRectF& window, std::size_t& pieces) {
+std::vector<Band> bands_in(const TubeTrace& trace, const TubeScreen& screen, const QRectF& window,
+                           std::size_t& pieces) {
   std::vector<Band> bands;
   bool inside = false;
   float tolerance = -1;
@@ -93,7 +94,7 @@ void stroke(QImage& image, const std::vector<Band>& bands, const TubeStyle& styl
   }
 }
 
-void draw_planned(QImage& image, const TubeTrace& trace, const Screen& screen, const TubeStyle& style) {
+void draw_planned(QImage& image, const TubeTrace& trace, const TubeScreen& screen, const TubeStyle& style) {
   LineRaster lines(image, style.width, true);
   QPointF from = screen.at(0).planned;
   double share = 0;  // the largest since the last piece
@@ -119,7 +120,7 @@ bool draw_band(QImage& image, const TubeTrace& trace, const Projection& projecti
   const double widest = *std::max_element(trace.tolerance.begin(), trace.tolerance.end());
   if (style.enlargement * widest * projection.scale < kLeastBand) return false;
   std::size_t pieces = 0;
-  const auto bands = bands_in(trace, Screen(trace, projection, style.enlargement), QRectF(image.rect()), pieces);
+  const auto bands = bands_in(trace, TubeScreen(trace, projection, style.enlargement), QRectF(image.rect()), pieces);
   if (pieces > kMostBandPieces) return false;
   stroke(image, bands, style);
   return true;
@@ -127,7 +128,7 @@ bool draw_band(QImage& image, const TubeTrace& trace, const Projection& projecti
 
 void draw_inside_band(QImage& image, const TubeTrace& trace, const Projection& projection, const TubeStyle& style) {
   if (trace.size() < 2) return;
-  const Screen screen(trace, projection, style.enlargement);
+  const TubeScreen screen(trace, projection, style.enlargement);
   if (style.enlargement > 1) draw_planned(image, trace, screen, style);
   if (trace.largest_share <= 0) return;
   QPainter painter(&image);

@@ -14,6 +14,7 @@ enum class Axis : std::uint8_t { x, y, z, a, b, c };
 inline constexpr std::size_t kAxisCount = 6;
 inline constexpr std::array<char, kAxisCount> kAxisNames = {'X', 'Y', 'Z', 'A', 'B', 'C'};
 inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+inline constexpr double kPerMinute = 1.0 / 60.0;  ///< of a rate a minute to one a second
 
 /// One value an axis: X Y Z in mm (mm/s, …), A B C in rad (rad/s, …). Not initialised: write AxisVector::Zero().
 using AxisVector = Eigen::Matrix<double, static_cast<int>(kAxisCount), 1>;

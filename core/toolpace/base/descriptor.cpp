@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "toolpace/base/file_error.h"
+#include "toolpace/base/file_identity.h"
 
 namespace toolpace {
 namespace {
@@ -18,7 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kPatience = 100;  // [ms] between looks at the stop token
-constexpr int kMostLinks = 40;  // as the kernel itself follows
 
 bool wait_for(int descriptor, short events) {
   pollfd ready{descriptor, events, 0};

@@ -22,6 +22,9 @@ struct FileIdentity {
 std::optional<FileIdentity> identity_of(const std::filesystem::path& file);
 std::optional<FileIdentity> identity_of(int descriptor);
 
+/// Symbolic links that are followed one after the other, as the kernel itself does.
+inline constexpr int kMostLinks = 40;
+
 /// The path behind symbolic links, also when the last one points at nothing yet.
 std::filesystem::path follow_links(std::filesystem::path file);
 

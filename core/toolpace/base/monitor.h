@@ -1,12 +1,16 @@
 #pragma once
 /// Progress and cancellation of long work, in one object that is passed down.
 
+#include <cstddef>
 #include <functional>
 #include <stop_token>
 
 #include "toolpace/base/result.h"
 
 namespace toolpace {
+
+/// Cheap steps (lines, blocks, nodes) between two looks at a monitor.
+inline constexpr std::size_t kReportEvery = 1 << 14;
 
 struct Monitor {
   std::stop_token stop = {};

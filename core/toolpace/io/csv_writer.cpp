@@ -13,8 +13,6 @@ namespace toolpace::io_detail {
 namespace {
 
 constexpr std::size_t kNumberBytes = 32;  // the longest double takes 24, the longest line number 10
-constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
-
 /// The text of a column's last value: columns often stand still (Z in a plane, jerk in a cruise).
 struct LastText {
   double value = 0.0;

@@ -12,6 +12,9 @@ namespace toolpace::npy {
 /// Bytes that header() returns, whatever the shape, so that it can be written again when the rows are known.
 inline constexpr std::size_t kHeaderBytes = 128;
 
+/// Rows that are packed at a time: they stay in the second-level cache.
+inline constexpr std::size_t kBlockRows = 1024;
+
 /// Header of a little-endian, C-ordered array.
 /// @param type   "<f8", "<i8", "<U12"
 /// @param shape  "(10, 7)", "(10,)", "()"

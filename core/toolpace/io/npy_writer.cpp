@@ -59,8 +59,6 @@ void pack_rows(const std::vector<const double*>& columns, std::size_t first, std
 namespace io_detail {
 namespace {
 
-constexpr std::size_t kBlockRows = 1024;  // a block stays in the second-level cache
-
 class NpyWriter final : public SetpointWriter {
  public:
   NpyWriter(OutputFile file, const SetpointFileOptions& options)
@@ -69,11 +67,11 @@ class NpyWriter final : public SetpointWriter {
   Result<void> write(const Setpoints& chunk) override {
     if (auto loaded = table_.load(chunk); !loaded) return loaded;
     if (block_.empty()) {
-      block_.resize(kBlockRows * table_.names().size());
+      block_.resize(npy::kBlockRows * table_.names().size());
       if (auto done = file_.write(header()); !done) return done;
     }
-    for (std::size_t first = 0; first < table_.rows(); first += kBlockRows) {
-      const std::size_t rows = std::min(kBlockRows, table_.rows() - first);
+    for (std::size_t first = 0; first < table_.rows(); first += npy::kBlockRows) {
+      const std::size_t rows = std::min(npy::kBlockRows, table_.rows() - first);
       npy::pack_rows(table_.columns(), first, rows, block_.data());
       const auto* bytes = reinterpret_cast<const char*>(block_.data());
       if (auto done = file_.write({bytes, rows * table_.names().size() * sizeof(double)}); !done) return done;

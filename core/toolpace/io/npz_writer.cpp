@@ -9,8 +9,6 @@
 namespace toolpace::io_detail {
 namespace {
 
-constexpr std::size_t kBlockRows = 1024;
-
 std::string json_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -38,10 +36,10 @@ class NpzWriter final : public SetpointWriter {
 
   Result<void> write(const Setpoints& chunk) override {
     if (auto loaded = table_.load(chunk); !loaded) return loaded;
-    block_.resize(kBlockRows * table_.names().size());
-    line_block_.resize(kBlockRows);
-    for (std::size_t first = 0; first < table_.rows(); first += kBlockRows) {
-      if (auto done = write_block(first, std::min(kBlockRows, table_.rows() - first)); !done) return done;
+    block_.resize(npy::kBlockRows * table_.names().size());
+    line_block_.resize(npy::kBlockRows);
+    for (std::size_t first = 0; first < table_.rows(); first += npy::kBlockRows) {
+      if (auto done = write_block(first, std::min(npy::kBlockRows, table_.rows() - first)); !done) return done;
     }
     return {};
   }

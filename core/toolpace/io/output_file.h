@@ -14,6 +14,9 @@
 
 namespace toolpace {
 
+/// Bytes that are collected before the system is asked to write them.
+inline constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
+
 /// Writes to a temporary file beside the target and renames it on commit(), so that readers see the old file or the new
 /// one and never a part. The temporary is removed when the object dies uncommitted. Written directly are: a target that
 /// exists and is no regular file (pipe, device), "-" (standard output), and what names an open descriptor (/dev/stdout,

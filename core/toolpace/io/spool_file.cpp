@@ -9,13 +9,10 @@
 
 #include "toolpace/base/descriptor.h"
 #include "toolpace/base/file_error.h"
+#include "toolpace/io/output_file.h"
 
 namespace toolpace {
-namespace {
-
-constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
-
-}  // namespace
+namespace {}  // namespace
 
 Result<SpoolFile> SpoolFile::create_anywhere() {
   std::error_code trouble;

@@ -8,7 +8,6 @@
 namespace toolpace {
 namespace {
 
-constexpr std::size_t kReportEvery = 1 << 16;
 constexpr double kSmoothJoint = 1e-5;  // difference of directions that rounding of micrometre-long lines may leave
 
 class Limiter {

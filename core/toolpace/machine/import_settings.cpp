@@ -15,7 +15,6 @@ namespace toolpace {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
-constexpr double kPerMinute = 1.0 / 60.0;
 constexpr double kNoLimit = 1e9;  // LinuxCNC's own default is 1e99
 
 std::string_view trimmed(std::string_view text) {

@@ -10,7 +10,6 @@ namespace toolpace::nc {
 namespace {
 
 constexpr std::size_t kLongestLine = 65536;
-constexpr std::size_t kMonitorEvery = 16384;  // lines
 
 }  // namespace
 
@@ -53,7 +52,7 @@ bool Interpreter::run_next_line() {
     end_of_text();
     return true;
   }
-  if (++lines_run_ % kMonitorEvery == 0) {
+  if (++lines_run_ % kReportEvery == 0) {
     if (monitor_->is_cancelled()) end_ = End::cancelled;
     if (flow_.depth() == 0 && flow_.turns() == 0) {
       const std::string_view text = files_.at(0).text;

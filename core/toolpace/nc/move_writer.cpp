@@ -8,7 +8,6 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kPerMinute = 1.0 / 60.0;
 constexpr double kNoMove = 1e-9;  // [mm, deg]: below it an axis stands still, for the choice between mm/min and deg/min
 
 MoveMode make_mode(const Modal& modal, bool exact_path, bool synchronised) {

@@ -17,10 +17,8 @@ namespace toolpace::nc {
 namespace {
 
 constexpr std::size_t kLongestRow = 65536;
-constexpr std::size_t kMonitorEvery = 16384;
 constexpr int kFeedColumn = static_cast<int>(kAxisCount);
 constexpr int kUnknownColumn = -1;
-constexpr double kPerMinute = 1.0 / 60.0;
 
 std::string_view trim(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\"");
@@ -201,7 +199,7 @@ bool PolylineReader::run(std::string_view text, const Monitor& monitor) {
     const std::size_t length = std::min(text.find('\n'), text.size());
     line_ = text.substr(0, length);
     text.remove_prefix(std::min(length + 1, text.size()));
-    if (++number_ % kMonitorEvery == 0) {
+    if (++number_ % kReportEvery == 0) {
       if (monitor.is_cancelled()) return false;
       monitor.report(static_cast<double>(line_.data() - begin) / size);
     }

@@ -11,7 +11,6 @@
 namespace toolpace {
 namespace {
 
-constexpr std::size_t kReportEvery = 1 << 16;
 constexpr double kRest = 1e-9;  // a trimmed segment shorter than this share has vanished
 constexpr int kTold = 4;        // parts of a chain's piece in which moves are told by length
 class Blender {

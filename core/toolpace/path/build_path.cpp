@@ -5,8 +5,6 @@
 namespace toolpace {
 namespace {
 
-constexpr std::size_t kReportEvery = 1 << 16;
-
 class Builder {
  public:
   Builder(const Moves& moves, double tool_change) : moves_(moves), tool_change_(tool_change) {

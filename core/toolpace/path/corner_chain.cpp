@@ -7,7 +7,7 @@
 namespace toolpace {
 namespace {
 
-constexpr double kLengthAccuracy = 1e-10;
+constexpr double kChainAccuracy = 1e-10;
 /// Square of a step along the curve, as a part of that of the distance to it: what is left changes the distance by half of it.
 constexpr double kNearEnoughPlace = 1e-3;
 constexpr int kNearestSteps = 2;
@@ -113,7 +113,7 @@ void CornerChain::cut_span(const Span& span, const Piece& piece, std::vector<Pie
   const double offset = std::floor(piece.begin), from = piece.begin - offset, to = piece.end - offset;
   const double middle = (from + to) / 2, whole = span.length(from, to);
   const double halves = span.length(from, middle) + span.length(middle, to);
-  if (std::abs(whole - halves) <= kLengthAccuracy * halves || to - from <= kShortestPiece) {
+  if (std::abs(whole - halves) <= kChainAccuracy * halves || to - from <= kShortestPiece) {
     pieces.push_back({piece.begin, piece.end, whole, piece.segment});
     return;
   }

@@ -15,6 +15,9 @@
 
 namespace toolpace {
 
+/// Whole plans that are made side by side: each holds its own path and limits in memory.
+inline constexpr std::size_t kPlansAtOnce = 2;
+
 /// Calls work(i, monitor) -> Result<T> for i = 0 … count − 1 on up to `threads` threads. The first error in the order
 /// of i is returned; cancelling stops all. Progress counts finished items. What work throws, on whatever thread, is
 /// thrown here once all threads have come to an end.

@@ -64,13 +64,14 @@ Diagnostics check_travel(const Path& path, const Moves& moves, const Machine& ma
       const Excess& e = excess[k][side];
       if (e.worst == 0) continue;
       const double amount = is_rotary(k) ? e.worst / kRadiansPerDegree : e.worst;
-      warnings.push_back({Severity::warning,
-                          "travel",
-                          fmt::format("{} leaves its travel beyond the {} end, by up to {:.6g} {}", kAxisNames[k],
-                                      side == 0 ? "lower" : "upper", amount, is_rotary(k) ? "deg" : "mm"),
-                          "move the work offset or the part",
-                          {moves.files.empty() ? "" : moves.files[moves.file[e.row]], moves.line[e.row], 0},
-                          ""});
+      Diagnostic& warning = warnings.emplace_back();
+      warning.severity = Severity::warning;
+      warning.code = "travel";
+      warning.message = fmt::format("{} leaves its travel beyond the {} end, by up to {:.6g} {}", kAxisNames[k],
+                                    side == 0 ? "lower" : "upper", amount, is_rotary(k) ? "deg" : "mm");
+      warning.remedy = "move the work offset or the part";
+      warning.where.line = moves.line[e.row];
+      if (!moves.files.empty()) warning.where.file = moves.files[moves.file[e.row]];
     }
   }
   return warnings;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr PhaseShape kJerk = PhaseShape::constant_jerk;
 /// Share by which the present deceleration may be too much: rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kSquareMargin = 1e-9;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ std::optional<std::vector<Phase>> brake(double speed, double acceleration, const
   // From a on down to −peak and up to 0 the speed falls by (2·peak² − a²)/2J.
   const double all = v + a * a / (2 * brakes.jerk);
   const double square = brakes.jerk * all;
-  if (square < a * a * (1 - kRounding)) return std::nullopt;
+  if (square < a * a * (1 - kSquareMargin)) return std::nullopt;
   const double peak = std::clamp(std::sqrt(square), -a, top);
   push((peak + a) / brakes.jerk, -brakes.jerk);
   a = -peak;

@@ -11,7 +11,7 @@ namespace toolpace {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMostTicks = 35184372088832.0;  // 2^45: a time in ticks is then exact to 1/100 tick
+constexpr double kMostMoveTicks = 35184372088832.0;  // 2^45: a time in ticks is then exact to 1/100 tick
 
 Error bad_number(std::string what, double value, std::string remedy) {
   return {
@@ -132,7 +132,7 @@ Result<void> PulseTable::check_timer() const {
                       to_text(move_.timer_hz) + " Hz",
                   "take a faster timer clock or a lower top speed");
   }
-  if (total_ * move_.timer_hz > kMostTicks) {
+  if (total_ * move_.timer_hz > kMostMoveTicks) {
     return refuse("timer-too-fast", "the move takes " + to_text(total_ * move_.timer_hz) + " ticks, more than 2^45",
                   "take a slower timer clock or a shorter move");
   }

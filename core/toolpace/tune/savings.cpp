@@ -11,8 +11,6 @@
 namespace toolpace {
 namespace {
 
-constexpr std::size_t kThreads = 2;
-
 struct Trial {
   std::string section, key;
 };
@@ -77,7 +75,7 @@ Result<std::vector<Saving>> find_savings(const Job& job, double cycle_time, doub
     const std::string name = trials[i].section.empty() ? trials[i].key : trials[i].section + "." + trials[i].key;
     return Saving{name, before, after, cycle_time - outcome->summary.cycle_time};
   };
-  auto savings = for_many<Saving>(trials.size(), kThreads, monitor, try_one);
+  auto savings = for_many<Saving>(trials.size(), kPlansAtOnce, monitor, try_one);
   if (!savings) return savings;
   std::stable_sort(savings->begin(), savings->end(),
                    [](const Saving& a, const Saving& b) { return a.saved > b.saved; });

@@ -9,7 +9,6 @@ namespace toolpace {
 namespace {
 
 constexpr double kKnee = 1.005;  // of the time at full depth
-constexpr std::size_t kThreads = 2;
 
 std::vector<std::optional<std::size_t>> depths_up_to(std::size_t blocks) {
   std::vector<std::optional<std::size_t>> depths;
@@ -33,7 +32,7 @@ Result<LookaheadSweep> sweep_lookahead(const Job& job, const Monitor& monitor) {
     if (!outcome) return tl::unexpected(outcome.error());
     return SweepPoint{depths[i], outcome->summary.cycle_time};
   };
-  auto points = for_many<SweepPoint>(depths.size(), kThreads, monitor, plan_at);
+  auto points = for_many<SweepPoint>(depths.size(), kPlansAtOnce, monitor, plan_at);
   if (!points) return tl::unexpected(points.error());
   const double best = points->back().cycle_time;
   const auto is_close = [&](const SweepPoint& p) { return p.cycle_time <= best * kKnee; };

@@ -7,7 +7,6 @@
 namespace toolpace {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kPositionUlps = 4;   // of a difference of two positions, in the file's unit and in ours
 constexpr double kQuotientUlps = 16;  // of the quotients: a period that was rounded, three times, and units
 

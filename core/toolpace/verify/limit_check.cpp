@@ -9,7 +9,6 @@
 namespace toolpace {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kWayUlps = 16;       // of the path length that a position was computed from
 constexpr double kGeometryUlps = 64;  // of centres, radii and coordinates
 constexpr double kPhaseGap = 4e-13;   // of the extent: phases of a plan meet as exactly as their lengths were solved

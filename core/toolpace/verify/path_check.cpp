@@ -11,7 +11,6 @@ constexpr double kNegligibleStep = 1e-9;            // change of a direction tha
 constexpr double kSmoothing = 2 * kOnPath;          // a tolerance that lets corners be smoothed
 constexpr double kSame = 1e-5;      // relative difference of chord errors that is not worth a closer look
 constexpr double kNearNode = 1e-3;  // of the chord: a node this near to a row counts on both sides of it
-constexpr int kNewtonSteps = 3;     // from a chord that is within 1e-5 mm of the curve
 
 bool has_rotary(const RowStream& stream) {
   return std::any_of(stream.rows().position.begin() + 3, stream.rows().position.end(),

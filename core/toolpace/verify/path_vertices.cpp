@@ -9,8 +9,7 @@ namespace {
 
 constexpr double kMostChords = 1e6;  // of one segment: a circle of 300 km at a sagitta of 1e-6 mm
 constexpr double kCurvatureMargin =
-    1.5;                         // pieces of splines change their curvature by at most a third of the larger value
-constexpr int kNewtonSteps = 4;  // from a chord that is within 1e-5 mm of the curve
+    1.5;  // pieces of splines change their curvature by at most a third of the larger value
 constexpr double kMostWidening = 0.1;  // of the radius, of arcs in sectors
 constexpr std::size_t kForgetAtOnce = 4096;
 

@@ -10,6 +10,9 @@
 
 namespace toolpace {
 
+/// That bring the nearest place of a curve from a chord within 1e-5 mm of it to rounding.
+inline constexpr int kNewtonSteps = 4;
+
 /// A setpoint this close to the path is on it: what exact geometry and rounding leave [mm].
 inline constexpr double kOnPath = 1e-6;
 

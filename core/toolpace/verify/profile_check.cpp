@@ -7,7 +7,6 @@
 namespace toolpace {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kTimeUlps = 4;     // t = k·Ts, from a period and a product that are rounded once each
 constexpr double kStraight = 1e-6;  // [rad] below it three chords lie on one line
 constexpr double kKernel = 0.0321;  // ∫|½u(u−1) + 1/12| du over [0, 1]

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "toolpace/verify/report.h"
 #include "toolpace/verify/row_stream.h"
@@ -12,6 +13,8 @@ namespace toolpace {
 /// Relative slack on every limit: for the rounding of the limits themselves (percent, unit conversions), and for phases of
 /// a plan that meet with a gap of some 1e-12 mm, which three differences at 1 ms turn into 1e-2 mm/s³.
 inline constexpr double kLimitSlack = 1e-6;
+
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 inline double threshold(double limit, double bound) { return limit * (1 + kLimitSlack) + bound; }
 

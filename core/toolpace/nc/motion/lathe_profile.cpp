@@ -12,7 +12,7 @@ namespace {
 constexpr double kSlack = 1e-3;      // an element may go back by as much
 constexpr double kVanishing = 1e-3;  // shorter elements are dropped
 constexpr double kOpen = 1e-2;       // wider gaps of corners get an arc
-constexpr double kTouching = 1e-6;
+constexpr double kTouchingEnds = 1e-6;
 
 // What limits how far an element can be moved at once.
 double size_of(const OffsetElement& e) {
@@ -175,7 +175,7 @@ bool LatheProfile::trim(std::vector<ContourElement>& contour, WorkBudget& budget
     ContourElement& b = contour[i + 1];
     ++i;
     const bool lines = a.turn == 0 && b.turn == 0;
-    if (!lines && norm(a.end - b.start) < kTouching * unit_) continue;
+    if (!lines && norm(a.end - b.start) < kTouchingEnds * unit_) continue;
     if (const auto meeting = where_they_meet(a, b)) a.end = b.start = *meeting;
   }
   return true;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kWindow = 256;               // intervals
 constexpr double kHeadroom = 0.99;                 // of the limits, aimed at by the rounds
-constexpr double kSettled = 0.9995;                // of the limits, aimed at where they are broken
+constexpr double kAimedShare = 0.9995;             // of the limits, aimed at where they are broken
 constexpr int kLeastPlaces = 4, kMostPlaces = 12;  // of a curve in an interval
 constexpr double kBetween = 2.0 / 8;               // of a second difference: a parabola rises by an eighth of it
 constexpr int kMostSlowDowns = 12;
@@ -262,7 +262,7 @@ void StretchRetimer::slow_down(ArcMotion& motion) {
   std::vector<double> b(n, 1.0);
   for (std::size_t k = 0; k < n; ++k) {
     if (excess_[k] <= 1) continue;
-    const double depth = 1 - kSettled * kSettled / (excess_[k] * excess_[k]);
+    const double depth = 1 - kAimedShare * kAimedShare / (excess_[k] * excess_[k]);
     const ArcMotion::State s = motion.at(k, 0.5);
     const double reach = std::max(std::sqrt(10 * s.speed * h / jerk), 4 * std::abs(s.acceleration) * h * h / jerk);
     const auto most = static_cast<std::size_t>(std::clamp(reach, kLeastReach, kMostReach));

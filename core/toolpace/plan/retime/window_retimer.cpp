@@ -14,7 +14,7 @@ constexpr double kNearBoundary = 0.95;  // of the way to a limit that a step may
 constexpr double kShortening = 0.6;
 constexpr int kMostShortenings = 12, kMostSteps = 60;
 constexpr double kLeastSquare = 0.05, kMostSlowing = 0.3;  // of b, and of b before the step
-constexpr double kGoodStep = 0.3, kSettled = 1e-3;
+constexpr double kGoodStep = 0.3, kSettledChange = 1e-3;
 constexpr double kTie = 1e4;
 constexpr std::size_t kTied = 5;  // coefficients at a rest: a start at full jerk stays a polynomial
 
@@ -230,7 +230,7 @@ const std::vector<double>& WindowRetimer::run(const IntervalUse* use, std::size_
       b_[j] += share * step_[j];
       change = std::max(change, std::abs(share * step_[j]));
     }
-    const bool good = share > kGoodStep || change < kSettled;
+    const bool good = share > kGoodStep || change < kSettledChange;
     if (share == 0 || (weight <= last_weight && good)) break;
     if (good) weight = std::max(weight * kWeightDecay, last_weight);
   }

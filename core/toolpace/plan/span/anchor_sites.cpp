@@ -6,8 +6,6 @@
 namespace toolpace::detail {
 namespace {
 
-constexpr double kTouch = 1e-12;
-
 Span span_of_block(const SpeedLimits& limits, std::size_t i, bool touched) {
   Span s;
   s.length = limits.length[i];

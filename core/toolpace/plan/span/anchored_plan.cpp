@@ -13,7 +13,6 @@
 namespace toolpace::detail {
 namespace {
 
-constexpr double kTouch = 1e-12;
 /// Share of a cap by which a ramp may pass it: rounding.
 constexpr double kRounding = 1e-9;
 /// Sweeps of removing anchors, each followed by a scan that lets the others rise.

@@ -15,9 +15,9 @@ namespace {
 /// Depths whose plans' times differ by no more than this share have one plan, the shallower one's.
 constexpr double kSameTime = 1e-4;
 /// Blocks of a short chain, and how far the depths are apart that are planned for one: at first each, later by ratio.
-constexpr std::size_t kShortChain = 64, kDepthsApart = 8;
+constexpr std::size_t kShallow = 64, kDepthsApart = 8;
 /// Room for rounding where a plan is slowed down to another's time.
-constexpr double kRounding = 1e-14;
+constexpr double kStretchMargin = 1e-14;
 
 using SharedPlan = std::shared_ptr<MotionPlan>;
 
@@ -48,7 +48,7 @@ class DepthSearch {
 
   MotionPlan run(std::size_t blocks) {
     std::size_t deep = limits_.size(), shallow = 0;
-    if (deep <= kShortChain && planner_.has_rivals()) return run_through(blocks);
+    if (deep <= kShallow && planner_.has_rivals()) return run_through(blocks);
     SharedPlan fast = std::make_shared<MotionPlan>(planner_.plan_whole()), slow;
     if (blocks >= deep) return std::move(*fast);
     while (deep - shallow > 1 && !planner_.is_cancelled()) {
@@ -92,7 +92,7 @@ class DepthSearch {
     auto plan = std::make_shared<MotionPlan>(planner_.plan_in_window(window, blocks));
     if (slow && is_faster(*slow, *plan)) return slow;
     const double share = fast->cycle_time() / plan->cycle_time();
-    if (share > 1) stretch_time(share * (1 + kRounding), *plan);
+    if (share > 1) stretch_time(share * (1 + kStretchMargin), *plan);
     return plan;
   }
 

@@ -7,7 +7,6 @@ namespace toolpace::detail {
 namespace {
 
 /// Speeds squared that agree to this share are the same: rounding of sums along the scan.
-constexpr double kTouch = 1e-12;
 
 class Selector {
  public:

@@ -9,6 +9,9 @@
 
 namespace toolpace::detail {
 
+/// Relative: squares of speeds that are nearer touch.
+inline constexpr double kTouch = 1e-12;
+
 /// Squares of the node speeds of the acceleration-limited optimum [mm²/s²]. No motion within the same caps and
 /// accelerations is faster anywhere.
 /// @param cap  of the nodes, no higher than either neighbour's [mm/s]

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// A stop that is longer than its window by this share is rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kExcessMargin = 1e-9;
 /// Share by which speeds are lowered further than they need, so that the search ends.
 constexpr double kMargin = 1e-4;
 /// [mm] A rest may be missed by this share of a micrometre.
@@ -107,7 +107,7 @@ void StopWindow::for_each_too_fast(const MotionPlan& plan, F&& f) const {
     if (way_[i] == kUnbounded) continue;
     const PhaseState there = evaluate(plan.phases[k], time[i] - plan.phases[k].begin);
     const double excess = stop_length(there.speed, there.acceleration, dynamics_of(i)) - way_[i];
-    if (excess > (way_[i] + kLeastWay) * kRounding && !f(i, there, excess)) return;
+    if (excess > (way_[i] + kLeastWay) * kExcessMargin && !f(i, there, excess)) return;
   }
 }
 

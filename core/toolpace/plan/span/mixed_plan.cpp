@@ -12,7 +12,7 @@ namespace toolpace::detail {
 namespace {
 
 /// Rounds of taking tilts away before a pass is given up.
-constexpr std::size_t kMostRepairs = 5;
+constexpr std::size_t kMostMixedRepairs = 5;
 /// Shares of the speeds and places by which phases may miss each other.
 constexpr double kSpeedGap = 1e-10, kPlaceGap = 1e-11;
 
@@ -60,7 +60,7 @@ bool MixedPlanner::emit_within_caps(const SpanChain& chain, std::vector<Kernel>&
   SpanBounds all;
   for (const SpanBounds& b : hull_.met) all.include(b);
   const SpanLimits limits = all.limits();
-  for (std::size_t round = 0; round < kMostRepairs; ++round) {
+  for (std::size_t round = 0; round < kMostMixedRepairs; ++round) {
     if (!(hull_time(kernels, hull_) < at_most)) return false;
     trial_.clear();
     trial_.reserve(4 * hull_.entries.size());

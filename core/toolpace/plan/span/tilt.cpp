@@ -7,13 +7,13 @@ namespace toolpace::detail {
 namespace {
 
 /// Share of a cap by which a curve may pass it, and share by which positions are rounded.
-constexpr double kRounding = 1e-10;
+constexpr double kTiltMargin = 1e-10;
 constexpr double kPlaceRounding = 1e-15;
 
 /// What a curve must pass to be broken: at low speeds a rounding of the place is more than one of the speed.
 double tolerated(const Kernel& k, const SpanLimits& limits) {
   const double place = kPlaceRounding * std::abs(k.position);
-  return k.cap * (1 + kRounding) + std::max(limits.up.top, limits.down.top) * place / k.cap;
+  return k.cap * (1 + kTiltMargin) + std::max(limits.up.top, limits.down.top) * place / k.cap;
 }
 
 bool borders_after(const Kernel& plateau, const Kernel& point) {

@@ -11,7 +11,7 @@ namespace toolpace::detail {
 namespace {
 
 /// Changes of speed² below this share of it are rounding of the scan's sums.
-constexpr double kRounding = 1e-13;
+constexpr double kShortestShare = 1e-13;
 
 class TrapezoidWriter {
  public:
@@ -22,14 +22,15 @@ class TrapezoidWriter {
     const double v0 = std::sqrt(square0), v1 = std::sqrt(square1);
     const double top = std::max(square0, square1);
     double peak_square = square0 + up / (up + down) * (square1 - square0 + 2 * down * length);
-    if (peak_square <= top * (1 + kRounding)) peak_square = top;
-    const bool cruises = peak_square > cap * cap * (1 - kRounding);
+    if (peak_square <= top * (1 + kShortestShare)) peak_square = top;
+    const bool cruises = peak_square > cap * cap * (1 - kShortestShare);
     if (cruises) peak_square = std::max(cap * cap, top);
     const double rise = std::max(0.0, peak_square - square0) / (2 * up);
     const double fall = std::max(0.0, peak_square - square1) / (2 * down);
     const double peak = cruises ? std::max({cap, v0, v1}) : std::sqrt(peak_square);
     if (rise > 0) writer_.push_straight(begin, v0, peak, up);
-    if (length - rise - fall > kRounding * length) writer_.push_cruise(begin + rise, begin + (length - fall), peak);
+    if (length - rise - fall > kShortestShare * length)
+      writer_.push_cruise(begin + rise, begin + (length - fall), peak);
     if (fall > 0) writer_.push_straight(begin + (length - fall), peak, v1, -down);
   }
 
