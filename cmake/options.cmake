@@ -28,8 +28,9 @@ endif()
 add_library(toolpace_warnings INTERFACE)
 target_compile_options(toolpace_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
                        $<$<BOOL:${TOOLPACE_WERROR}>:-Werror>
-                       # GCC 12 sees overlap and overflow in std::string where there is none (its bugs 105651, 105329, 105762).
-                       $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
+                       # GCC 12 sees overlap, overflow and lack of a value in std::string where there is none (its bugs 105651, 105329,
+                       # 105762, 105562).
+                       $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds;-Wno-maybe-uninitialized>)
 
 # A second build takes seconds where ccache is there. It caches what uses precompiled headers only when told that their macros
 # and times are no concern; here they are the same for all that share one.
@@ -50,7 +51,21 @@ if(TOOLPACE_BUILD_FUZZERS)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# toolpace_compile_in_batches(TARGET): names in its files' unnamed namespaces must then differ.
+# toolpace_compile_in_batches(TARGET), after its last source: batches hold files of one folder, whose names in unnamed
+# namespaces must then differ.
+set(TOOLPACE_BATCH_FILES 8)
 function(toolpace_compile_in_batches target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${TOOLPACE_BATCHES} UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${TOOLPACE_BATCHES} UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    if(NOT source MATCHES "\\.cpp$")
+      continue()
+    endif()
+    cmake_path(GET source PARENT_PATH folder)
+    string(MD5 folder "${folder}")
+    math(EXPR batch "${files_${folder}} + 0")
+    math(EXPR files_${folder} "${batch} + 1")
+    math(EXPR batch "${batch} / ${TOOLPACE_BATCH_FILES}")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}_${batch}")
+  endforeach()
 endfunction()

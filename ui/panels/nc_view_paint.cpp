@@ -11,7 +11,7 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr int kMargin = 8;
+constexpr int kTextMargin = 8;
 constexpr int kLossWidth = 16;  // of the bar of the worst line
 constexpr int kSpeedWidth = 4;
 
@@ -20,11 +20,11 @@ constexpr int kSpeedWidth = 4;
 NcView::Gutter NcView::gutter() const {
   const auto digits = std::max<qsizetype>(QString::number(lineCount()).size(), 3);
   Gutter g;
-  g.number_end = kMargin + static_cast<int>(digits) * fontMetrics().horizontalAdvance('0');
+  g.number_end = kTextMargin + static_cast<int>(digits) * fontMetrics().horizontalAdvance('0');
   g.loss_begin = g.number_end + 4;
   g.loss_end = g.loss_begin + kLossWidth;
   g.speed_begin = g.loss_end + 2;
-  g.text_begin = g.speed_begin + kSpeedWidth + kMargin;
+  g.text_begin = g.speed_begin + kSpeedWidth + kTextMargin;
   return g;
 }
 

@@ -13,6 +13,7 @@ enum class Axis : std::uint8_t { x, y, z, a, b, c };
 
 inline constexpr std::size_t kAxisCount = 6;
 inline constexpr std::array<char, kAxisCount> kAxisNames = {'X', 'Y', 'Z', 'A', 'B', 'C'};
+inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 inline constexpr double kPerMinute = 1.0 / 60.0;  ///< of a rate a minute to one a second
 

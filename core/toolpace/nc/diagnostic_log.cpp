@@ -45,23 +45,18 @@ bool DiagnosticLog::add(Fault fault, const std::string& file, std::size_t line, 
 }
 
 void DiagnosticLog::finish(const std::string& file) {
+  const auto note = [&](const char* code, std::string message) {
+    Diagnostic& d = diagnostics_.emplace_back();
+    d.severity = Severity::note;
+    d.code = code;
+    d.message = std::move(message);
+    d.where.file = file;
+  };
   for (const auto& [code, count] : counts_) {
-    if (count <= kMostOfOneCode) continue;
-    diagnostics_.push_back({Severity::note,
-                            "more-of-the-same",
-                            fmt::format("{} more of \"{}\"", count - kMostOfOneCode, code),
-                            "",
-                            {file, 0, 0},
-                            ""});
+    if (count > kMostOfOneCode)
+      note("more-of-the-same", fmt::format("{} more of \"{}\"", count - kMostOfOneCode, code));
   }
-  if (is_full()) {
-    diagnostics_.push_back({Severity::note,
-                            "reading-stopped",
-                            fmt::format("reading stopped after {} errors", errors_),
-                            "",
-                            {file, 0, 0},
-                            ""});
-  }
+  if (is_full()) note("reading-stopped", fmt::format("reading stopped after {} errors", errors_));
 }
 
 }  // namespace toolpace::nc

@@ -12,8 +12,6 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-
 // Start and end radius may differ by as much as LinuxCNC allows.
 constexpr double kRadiusDifference = 0.005;  // [mm]
 constexpr double kRadiusDifferenceInch = 0.0005 * kMmPerInch;

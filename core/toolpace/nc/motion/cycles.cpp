@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "toolpace/nc/dwell.h"
+#include "toolpace/nc/motion/cycle_fault.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/text/whole_number.h"
 
@@ -64,10 +65,6 @@ void peck(CycleRun& run, const Hole& hole, double step, bool full_retract) {
   }
   run.feed(hole.bottom);
   run.rapid(hole.clear);
-}
-
-bool fail(Context& context, const Block& block, const char* code, std::string what, std::string remedy) {
-  return context.faults.fail(code, std::move(what), std::move(remedy), block.column_of(GGroup::motion));
 }
 
 bool check_spindle(Context& context, const Block& block, Code code) {

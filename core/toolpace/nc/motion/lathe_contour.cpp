@@ -11,8 +11,7 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kVanishing = 1e-3;  // [program unit] shorter elements between corners are dropped
-constexpr double kNoCorner = 1e-9;   // [rad] smoother than this there is no corner to finish
+constexpr double kNoCorner = 1e-9;  // [rad] smoother than this there is no corner to finish
 
 bool is_plain_motion(Code code) { return code == 0 || code == 10 || code == 20 || code == 30; }
 

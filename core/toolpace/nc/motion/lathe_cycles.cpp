@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "toolpace/nc/motion/arcs.h"
+#include "toolpace/nc/motion/cycle_fault.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/text/whole_number.h"
 
@@ -13,13 +14,6 @@ namespace {
 
 constexpr int kHighestContour = 999'999'999;
 constexpr int kMostFinishingPasses = 1000;
-
-bool fail(Context& context, const Block& block, const char* code, std::string what, std::string remedy,
-          char letter = '\0') {
-  const std::size_t column =
-      letter == '\0' || !block.has(letter) ? block.column_of(GGroup::motion) : block.column_of(letter);
-  return context.faults.fail(code, std::move(what), std::move(remedy), column);
-}
 
 bool check_modes(Context& context, const Block& block, const std::string& name) {
   const Modal& modal = context.state.modal;
@@ -61,7 +55,8 @@ bool read_finishing(Context& context, const Block& block, LatheCycle& cycle) {
   cycle.last_allowance = block.of('e', 0.0) * context.state.modal.unit();
   const auto passes = whole_number(block.of('p', 1.0), 1, kMostFinishingPasses);
   if (!passes)
-    return fail(context, block, "lathe-words", "P of G70 is no number of passes", "P is a whole number from 1 to 1000", 'p');
+    return fail(context, block, "lathe-words", "P of G70 is no number of passes", "P is a whole number from 1 to 1000",
+                'p');
   cycle.passes = *passes;
   return true;
 }

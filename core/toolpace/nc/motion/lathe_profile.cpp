@@ -9,9 +9,8 @@ namespace toolpace::nc {
 namespace {
 
 // As LinuxCNC, in the program's unit of length.
-constexpr double kSlack = 1e-3;      // an element may go back by as much
-constexpr double kVanishing = 1e-3;  // shorter elements are dropped
-constexpr double kOpen = 1e-2;       // wider gaps of corners get an arc
+constexpr double kSlack = 1e-3;  // an element may go back by as much
+constexpr double kOpen = 1e-2;   // wider gaps of corners get an arc
 constexpr double kTouchingEnds = 1e-6;
 
 // What limits how far an element can be moved at once.

@@ -12,6 +12,8 @@
 
 namespace toolpace::nc {
 
+inline constexpr double kVanishing = 1e-3;  ///< [program unit] shorter elements of a contour are dropped
+
 /// A line or an arc of at most half a turn, and the program's line that it stands in.
 struct ContourElement : OffsetElement {
   std::uint32_t line = 0;

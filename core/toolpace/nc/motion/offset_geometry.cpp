@@ -5,10 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "toolpace/base/axes.h"
+
 namespace toolpace::nc {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kTouching = 1e-7;  // of the radius: nearer than this, elements touch
 constexpr double kAlike = 0.1;      // distances that differ by less decide nothing
 

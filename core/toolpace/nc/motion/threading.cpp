@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/nc/motion/cycle_fault.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/motion/spindle.h"
 #include "toolpace/nc/text/whole_number.h"
@@ -13,10 +14,6 @@ namespace toolpace::nc {
 namespace {
 
 constexpr int kMostPasses = 10000;
-
-bool fail(Context& context, const Block& block, const char* code, std::string what, const char* remedy) {
-  return context.faults.fail(code, std::move(what), remedy, block.column_of(GGroup::motion));
-}
 
 bool find_pitch(Context& context, const Block& block, char letter, Feedrate& feed) {
   const State& state = context.state;
@@ -133,7 +130,8 @@ bool read_thread(Context& context, const Block& block, Thread& thread) {
   thread.angle = angle * kRadiansPerDegree;
   const auto springs = whole_number(block.of('h', 0.0), 0, kMostPasses);
   if (!springs)
-    return fail(context, block, "thread-words", "H of G76 is no number of passes", "H is a whole number from 0 to 10000");
+    return fail(context, block, "thread-words", "H of G76 is no number of passes",
+                "H is a whole number from 0 to 10000");
   thread.spring_passes = *springs;
   const auto tapers = whole_number(block.of('l', 0.0), 0, 3);
   if (!tapers)
