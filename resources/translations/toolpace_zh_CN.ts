@@ -12,6 +12,10 @@
             <translation>快移</translation>
         </message>
         <message>
+            <source>path speed</source>
+            <translation>路径速度</translation>
+        </message>
+        <message>
             <source>axis speed</source>
             <translation>轴速度</translation>
         </message>

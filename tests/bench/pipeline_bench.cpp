@@ -50,7 +50,8 @@ void speed_limits(benchmark::State& state) {
   const auto job = make_job({}, Ramps::block);
   const auto path = build_path(job->program->moves, 0.0);
   if (!path) return state.SkipWithError(path.error().message.c_str());
-  for (auto _ : state) benchmark::DoNotOptimize(limit_speed(*path, job->program->moves, job->machine, {}));
+  const Commands commands = command_path(*path, job->program->moves, command_options(job->machine));
+  for (auto _ : state) benchmark::DoNotOptimize(limit_speed(*path, commands, job->machine, {}));
   count_blocks(state);
 }
 BENCHMARK(speed_limits)->Unit(benchmark::kMillisecond);

@@ -53,7 +53,8 @@ void blend_and_plan(benchmark::State& state, const Moves& moves) {
   const Machine machine = test_machine();
   const auto work = [&] {
     const auto blended = blend_path(path, moves, {});
-    const auto limits = limit_speed(blended->path, moves, machine, limit_options);
+    const auto limits = limit_speed(blended->path, command_path(blended->path, moves, command_options(machine)),
+                                    machine, limit_options);
     benchmark::DoNotOptimize(plan_motion(*limits, options));
   };
   for (auto _ : state) work();
@@ -98,10 +99,10 @@ void retime_blocks(benchmark::State& state) {
   limit_options.corner.rule = CornerRule::blend;
   const Machine machine = test_machine();
   const auto blended = blend_path(*build_path(moves, 0.0), moves, {});
-  const auto limits = limit_speed(blended->path, moves, machine, limit_options);
+  const Commands commands = command_path(blended->path, moves, command_options(machine));
+  const auto limits = limit_speed(blended->path, commands, machine, limit_options);
   const auto plan = plan_motion(*limits, options);
-  const auto speed = commanded_speeds(blended->path, moves, machine, limit_options);
-  for (auto _ : state) benchmark::DoNotOptimize(retime(blended->path, machine, *limits, speed, *plan));
+  for (auto _ : state) benchmark::DoNotOptimize(retime(blended->path, commands, machine, *limits, *plan));
   state.SetItemsProcessed(state.iterations() * state.range(0));
   state.SetLabel("blocks");
 }
@@ -138,7 +139,7 @@ void smooth_milliseconds(benchmark::State& state) {
   const Moves moves = bench::smooth_moves(static_cast<std::size_t>(state.range(0)));
   const Path path = *build_path(moves, 0.0);
   const Machine machine = test_machine();
-  const TubePath tube = build_tube(path, moves, machine, {}, 0, path.size());
+  const TubePath tube = build_tube(path, command_path(path, moves, command_options(machine)), 0, path.size());
   double duration = 0;
   for (auto _ : state) duration = plan_tube(tube, tube_limits(machine), 0.001)->duration;
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(duration * 1e3));

@@ -28,7 +28,6 @@ std::uint32_t Timeline::line_of_block(std::size_t block) const {
 
 void Timeline::collect_lines() {
   const auto& o = *outcome_;
-  const auto& moves = o.job->program->moves;
   if (o.path->size() > 0) lines_.reserve(line_of_block(o.path->size() - 1) + std::size_t{1});
   auto pause = o.path->pauses.begin();
   for (std::size_t i = 0; i < o.path->size(); ++i) {
@@ -41,8 +40,8 @@ void Timeline::collect_lines() {
     const double time = std::max(o.node_time[i + 1] - departure, 0.0);
     if (stats.begin < 0) stats.begin = departure;
     stats.length += o.path->length[i];
-    const double feed = moves.feed[o.path->move[i]] * o.job->options.feed_override;
-    const bool asked = feed > 0 && std::isfinite(feed) && moves.kind[o.path->move[i]] != MoveKind::rapid;
+    const double feed = (*o.commands)[i].feed;
+    const bool asked = feed > 0 && std::isfinite(feed);
     stats.time += time;
     stats.asked_time += asked ? std::min(time, o.path->length[i] / feed) : time;
   }

@@ -22,13 +22,8 @@ MotionExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_
 
 CapExtent cap_extent(const Outcome& outcome, std::size_t first, std::size_t last) {
   CapExtent extent;
-  const Moves* moves = outcome.job && outcome.job->program ? &outcome.job->program->moves : nullptr;
-  const double override_factor = outcome.job ? outcome.job->options.feed_override : 1.0;
   for (std::size_t i = first; i < last; ++i) {
-    const std::uint32_t row = outcome.path->move[i];
-    if (moves && row < moves->size() && moves->kind[row] != MoveKind::rapid && moves->feed[row] > 0) {
-      add_finite(extent.feed, moves->feed[row] * override_factor);
-    }
+    if (outcome.commands) add_finite(extent.feed, (*outcome.commands)[i].feed);
     if (i >= outcome.limits.size()) continue;
     add_finite(extent.speed, outcome.limits.block_cap[i]);
     const Dynamics& dynamics = outcome.limits.dynamics_of(i);

@@ -14,6 +14,7 @@ struct CauseStyle {
 constexpr std::array<CauseStyle, kCauseCount> kStyles = {{
     {QT_TRANSLATE_NOOP("Cause", "programmed feed"), 0xff8d97a3, 0xff76808d},
     {QT_TRANSLATE_NOOP("Cause", "rapid"), 0xffaab2bc, 0xff5c6571},
+    {QT_TRANSLATE_NOOP("Cause", "path speed"), 0xff5fb4a2, 0xff7fd8c4},
     {QT_TRANSLATE_NOOP("Cause", "axis speed"), 0xff3a9fdc, 0xff6cc1f2},
     {QT_TRANSLATE_NOOP("Cause", "axis acceleration"), 0xff0061a8, 0xff2f8fe0},
     {QT_TRANSLATE_NOOP("Cause", "path acceleration"), 0xff00815f, 0xff18b88c},

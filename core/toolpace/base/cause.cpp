@@ -1,4 +1,4 @@
-#include "toolpace/limits/speed_limits.h"
+#include "toolpace/base/cause.h"
 
 #include <array>
 
@@ -6,8 +6,8 @@ namespace toolpace {
 
 std::string_view cause_name(Cause cause) {
   static constexpr std::array<std::string_view, kCauseCount> names = {
-      "feed",      "rapid", "axis_speed", "axis_acceleration", "acceleration", "jerk", "corner", "curvature",
-      "lookahead", "stop",  "dwell"};
+      "feed",      "rapid",     "path_speed", "axis_speed", "axis_acceleration", "acceleration", "jerk", "corner",
+      "curvature", "lookahead", "stop",       "dwell"};
   return names[static_cast<std::size_t>(cause)];
 }
 

@@ -10,13 +10,17 @@ namespace {
 
 constexpr double kSmoothJoint = 1e-5;  // difference of directions that rounding of micrometre-long lines may leave
 
+using AxesLimits = std::array<AxisLimits, kAxisCount>;
+
 class Limiter {
  public:
-  Limiter(const Path& path, const Moves& moves, const Machine& machine, const LimitOptions& options)
-      : path_(path), moves_(moves), machine_(machine), options_(options), curve_axes_(machine.axes) {
+  Limiter(const Path& path, const Commands& commands, const Machine& machine, const LimitOptions& options)
+      : path_(path), commands_(commands), machine_(machine), options_(options), curve_axes_(machine.axes) {
     // Curves need a bound on v²/r: axes without one of their own take the path's.
     for (auto& axis : curve_axes_) axis.acceleration = std::min(axis.acceleration, machine.path.acceleration);
     for (std::size_t k = 3; k < kAxisCount; ++k) curve_axes_[k].acceleration = machine.axes[k].acceleration;
+    rapid_axes_ = curve_axes_;
+    for (auto& axis : rapid_axes_) axis.speed *= options.rapid_override;
     axes_are_bounded_ = std::any_of(machine.axes.begin(), machine.axes.end(), [](const AxisLimits& a) {
       return a.speed < kUnlimited || a.acceleration < kUnlimited || a.jerk < kUnlimited;
     });
@@ -32,22 +36,21 @@ class Limiter {
   }
 
   void add_block(std::size_t i) {
-    const MoveKind kind = moves_.kind[path_.move[i]];
-    double cap = machine_.path.speed;
-    Cause cause = kind == MoveKind::rapid ? Cause::rapid : Cause::feed;
-    if (kind != MoveKind::rapid) cap = std::min(cap, programmed_speed(i) * options_.feed_override);
+    const Command& command = commands_[i];
+    double cap = command.speed;
+    Cause cause = command.cause;
     const bool is_line = path_.kind[i] == SegmentKind::line;
     Dynamics dynamics = path_dynamics();
     if (!is_line || axes_are_bounded_) {
       const CurveBounds bounds = curve_bounds(path_, i);
-      CurveBudget budget = curve_budget(bounds, is_line ? machine_.axes : curve_axes_, cap);
-      if (budget.speed < cap && kind != MoveKind::rapid)
+      CurveBudget budget = curve_budget(bounds, axes_of(i), cap);
+      if (budget.speed < cap && !command.is_rapid()) {
         cause = budget.is_curvature ? Cause::curvature : Cause::axis_speed;
+      }
       cap = budget.speed;
       if (!is_line && !axes_are_bounded_) budget = {cap, kUnlimited, kUnlimited, false};
       tighten(dynamics, budget);
     }
-    if (kind == MoveKind::rapid) cap *= options_.rapid_override;
     limits_.block_cap.push_back(cap);
     limits_.block_cause.push_back(cause);
     limits_.ramp.push_back(index_of(dynamics));
@@ -55,7 +58,7 @@ class Limiter {
 
   /// Node between block i − 1 and block i.
   void add_node(std::size_t i) {
-    const PathControl before = control(i - 1), after = control(i);
+    const PathControl before = commands_[i - 1].control, after = commands_[i].control;
     CornerOptions corner = options_.corner;
     if (before == PathControl::blend && after == PathControl::blend) corner.rule = CornerRule::blend;
     if (before == PathControl::exact_path || after == PathControl::exact_path) {
@@ -99,12 +102,10 @@ class Limiter {
     return smooth ? kUnlimited : corner_speed(corner, arriving, leaving, machine_);
   }
 
-  double programmed_speed(std::size_t i) const {
-    const double feed = moves_.feed[path_.move[i]];
-    return is_rotary_only(path_, i) ? feed / kRadiansPerDegree : feed;
+  const AxesLimits& axes_of(std::size_t i) const {
+    if (path_.kind[i] == SegmentKind::line) return machine_.axes;
+    return commands_[i].is_rapid() ? rapid_axes_ : curve_axes_;
   }
-
-  PathControl control(std::size_t i) const { return moves_.modes[moves_.mode[path_.move[i]]].control; }
 
   Cause slower_block_cause(std::size_t i) const {
     return limits_.block_cap[i - 1] <= limits_.block_cap[i] ? limits_.block_cause[i - 1] : limits_.block_cause[i];
@@ -133,10 +134,10 @@ class Limiter {
   }
 
   const Path& path_;
-  const Moves& moves_;
+  const Commands& commands_;
   const Machine& machine_;
   const LimitOptions& options_;
-  std::array<AxisLimits, kAxisCount> curve_axes_;
+  AxesLimits curve_axes_, rapid_axes_;
   bool axes_are_bounded_;
   SpeedLimits limits_;
 };
@@ -152,31 +153,18 @@ Error unbounded(const char* code, const char* what, const char* flag) {
 
 }  // namespace
 
-std::vector<double> commanded_speeds(const Path& path, const Moves& moves, const Machine& machine,
-                                     const LimitOptions& options) {
-  std::vector<double> speed(path.size(), machine.path.speed);
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const std::uint32_t move = path.move[i];
-    const bool is_rapid = moves.kind[move] == MoveKind::rapid;
-    if (!is_rapid) {
-      const double unit = is_rotary_only(path, i) ? kRadiansPerDegree : 1.0;
-      speed[i] = std::min(speed[i], moves.feed[move] / unit * options.feed_override);
-    }
-    if (path.kind[i] == SegmentKind::line) {
-      const AxisVector u = (path.node[i + 1] - path.node[i]) / path.length[i];
-      for (std::size_t k = 0; k < kAxisCount; ++k) {
-        const double share = std::abs(u[static_cast<Eigen::Index>(k)]);
-        if (share > 0) speed[i] = std::min(speed[i], machine.axes[k].speed / share);
-      }
-    }
-    if (is_rapid) speed[i] *= options.rapid_override;
+CommandOptions command_options(const Machine& machine) {
+  CommandOptions options;
+  options.path_speed = machine.path.speed;
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    options.rapid_speed[static_cast<Eigen::Index>(k)] = machine.axes[k].speed;
   }
-  return speed;
+  return options;
 }
 
-Result<SpeedLimits> limit_speed(const Path& path, const Moves& moves, const Machine& machine,
+Result<SpeedLimits> limit_speed(const Path& path, const Commands& commands, const Machine& machine,
                                 const LimitOptions& options, const Monitor& monitor) {
-  Limiter limiter(path, moves, machine, options);
+  Limiter limiter(path, commands, machine, options);
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (i % kReportEvery == 0) {
       if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());

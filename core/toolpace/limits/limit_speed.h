@@ -5,23 +5,24 @@
 #include "toolpace/limits/corner_rule.h"
 #include "toolpace/limits/machine.h"
 #include "toolpace/limits/speed_limits.h"
-#include "toolpace/nc/moves.h"
-#include "toolpace/path/path.h"
+#include "toolpace/path/commanded.h"
 
 namespace toolpace {
 
-/// What of a job decides its speed limits.
+/// What of a job decides its speed limits, besides what is commanded.
 struct LimitOptions {
   CornerOptions corner;
-  double feed_override = 1.0;   ///< on feed moves; 0 < … ≤ 2
-  double rapid_override = 1.0;  ///< on rapids; 0 < … ≤ 1
   double t_acc = 0.0;           ///< [s] handed on to laws that keep a constant time
   double t_dec = 0.0;           ///< [s]
+  double rapid_override = 1.0;  ///< of the axes' top speeds, where rapids go round corner curves
 };
+
+/// The machine's part in what is commanded: its top speeds, without overrides.
+CommandOptions command_options(const Machine& machine);
 
 /// Speed caps and ramp limits of every block and node.
 ///
-/// Block cap: the feed (with override), the path's and each axis' top speed (V·|u| ≤ Vmax, Ning et al. 2014,
+/// Block cap: what is commanded, and each axis' top speed (V·|u| ≤ Vmax, Ning et al. 2014,
 /// section 2.1), on curves also the centripetal share of the axes' acceleration and jerk. Where axes have no
 /// acceleration limit of their own, v²/r ≤ the path's acceleration. Ramp limits: the path's, and what each axis leaves
 /// along the block's direction. Node cap: the corner rule of the job, or of the program's G61, G61.1; never above
@@ -31,13 +32,8 @@ struct LimitOptions {
 ///             section 2.1
 ///   junction  V² = a·δ·cos(α/2)/(1 − cos(α/2)), δ the junction deviation, α the deflection
 /// A block that nothing bounds is a usage error ("no-speed-limit").
-Result<SpeedLimits> limit_speed(const Path& path, const Moves& moves, const Machine& machine,
+Result<SpeedLimits> limit_speed(const Path& path, const Commands& commands, const Machine& machine,
                                 const LimitOptions& options, const Monitor& monitor = {});
-
-/// What is commanded in each segment, curvature and the axes' accelerations aside [mm/s]: the feed (with override), the
-/// path's top speed; on lines the axes' top speeds too. Of rapids the rapid override's share.
-std::vector<double> commanded_speeds(const Path& path, const Moves& moves, const Machine& machine,
-                                     const LimitOptions& options);
 
 /// Largest speed that the corner rule allows between two directions, ignoring the blocks' own caps; infinite for none.
 /// @param before, after  direction by path length, per axis

@@ -2,31 +2,12 @@
 /// All that planning needs to know of a path: lengths, speed caps and ramp limits, as flat arrays.
 
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
+#include "toolpace/base/cause.h"
 #include "toolpace/limits/ramp_limits.h"
 
 namespace toolpace {
-
-/// What holds the speed down.
-enum class Cause : std::uint8_t {
-  feed,
-  rapid,
-  axis_speed,
-  axis_acceleration,
-  acceleration,
-  jerk,
-  corner,
-  curvature,
-  lookahead,
-  stop,
-  dwell
-};
-inline constexpr std::size_t kCauseCount = 11;
-
-/// "feed", "axis_speed", …: the keys of time_by_limit_s.
-std::string_view cause_name(Cause cause);
 
 struct SpeedLimits {
   // One entry a block.

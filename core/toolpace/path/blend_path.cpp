@@ -15,7 +15,7 @@ constexpr double kRest = 1e-9;  // a trimmed segment shorter than this share has
 constexpr int kTold = 4;        // parts of a chain's piece in which moves are told by length
 class Blender {
  public:
-  Blender(const Path& path, const Moves& moves, const BlendOptions& options, const std::vector<double>& merge_error)
+  Blender(const Path& path, const Moves& moves, const Rounding& options, const std::vector<double>& merge_error)
       : path_(path), moves_(moves), merge_error_(merge_error), trims_(path, moves, options, merge_error) {}
 
   BlendedPath run(const Monitor& monitor) {
@@ -244,8 +244,7 @@ bool asks_for_blends(const Moves& moves) {
                      [](const MoveMode& mode) { return mode.control == PathControl::blend; });
 }
 
-Result<BlendedPath> blend_path(const Path& path, const Moves& moves, const BlendOptions& options,
-                               const Monitor& monitor) {
+Result<BlendedPath> blend_path(const Path& path, const Moves& moves, const Rounding& options, const Monitor& monitor) {
   if (path.size() == 0) return BlendedPath{path, {}};
   const MergedLines merged = merge_lines(path, moves, options);
   BlendedPath result = Blender(merged.path, moves, options, merged.error).run(monitor);

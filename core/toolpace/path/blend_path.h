@@ -3,6 +3,7 @@
 
 #include "toolpace/base/monitor.h"
 #include "toolpace/nc/moves.h"
+#include "toolpace/path/commanded.h"
 #include "toolpace/path/path.h"
 
 namespace toolpace {
@@ -19,11 +20,6 @@ struct BlendedPath {
   BlendCount count;
 };
 
-struct BlendOptions {
-  double tolerance = 0.01;  ///< [mm, deg] > 0, where the program says nothing else
-  bool everywhere = true;   ///< also in blocks for which the program chose no path mode; otherwise under G64 P alone
-};
-
 /// True if any block of the program asks for blends by itself (G64 P).
 bool asks_for_blends(const Moves& moves);
 
@@ -32,7 +28,7 @@ bool asks_for_blends(const Moves& moves);
 /// tolerance). Neighbouring blends share a segment. Nodes with a pause, nodes of blocks under G61 or G61.1, and corners
 /// above 111° (where a stop costs less) stay as they are. Linear time.
 /// @return error cancelled
-Result<BlendedPath> blend_path(const Path& path, const Moves& moves, const BlendOptions& options,
+Result<BlendedPath> blend_path(const Path& path, const Moves& moves, const Rounding& options,
                                const Monitor& monitor = {});
 
 }  // namespace toolpace

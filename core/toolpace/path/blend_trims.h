@@ -20,7 +20,7 @@ inline double in_tube_unit(const AxisVector& d) {
 class BlendTrims {
  public:
   /// @param merge_error  of each segment: what it has used of its tolerance already [mm, deg]. Keeps references.
-  BlendTrims(const Path& path, const Moves& moves, const BlendOptions& options, const std::vector<double>& merge_error)
+  BlendTrims(const Path& path, const Moves& moves, const Rounding& options, const std::vector<double>& merge_error)
       : path_(path),
         moves_(moves),
         options_(options),
@@ -98,15 +98,10 @@ class BlendTrims {
   }
 
   double tolerance_at(std::size_t segment) const {
-    const MoveMode& mode = moves_.modes[moves_.mode[path_.move[segment]]];
-    const double programmed =
-        mode.control == PathControl::blend && mode.tolerance > 0 ? mode.tolerance : options_.tolerance;
-    return programmed - merge_error_[segment];
+    return tolerance_of(mode_of(segment), options_) - merge_error_[segment];
   }
-  bool is_blended(std::size_t segment) const {
-    const PathControl control = moves_.modes[moves_.mode[path_.move[segment]]].control;
-    return control == PathControl::blend || (control == PathControl::job_default && options_.everywhere);
-  }
+  bool is_blended(std::size_t segment) const { return tolerance_of(mode_of(segment), options_) > 0; }
+  const MoveMode& mode_of(std::size_t segment) const { return moves_.modes[moves_.mode[path_.move[segment]]]; }
   bool joins_lines(std::size_t node) const {
     return node > 0 && node < path_.size() && is_plain_line(node - 1) && is_plain_line(node);
   }
@@ -202,7 +197,7 @@ class BlendTrims {
 
   const Path& path_;
   const Moves& moves_;
-  const BlendOptions& options_;
+  const Rounding& options_;
   const std::vector<double>& merge_error_;
   std::vector<double> trim_;   // of each node
   std::vector<bool> chained_;  // segments that link their two nodes into one spline

@@ -12,7 +12,7 @@ constexpr double kMostTurn = 0.94;       // cosine of the largest turn inside a 
 
 class Merger {
  public:
-  Merger(const Path& path, const Moves& moves, const BlendOptions& options)
+  Merger(const Path& path, const Moves& moves, const Rounding& options)
       : path_(path), moves_(moves), options_(options) {}
 
   MergedLines run() {
@@ -78,14 +78,8 @@ class Merger {
     }
   }
 
-  bool may_merge(std::size_t i) const {
-    const PathControl control = moves_.modes[moves_.mode[path_.move[i]]].control;
-    return control == PathControl::blend || (control == PathControl::job_default && options_.everywhere);
-  }
-  double tolerance_at(std::size_t i) const {
-    const MoveMode& mode = moves_.modes[moves_.mode[path_.move[i]]];
-    return mode.control == PathControl::blend && mode.tolerance > 0 ? mode.tolerance : options_.tolerance;
-  }
+  bool may_merge(std::size_t i) const { return tolerance_at(i) > 0; }
+  double tolerance_at(std::size_t i) const { return tolerance_of(moves_.modes[moves_.mode[path_.move[i]]], options_); }
 
   /// Largest distance of the vertices between two nodes from the line that joins them; infinite where they go back or turn.
   double deviation(std::size_t begin, std::size_t end) const {
@@ -113,13 +107,13 @@ class Merger {
 
   const Path& path_;
   const Moves& moves_;
-  const BlendOptions& options_;
+  const Rounding& options_;
   MergedLines out_;
 };
 
 }  // namespace
 
-MergedLines merge_lines(const Path& path, const Moves& moves, const BlendOptions& options) {
+MergedLines merge_lines(const Path& path, const Moves& moves, const Rounding& options) {
   return Merger(path, moves, options).run();
 }
 

@@ -13,6 +13,6 @@ struct MergedLines {
 
 /// Lines of one feed and mode without a pause between them become one while every vertex left out stays within a third of
 /// the tolerance, in order, and the run turns by less than 20°. Everything else is copied.
-MergedLines merge_lines(const Path& path, const Moves& moves, const BlendOptions& options);
+MergedLines merge_lines(const Path& path, const Moves& moves, const Rounding& options);
 
 }  // namespace toolpace

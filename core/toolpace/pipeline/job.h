@@ -13,6 +13,7 @@
 #include "toolpace/limits/speed_limits.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/path/blend_path.h"
+#include "toolpace/path/commanded.h"
 #include "toolpace/path/path.h"
 #include "toolpace/plan/motion_plan.h"
 #include "toolpace/plan/options.h"
@@ -50,6 +51,7 @@ struct Summary {
 struct Outcome {
   std::shared_ptr<const Job> job;
   std::shared_ptr<const Path> path;
+  std::shared_ptr<const Commands> commands;  ///< of the path
   SpeedLimits limits;
   MotionPlan plan;
   std::vector<double> node_time;      ///< [s] arrival at each node of the path

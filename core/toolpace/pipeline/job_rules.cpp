@@ -14,10 +14,22 @@ bool blends_everywhere(const Job& job) {
   return job.options.corner.rule == CornerRule::blend && !job.options.corner.step;
 }
 
+Rounding rounding(const CornerOptions& corner) {
+  const bool rounds = corner.rule == CornerRule::blend || corner.rule == CornerRule::smooth;
+  return {corner.tolerance, rounds && !corner.step};
+}
+
+Commands command(const Path& path, const Job& job) {
+  CommandOptions options = command_options(job.machine);
+  options.feed_override = job.options.feed_override;
+  options.rapid_override = job.options.rapid_override;
+  options.rounding = rounding(job.options.corner);
+  return command_path(path, job.program->moves, options);
+}
+
 LimitOptions limit_options(const PlanOptions& options) {
   LimitOptions limits;
   limits.corner = options.corner;
-  limits.feed_override = options.feed_override;
   limits.rapid_override = options.rapid_override;
   if (law_row(options.law).uses_time) {
     limits.t_acc = options.t_acc;
@@ -41,11 +53,11 @@ bool has_same_limits(const Job& a, const Job& b) {
   }
   const LimitOptions of_a = limit_options(a.options), of_b = limit_options(b.options);
   const auto of_options = [](const LimitOptions& o) {
-    return std::tie(o.corner.rule, o.corner.step, o.corner.tolerance, o.corner.junction_deviation, o.feed_override,
-                    o.rapid_override, o.t_acc, o.t_dec);
+    return std::tie(o.corner.rule, o.corner.step, o.corner.tolerance, o.corner.junction_deviation, o.rapid_override,
+                    o.t_acc, o.t_dec);
   };
   return a.machine.period == b.machine.period && of_path(a.machine.path) == of_path(b.machine.path) &&
-         of_options(of_a) == of_options(of_b);
+         of_options(of_a) == of_options(of_b) && a.options.feed_override == b.options.feed_override;
 }
 
 }  // namespace toolpace

@@ -12,6 +12,12 @@ bool is_through_tube(const Job& job);
 /// Are the corners of all blocks in continuous path mode rounded on the path?
 bool blends_everywhere(const Job& job);
 
+/// How the job treats corners where its program says nothing.
+Rounding rounding(const CornerOptions& corner);
+
+/// What is commanded on a path of the job.
+Commands command(const Path& path, const Job& job);
+
 /// The part of the options that caps speeds.
 LimitOptions limit_options(const PlanOptions& options);
 

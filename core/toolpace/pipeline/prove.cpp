@@ -5,6 +5,7 @@
 #include "toolpace/io/setpoint_table.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/path/build_path.h"
+#include "toolpace/pipeline/job_rules.h"
 #include "toolpace/sample/sampler.h"
 
 namespace toolpace {
@@ -81,15 +82,7 @@ Machine judged_machine(const Machine& machine, const PlanOptions& options) {
 }
 
 double corner_tolerance(const Moves& moves, std::uint32_t row, const CornerOptions& corner) {
-  const MoveMode& mode = moves.modes[moves.mode[row]];
-  const bool smooths = !corner.step && (corner.rule == CornerRule::blend || corner.rule == CornerRule::smooth);
-  switch (mode.control) {
-    case PathControl::exact_path:
-    case PathControl::exact_stop: return 0.0;
-    case PathControl::blend: return mode.tolerance > 0 ? mode.tolerance : corner.tolerance;
-    case PathControl::job_default: break;
-  }
-  return smooths ? corner.tolerance : 0.0;
+  return tolerance_of(moves.modes[moves.mode[row]], rounding(corner));
 }
 
 double judged_tolerance(const Moves& moves, const CornerOptions& corner) {

@@ -42,10 +42,12 @@ bool is_retimed(const Job& job, std::size_t segments) {
 
 /// Rounded paths are timed under the axes' limits themselves, and the caps of their curves are no bound. No motion gains
 /// speed with more than all axes' accelerations together.
-double bound_of(const Outcome& o, const Moves& moves) {
+double bound_of(const Outcome& o) {
   if (!is_retimed(*o.job, o.path->size())) return lower_bound(o.limits, o.job->options.law);
   SpeedLimits open = o.limits;
-  open.block_cap = commanded_speeds(*o.path, moves, o.job->machine, limit_options(o.job->options));
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (o.path->kind[i] != SegmentKind::line) open.block_cap[i] = (*o.commands)[i].speed;
+  }
   for (std::size_t i = 1; i < open.size(); ++i) {
     if (open.node_cap[i] > 0) open.node_cap[i] = std::min(open.block_cap[i - 1], open.block_cap[i]);
   }
@@ -82,16 +84,15 @@ ForEach on_all_cores(const Monitor& monitor) {
 }
 
 /// Plans by the job's corner rule: along the path, or through the tube around it.
-Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& job, const SpeedLimits& limits,
+Result<SmoothPlan> plan_rule(const Path& path, const Commands& commands, const Job& job, const SpeedLimits& limits,
                              const Monitor& monitor) {
   if (is_through_tube(job)) {
-    return plan_smooth(path, moves, job.machine, limits, job.options, on_all_cores(monitor), monitor);
+    return plan_smooth(path, commands, job.machine, limits, job.options, on_all_cores(monitor), monitor);
   }
   auto plan = plan_motion(limits, job.options, part_of(monitor, 0.0, 0.5));
   if (!plan) return tl::unexpected(plan.error());
   if (is_retimed(job, path.size())) {
-    const auto speed = commanded_speeds(path, moves, job.machine, limit_options(job.options));
-    *plan = retime(path, job.machine, limits, speed, *plan, on_all_cores(monitor), part_of(monitor, 0.5, 1.0));
+    *plan = retime(path, commands, job.machine, limits, *plan, on_all_cores(monitor), part_of(monitor, 0.5, 1.0));
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
   }
   SmoothPlan result;
@@ -101,20 +102,9 @@ Result<SmoothPlan> plan_rule(const Path& path, const Moves& moves, const Job& jo
 }
 
 /// Which limit binds when, along the path and through the tube.
-std::vector<Restraint> explain_all(const Outcome& o, const Moves& moves) {
-  const Job& job = *o.job;
-  const auto along = explain(o.limits, o.plan, o.node_time, job.options);
-  if (o.plan.splines.empty()) return along;
-  CommandedFeeds feeds;
-  for (std::size_t i = 0; i < o.path->size(); ++i) {
-    const std::uint32_t row = o.path->move[i];
-    const bool rapid = moves.kind[row] == MoveKind::rapid;
-    const double unit = is_rotary_only(*o.path, i) ? kRadiansPerDegree : 1.0;
-    feeds.speed.push_back(
-        std::min(job.machine.path.speed, rapid ? kUnlimited : moves.feed[row] / unit * job.options.feed_override));
-    feeds.cause.push_back(rapid ? Cause::rapid : Cause::feed);
-  }
-  return explain_splines(along, o.plan, job.machine, feeds, o.node_time);
+std::vector<Restraint> explain_all(const Outcome& o) {
+  return explain_splines(explain(o.limits, o.plan, o.node_time, o.job->options), o.plan, o.job->machine, *o.commands,
+                         o.node_time);
 }
 
 /// A feed or a dwell that nobody meant may last for years.
@@ -138,14 +128,19 @@ struct Route {
   BlendCount blends;
 };
 
+/// How fast it is told to go there, and how fast it may.
+struct Speeds {
+  std::shared_ptr<const Commands> commands;
+  SpeedLimits limits;
+};
+
 Result<Route> lay_out(const Job& job, const Monitor& monitor) {
   const Moves& moves = job.program->moves;
   auto path = build_path(moves, job.machine.tool_change, part_of(monitor, 0.0, 0.15));
   if (!path) return tl::unexpected(path.error());
   BlendCount blends;
   if (!is_through_tube(job) && (blends_everywhere(job) || asks_for_blends(moves))) {
-    const BlendOptions options{job.options.corner.tolerance, blends_everywhere(job)};
-    auto blended = blend_path(*path, moves, options, part_of(monitor, 0.15, 0.2));
+    auto blended = blend_path(*path, moves, rounding(job.options.corner), part_of(monitor, 0.15, 0.2));
     if (!blended) return tl::unexpected(blended.error());
     path = std::move(blended->path);
     blends = blended->count;
@@ -153,21 +148,23 @@ Result<Route> lay_out(const Job& job, const Monitor& monitor) {
   return Route{std::make_shared<const Path>(std::move(*path)), blends};
 }
 
-Result<SpeedLimits> limits_of(const Job& job, const Path& path, const Monitor& monitor) {
-  return limit_speed(path, job.program->moves, job.machine, limit_options(job.options), part_of(monitor, 0.2, 0.4));
+Result<Speeds> speeds_on(const Path& path, const Job& job, const Monitor& monitor) {
+  auto commands = std::make_shared<const Commands>(command(path, job));
+  auto limits = limit_speed(path, *commands, job.machine, limit_options(job.options), part_of(monitor, 0.2, 0.4));
+  if (!limits) return tl::unexpected(limits.error());
+  return Speeds{std::move(commands), std::move(*limits)};
 }
 
-Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<SpeedLimits> limits,
-                           const Monitor& monitor) {
-  if (!limits) return tl::unexpected(limits.error());
-  const Moves& moves = job->program->moves;
-  auto planned = plan_rule(*route.path, moves, *job, *limits, part_of(monitor, 0.4, 0.9));
+Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<Speeds> speeds, const Monitor& monitor) {
+  if (!speeds) return tl::unexpected(speeds.error());
+  auto planned = plan_rule(*route.path, *speeds->commands, *job, speeds->limits, part_of(monitor, 0.4, 0.9));
   if (!planned) return tl::unexpected(planned.error());
 
   Outcome outcome;
   outcome.job = std::move(job);
   outcome.path = std::move(route.path);
-  outcome.limits = std::move(*limits);
+  outcome.commands = std::move(speeds->commands);
+  outcome.limits = std::move(speeds->limits);
   outcome.node_time = delayed_times(std::move(planned->node_time), outcome.path->pauses);
   outcome.plan = insert_pauses(std::move(planned->plan), outcome.path->pauses, node_positions(outcome.limits));
   if (const auto hold = outcome.job->options.hold_at; hold && !is_through_tube(*outcome.job)) {
@@ -178,11 +175,11 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<S
   }
   if (auto fits = check_duration(outcome.plan.cycle_time(), outcome.job->machine.period); !fits)
     return tl::unexpected(fits.error());
-  outcome.restraints = explain_all(outcome, moves);
-  outcome.warnings = check_travel(*outcome.path, moves, outcome.job->machine);
-  outcome.summary = summarise(outcome, moves);
+  outcome.restraints = explain_all(outcome);
+  outcome.warnings = check_travel(*outcome.path, outcome.job->program->moves, outcome.job->machine);
+  outcome.summary = summarise(outcome);
   if (outcome.job->bound && !is_through_tube(*outcome.job))
-    outcome.summary.bound = bound_of(outcome, moves) + outcome.summary.dwell_time;
+    outcome.summary.bound = bound_of(outcome) + outcome.summary.dwell_time;
   outcome.summary.blends = route.blends;
   outcome.summary.tube_deviation = planned->deviation;
   outcome.summary.tube_windows = planned->windows;
@@ -196,8 +193,8 @@ Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor)
   if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
   auto route = lay_out(*job, monitor);
   if (!route) return tl::unexpected(route.error());
-  auto limits = limits_of(*job, *route->path, monitor);
-  return plan_along(std::move(job), std::move(*route), std::move(limits), monitor);
+  auto speeds = speeds_on(*route->path, *job, monitor);
+  return plan_along(std::move(job), std::move(*route), std::move(speeds), monitor);
 }
 
 /// The same job with corner curves, which keep the same tolerance.
@@ -225,10 +222,9 @@ Result<Outcome> with_tube_bound(Outcome outcome) {
   if (!job.bound) return outcome;
   const auto programmed = build_path(job.program->moves, job.machine.tool_change);
   if (!programmed) return tl::unexpected(programmed.error());
-  const Moves& moves = job.program->moves;
-  const double tolerance = judged_tolerance(moves, job.options.corner);
+  const double tolerance = judged_tolerance(job.program->moves, job.options.corner);
   outcome.summary.bound =
-      tube_bound(*programmed, moves, job.machine, job.options, tolerance) + outcome.summary.dwell_time;
+      tube_bound(*programmed, command(*programmed, job), job.machine, tolerance) + outcome.summary.dwell_time;
   return outcome;
 }
 
@@ -264,9 +260,9 @@ Result<Outcome> replan(std::shared_ptr<const Job> job, const Outcome& before, co
   const bool reusable = before.job && before.path && !is_through_tube(*job) && !is_through_tube(*before.job);
   if (!reusable || !has_same_route(*job, *before.job)) return run(std::move(job), monitor);
   if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
-  auto limits =
-      has_same_limits(*job, *before.job) ? Result<SpeedLimits>(before.limits) : limits_of(*job, *before.path, monitor);
-  return plan_along(std::move(job), {before.path, before.summary.blends}, std::move(limits), monitor);
+  auto speeds = has_same_limits(*job, *before.job) ? Speeds{before.commands, before.limits}
+                                                   : speeds_on(*before.path, *job, monitor);
+  return plan_along(std::move(job), {before.path, before.summary.blends}, std::move(speeds), monitor);
 }
 
 bool takes_long(const Job& job) {

@@ -11,9 +11,9 @@ namespace {
 
 bool stands_still(const Phase& phase) { return phase.speed == 0 && phase.acceleration == 0 && phase.rate == 0; }
 
-void measure_times(const Outcome& o, const Moves& moves, Summary& summary) {
+void measure_times(const Outcome& o, Summary& summary) {
   const auto time_of = [&](std::size_t block) -> double& {
-    return moves.kind[o.path->move[block]] == MoveKind::rapid ? summary.rapid_time : summary.feed_time;
+    return (*o.commands)[block].is_rapid() ? summary.rapid_time : summary.feed_time;
   };
   for (std::size_t i = 0; i < o.path->size(); ++i) time_of(i) += o.node_time[i + 1] - o.node_time[i];
   // node_time is the arrival: a rest counts to the block that follows it, unless it stands at the very end.
@@ -40,9 +40,10 @@ void measure_spline(const TimeSpline& spline, Summary& summary) {
 
 }  // namespace
 
-Summary summarise(const Outcome& o, const Moves& moves) {
+Summary summarise(const Outcome& o) {
+  const auto& kinds = o.job->program->moves.kind;
   Summary s;
-  s.blocks = static_cast<std::size_t>(std::count_if(moves.kind.begin(), moves.kind.end(), is_motion));
+  s.blocks = static_cast<std::size_t>(std::count_if(kinds.begin(), kinds.end(), is_motion));
   for (std::size_t i = 0; i < o.path->size(); ++i) {
     if (!is_rotary_only(*o.path, i)) s.path_length += o.path->length[i];
   }
@@ -55,7 +56,7 @@ Summary summarise(const Outcome& o, const Moves& moves) {
   }
   for (const TimeSpline& spline : o.plan.splines) measure_spline(spline, s);
   if (!law_row(o.job->options.law).bounds_jerk) s.max_jerk = kUnlimited;
-  measure_times(o, moves, s);
+  measure_times(o, s);
   s.time_by_cause = time_by_cause(o.restraints);
   return s;
 }

@@ -7,6 +7,6 @@ namespace toolpace {
 
 /// @param outcome  planned, with its restraints
 /// @return all but the bound, and what the corner rules count
-Summary summarise(const Outcome& outcome, const Moves& moves);
+Summary summarise(const Outcome& outcome);
 
 }  // namespace toolpace

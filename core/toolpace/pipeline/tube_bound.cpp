@@ -22,8 +22,8 @@ Point xyz(const AxisVector& v) { return v.head<3>(); }
 
 class TubeBound {
  public:
-  TubeBound(const Path& path, const Moves& moves, const Machine& machine, const PlanOptions& options, double tolerance)
-      : path_(path), moves_(moves), machine_(machine), options_(options) {
+  TubeBound(const Path& path, const Commands& commands, const Machine& machine, double tolerance)
+      : path_(path), commands_(commands), machine_(machine) {
     std::array<bool, kLinearAxes> moved{};
     for (const AxisVector& node : path.node) {
       for (std::size_t k = 0; k < kLinearAxes; ++k) moved[k] = moved[k] || node[k] != path.node.front()[k];
@@ -58,10 +58,10 @@ class TubeBound {
   }
 
  private:
+  /// Rapids may cut a corner in a direction in which the axes together are faster than in either of its own.
   double top_speed(std::size_t segment) const {
-    const std::uint32_t row = path_.move[segment];
-    if (moves_.kind[row] == MoveKind::rapid) return speed_;
-    return std::min(speed_, moves_.feed[row] * options_.feed_override);
+    const Command& command = commands_[segment];
+    return command.is_rapid() ? speed_ : std::min(speed_, command.speed);
   }
 
   void walk(std::size_t segment) {
@@ -125,9 +125,8 @@ class TubeBound {
   }
 
   const Path& path_;
-  const Moves& moves_;
+  const Commands& commands_;
   const Machine& machine_;
-  const PlanOptions& options_;
   bool moved_round_ = false;
   double speed_, up_, down_;  ///< of any motion along the axes that move [mm/s, mm/s²]
   double radius_;             ///< of the tube [mm]
@@ -141,10 +140,9 @@ class TubeBound {
 
 }  // namespace
 
-double tube_bound(const Path& path, const Moves& moves, const Machine& machine, const PlanOptions& options,
-                  double tolerance) {
+double tube_bound(const Path& path, const Commands& commands, const Machine& machine, double tolerance) {
   if (path.size() == 0) return 0;
-  TubeBound bound(path, moves, machine, options, tolerance);
+  TubeBound bound(path, commands, machine, tolerance);
   double longest = 0;
   for (const double multiple : {25.0, 100.0, 400.0}) longest = std::max(longest, bound.with_points_apart(multiple));
   return longest;

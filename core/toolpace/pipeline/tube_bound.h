@@ -2,9 +2,7 @@
 /// A time that no motion through the tolerance tube can beat.
 
 #include "toolpace/limits/machine.h"
-#include "toolpace/nc/moves.h"
-#include "toolpace/path/path.h"
-#include "toolpace/plan/options.h"
+#include "toolpace/path/commanded.h"
 
 namespace toolpace {
 
@@ -19,7 +17,6 @@ namespace toolpace {
 ///
 /// @param path  as programmed, before corners were rounded
 /// @param tolerance  largest distance from the path [mm] ≥ 0, of the job and any G64 P in the program
-double tube_bound(const Path& path, const Moves& moves, const Machine& machine, const PlanOptions& options,
-                  double tolerance);
+double tube_bound(const Path& path, const Commands& commands, const Machine& machine, double tolerance);
 
 }  // namespace toolpace

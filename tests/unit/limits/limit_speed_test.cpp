@@ -32,9 +32,13 @@ Machine default_machine() {
   return machine;
 }
 
-SpeedLimits limits_of(const Moves& moves, const Machine& machine, const LimitOptions& options = {}) {
+SpeedLimits limits_of(const Moves& moves, const Machine& machine, const LimitOptions& options = {},
+                      double feed_override = 1.0) {
   const auto path = build_path(moves, 0);
-  const auto limits = limit_speed(*path, moves, machine, options);
+  CommandOptions command = command_options(machine);
+  command.feed_override = feed_override;
+  command.rapid_override = options.rapid_override;
+  const auto limits = limit_speed(*path, command_path(*path, moves, command), machine, options);
   EXPECT_TRUE(limits) << limits.error().message;
   return limits.value_or(SpeedLimits{});
 }
@@ -45,12 +49,13 @@ TEST(LimitSpeed, FeedIsCappedByThePathAndOverrideScalesIt) {
   add(moves, MoveKind::feed, at(20, 0), 400);
   add(moves, MoveKind::rapid, at(30, 0), 0);
   LimitOptions options;
-  options.feed_override = 0.5;
   options.rapid_override = 0.25;
-  const SpeedLimits limits = limits_of(moves, default_machine(), options);
+  const SpeedLimits limits = limits_of(moves, default_machine(), options, 0.5);
   EXPECT_EQ(limits.block_cap[0], 20);
   EXPECT_EQ(limits.block_cap[1], 100);
   EXPECT_EQ(limits.block_cap[2], 25);
+  EXPECT_EQ(limits.block_cause[0], Cause::feed);
+  EXPECT_EQ(limits.block_cause[1], Cause::path_speed);
   EXPECT_EQ(limits.block_cause[2], Cause::rapid);
 }
 
@@ -139,7 +144,7 @@ TEST(LimitSpeed, NothingThatBoundsTheSpeedIsAUsageError) {
   const auto path = build_path(moves, 0);
   Machine machine;
   machine.path.acceleration = machine.path.deceleration = 100;
-  const auto limits = limit_speed(*path, moves, machine, {});
+  const auto limits = limit_speed(*path, command_path(*path, moves, command_options(machine)), machine, {});
   ASSERT_FALSE(limits);
   EXPECT_EQ(limits.error().kind, ErrorKind::usage);
   EXPECT_EQ(limits.error().code, "no-speed-limit");

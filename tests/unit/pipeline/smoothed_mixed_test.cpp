@@ -2,6 +2,7 @@
 
 #include "planned_program.h"
 #include "toolpace/limits/limit_speed.h"
+#include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/prove.h"
 #include "toolpace/plan/smooth/plan_smooth.h"
 
@@ -12,12 +13,12 @@ using namespace testing;
 
 /// The motion through the tube alone: a whole job would take blends where they were faster.
 SmoothPlan through_tube(const Job& job) {
-  const Moves& moves = job.program->moves;
-  const Path path = build_path(moves, job.machine.tool_change).value();
+  const Path path = build_path(job.program->moves, job.machine.tool_change).value();
   LimitOptions options;
   options.corner = job.options.corner;
-  const SpeedLimits limits = limit_speed(path, moves, job.machine, options).value();
-  return plan_smooth(path, moves, job.machine, limits, job.options).value();
+  const Commands commands = command(path, job);
+  const SpeedLimits limits = limit_speed(path, commands, job.machine, options).value();
+  return plan_smooth(path, commands, job.machine, limits, job.options).value();
 }
 
 Program mixed() {

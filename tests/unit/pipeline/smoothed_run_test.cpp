@@ -7,6 +7,7 @@
 
 #include "planned_program.h"
 #include "toolpace/limits/limit_speed.h"
+#include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/many.h"
 #include "toolpace/pipeline/prove.h"
 #include "toolpace/plan/smooth/plan_smooth.h"
@@ -109,11 +110,11 @@ TEST(SmoothedRun, ReportsProgressAndStopsWhereItIsWhenItIsCancelled) {
 
 TEST(SmoothedRun, PlansTheSameBytesOnOneThreadAndOnTwo) {
   const auto job = smoothed_job(wander(1200));
-  const Moves& moves = job->program->moves;
-  const Path path = build_path(moves, 0).value();
+  const Path path = build_path(job->program->moves, 0).value();
   LimitOptions options;
   options.corner = job->options.corner;
-  const SpeedLimits limits = limit_speed(path, moves, job->machine, options).value();
+  const Commands commands = command(path, *job);
+  const SpeedLimits limits = limit_speed(path, commands, job->machine, options).value();
   std::vector<SmoothPlan> plans;
   for (const std::size_t threads : {1, 2, 2}) {
     const ForEach for_each = [&](std::size_t count, const std::function<void(std::size_t)>& task) {
@@ -122,7 +123,7 @@ TEST(SmoothedRun, PlansTheSameBytesOnOneThreadAndOnTwo) {
         return '\0';
       });
     };
-    plans.push_back(plan_smooth(path, moves, job->machine, limits, job->options, for_each).value());
+    plans.push_back(plan_smooth(path, commands, job->machine, limits, job->options, for_each).value());
   }
   EXPECT_GT(plans[0].windows, 2u);
   for (const SmoothPlan& plan : plans) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "planned_program.h"
+#include "toolpace/pipeline/job_rules.h"
 
 namespace toolpace {
 namespace {
@@ -27,8 +28,8 @@ TEST(TubeBound, IsTheFastestMotionAlongALine) {
   const Path path = build_path(program.moves(), 0.0).value();
   Machine machine = job->machine;
   machine.period = 1e-6;
-  EXPECT_NEAR(tube_bound(path, program.moves(), machine, job->options, 0.0), 1.05, 1e-6);
-  EXPECT_NEAR(tube_bound(path, program.moves(), machine, job->options, 0.5), 1.04, 1e-6);  // 99 mm are left
+  EXPECT_NEAR(tube_bound(path, command(path, *job), machine, 0.0), 1.05, 1e-6);
+  EXPECT_NEAR(tube_bound(path, command(path, *job), machine, 0.5), 1.04, 1e-6);  // 99 mm are left
 }
 
 // 4 strokes of 10 mm between rests: each 10/100 + 0.05 s.
@@ -37,7 +38,7 @@ TEST(TubeBound, RestsWhereTheProgramPauses) {
   program.line(10, 0).dwell(1).line(0, 0).dwell(1).line(10, 0).dwell(0).line(0, 0);
   const auto job = bounded_job(program, 1e-6);
   const Path path = build_path(program.moves(), 0.0).value();
-  EXPECT_NEAR(tube_bound(path, program.moves(), job->machine, job->options, 0.0), 0.6, 0.6 * 1e-3);
+  EXPECT_NEAR(tube_bound(path, command(path, *job), job->machine, 0.0), 0.6, 0.6 * 1e-3);
 }
 
 // A circle of 20 mm radius at 50 mm/s.
@@ -47,7 +48,7 @@ TEST(TubeBound, FollowsCurves) {
   const auto job = bounded_job(program, 1e-3);
   const Path path = build_path(program.moves(), 0.0).value();
   const double length = 2 * std::numbers::pi * 20;
-  const double bound = tube_bound(path, program.moves(), job->machine, job->options, 1e-3);
+  const double bound = tube_bound(path, command(path, *job), job->machine, 1e-3);
   EXPECT_LT(bound, length / 50 + 50.0 / 2000);
   EXPECT_GT(bound, 0.995 * length / 50);
 }

@@ -54,7 +54,7 @@ Planned plan_of(Moves moves) {
   p.path = *build_path(p.moves, 0);
   Machine machine;
   machine.path = {100, 3000, 3000, 1e6, 1e6};
-  const auto limits = limit_speed(p.path, p.moves, machine, {});
+  const auto limits = limit_speed(p.path, command_path(p.path, p.moves, command_options(machine)), machine, {});
   p.plan = *plan_motion(*limits, {});
   return p;
 }

@@ -20,15 +20,20 @@ constexpr std::size_t kBatch = 64;      // stretches that are timed before they 
 
 class PlanRetimer {
  public:
-  PlanRetimer(const Path& path, const Machine& machine, const SpeedLimits& limits, const std::vector<double>& speed,
+  PlanRetimer(const Path& path, const Commands& commands, const Machine& machine, const SpeedLimits& limits,
               const MotionPlan& plan)
       : path_(path),
         machine_(machine),
         limits_(limits),
-        speed_(speed),
         plan_(plan),
         node_time_(node_times(limits, plan)),
-        position_(node_positions(limits)) {}
+        position_(node_positions(limits)) {
+    // The caps of curves are what is to be beaten; on lines they are what is commanded and what the axes can do.
+    speed_.reserve(path.size());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      speed_.push_back(path.kind[i] == SegmentKind::line ? limits.block_cap[i] : commands[i].speed);
+    }
+  }
 
   MotionPlan run(const ForEach& for_each, const Monitor& monitor) {
     for (std::size_t begin = 0; begin < path_.size();) {
@@ -138,7 +143,7 @@ class PlanRetimer {
   const Path& path_;
   const Machine& machine_;
   const SpeedLimits& limits_;
-  const std::vector<double>& speed_;
+  std::vector<double> speed_;  // at most, of each segment, curvature aside
   const MotionPlan& plan_;
   std::vector<double> node_time_, position_;
   std::size_t phase_ = 0;
@@ -148,9 +153,9 @@ class PlanRetimer {
 
 }  // namespace
 
-MotionPlan retime(const Path& path, const Machine& machine, const SpeedLimits& limits, const std::vector<double>& speed,
+MotionPlan retime(const Path& path, const Commands& commands, const Machine& machine, const SpeedLimits& limits,
                   const MotionPlan& plan, const ForEach& for_each, const Monitor& monitor) {
-  return PlanRetimer(path, machine, limits, speed, plan).run(for_each, monitor);
+  return PlanRetimer(path, commands, machine, limits, plan).run(for_each, monitor);
 }
 
 }  // namespace toolpace

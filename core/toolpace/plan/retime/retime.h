@@ -4,7 +4,7 @@
 #include "toolpace/base/monitor.h"
 #include "toolpace/limits/machine.h"
 #include "toolpace/limits/speed_limits.h"
-#include "toolpace/path/path.h"
+#include "toolpace/path/commanded.h"
 #include "toolpace/plan/for_each.h"
 #include "toolpace/plan/motion_plan.h"
 
@@ -15,9 +15,8 @@ namespace toolpace {
 /// Stretches with corners that are crossed with a speed step stay as they are, as does what would not become faster.
 /// Linear time; stretches may be timed at the same time, with the same result.
 /// @param plan   of these limits, without pauses
-/// @param speed  of each segment, what is commanded there, curvature aside [mm/s]
 /// @return no phases when cancelled
-MotionPlan retime(const Path& path, const Machine& machine, const SpeedLimits& limits, const std::vector<double>& speed,
+MotionPlan retime(const Path& path, const Commands& commands, const Machine& machine, const SpeedLimits& limits,
                   const MotionPlan& plan, const ForEach& for_each = for_each_in_turn, const Monitor& monitor = {});
 
 }  // namespace toolpace

@@ -19,8 +19,7 @@ double in_tube_unit(int axis, double value) {
 
 class Builder {
  public:
-  Builder(const Path& path, const Moves& moves, const Machine& machine, const TubeOptions& options)
-      : path_(path), moves_(moves), machine_(machine), options_(options) {}
+  Builder(const Path& path, const Commands& commands) : path_(path), commands_(commands) {}
 
   TubePath build(std::size_t begin, std::size_t end) {
     choose_axes(begin, end);
@@ -55,47 +54,25 @@ class Builder {
     }
   }
 
-  double tolerance(std::size_t i) const {
-    const MoveMode& mode = moves_.modes[moves_.mode[path_.move[i]]];
-    return mode.control == PathControl::blend && mode.tolerance > 0 ? mode.tolerance : options_.tolerance;
-  }
-
-  /// Top speed of a segment along its direction.
-  double feed(std::size_t i) const {
-    const bool rapid = moves_.kind[path_.move[i]] == MoveKind::rapid;
-    double most = machine_.path.speed;
-    if (!rapid) {
-      const double programmed = moves_.feed[path_.move[i]];
-      return std::min(
-          most, (is_rotary_only(path_, i) ? programmed / kRadiansPerDegree : programmed) * options_.feed_override);
-    }
-    const AxisVector u = start_direction(path_, i);
-    for (std::size_t a = 0; a < kAxisCount; ++a) {
-      const double part = std::abs(u[static_cast<Eigen::Index>(a)]);
-      if (part > 0) most = std::min(most, machine_.axes[a].speed / part);
-    }
-    return most * options_.rapid_override;
-  }
-
   double chords(std::size_t i) const {
     if (path_.kind[i] == SegmentKind::line) return 1;
     double bend = 0;
     for (const double part : {0.0, 0.5, 1.0}) {
       bend = std::max(bend, frame_at(path_, i, part * path_.length[i]).second.head<3>().norm());
     }
-    const double needed = path_.length[i] * std::sqrt(1.1 * bend / (8 * kChordShare * tolerance(i)));
+    const double needed = path_.length[i] * std::sqrt(1.1 * bend / (8 * kChordShare * commands_[i].tolerance));
     const bool is_closed = path_.node[i] == path_.node[i + 1];
     return is_closed ? std::max(needed, kLeastOfClosed) : needed;
   }
 
   void add_segment(std::size_t i) {
-    const double top = feed(i), length = path_.length[i];
+    const double top = commands_[i].speed, length = path_.length[i];
     const double pieces =
         std::min(kMostPieces, std::max(chords(i), top < kUnlimited ? length / (top * kMostTime) : 1.0));
     const double count = std::max(1.0, std::ceil(pieces - 1e-9));
     for (double k = 1; k <= count; ++k) {
       add_vertex(k < count ? point_at(path_, i, length * k / count) : path_.node[i + 1], done_ + length * k / count,
-                 top, tolerance(i) * (path_.kind[i] == SegmentKind::line ? 1 : 1 - kChordShare));
+                 top, commands_[i].tolerance * (path_.kind[i] == SegmentKind::line ? 1 : 1 - kChordShare));
     }
     done_ += length;
   }
@@ -168,9 +145,7 @@ class Builder {
   }
 
   const Path& path_;
-  const Moves& moves_;
-  const Machine& machine_;
-  const TubeOptions& options_;
+  const Commands& commands_;
   TubePath tube_;
   double done_ = 0;
   std::vector<double> inner_;        // vertices that the last segment passes by
@@ -179,9 +154,8 @@ class Builder {
 
 }  // namespace
 
-TubePath build_tube(const Path& path, const Moves& moves, const Machine& machine, const TubeOptions& options,
-                    std::size_t begin, std::size_t end) {
-  return Builder(path, moves, machine, options).build(begin, end);
+TubePath build_tube(const Path& path, const Commands& commands, std::size_t begin, std::size_t end) {
+  return Builder(path, commands).build(begin, end);
 }
 
 TubeLimits tube_limits(const Machine& machine) {

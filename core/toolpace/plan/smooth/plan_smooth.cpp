@@ -17,18 +17,13 @@ struct Run {
   bool exact;
 };
 
-bool is_exact(const Path& path, const Moves& moves, std::size_t i) {
-  const PathControl control = moves.modes[moves.mode[path.move[i]]].control;
-  return control == PathControl::exact_path || control == PathControl::exact_stop;
-}
-
-std::vector<Run> find_runs(const Path& path, const Moves& moves) {
+std::vector<Run> find_runs(const Path& path, const Commands& commands) {
   std::vector<Run> runs;
   std::size_t pause = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
     bool stops = false;
     for (; pause < path.pauses.size() && path.pauses[pause].node <= i; ++pause) stops |= path.pauses[pause].node == i;
-    const bool exact = is_exact(path, moves, i);
+    const bool exact = is_exact(commands[i].control);
     if (runs.empty() || stops || exact != runs.back().exact || is_rotary_only(path, i) != is_rotary_only(path, i - 1)) {
       runs.push_back({i, i, exact});
     }
@@ -57,10 +52,10 @@ SpeedLimits slice(const SpeedLimits& all, const Run& run) {
 
 class SmoothPlanner {
  public:
-  SmoothPlanner(const Path& path, const Moves& moves, const Machine& machine, const SpeedLimits& limits,
+  SmoothPlanner(const Path& path, const Commands& commands, const Machine& machine, const SpeedLimits& limits,
                 const PlanOptions& options)
       : path_(path),
-        moves_(moves),
+        commands_(commands),
         machine_(machine),
         limits_(limits),
         options_(options),
@@ -73,7 +68,7 @@ class SmoothPlanner {
     if (hold_) {
       if (auto checked = check_hold(*hold_); !checked) return tl::unexpected(checked.error());
     }
-    for (const Run& run : find_runs(path_, moves_)) {
+    for (const Run& run : find_runs(path_, commands_)) {
       if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
       hold_in_pause(run.begin);
       const auto added = run.exact ? add_exact(run, monitor) : add_tube(run, for_each, monitor);
@@ -123,9 +118,7 @@ class SmoothPlanner {
   }
 
   Result<void> add_tube(const Run& run, const ForEach& for_each, const Monitor& monitor) {
-    const TubePath tube =
-        build_tube(path_, moves_, machine_,
-                   {options_.corner.tolerance, options_.feed_override, options_.rapid_override}, run.begin, run.end);
+    const TubePath tube = build_tube(path_, commands_, run.begin, run.end);
     Monitor part{monitor.stop, {}};
     if (monitor.progress) {
       const double from = position_[run.begin], to = position_[run.end], all = position_.back();
@@ -189,7 +182,7 @@ class SmoothPlanner {
   }
 
   const Path& path_;
-  const Moves& moves_;
+  const Commands& commands_;
   const Machine& machine_;
   const SpeedLimits& limits_;
   const PlanOptions& options_;
@@ -203,9 +196,10 @@ class SmoothPlanner {
 
 }  // namespace
 
-Result<SmoothPlan> plan_smooth(const Path& path, const Moves& moves, const Machine& machine, const SpeedLimits& limits,
-                               const PlanOptions& options, const ForEach& for_each, const Monitor& monitor) {
-  return SmoothPlanner(path, moves, machine, limits, options).plan(for_each, monitor);
+Result<SmoothPlan> plan_smooth(const Path& path, const Commands& commands, const Machine& machine,
+                               const SpeedLimits& limits, const PlanOptions& options, const ForEach& for_each,
+                               const Monitor& monitor) {
+  return SmoothPlanner(path, commands, machine, limits, options).plan(for_each, monitor);
 }
 
 }  // namespace toolpace

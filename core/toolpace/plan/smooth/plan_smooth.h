@@ -2,8 +2,7 @@
 /// Planning a whole program through the tolerance tube (--corner smooth).
 
 #include "toolpace/limits/machine.h"
-#include "toolpace/nc/moves.h"
-#include "toolpace/path/path.h"
+#include "toolpace/path/commanded.h"
 #include "toolpace/plan/motion_plan.h"
 #include "toolpace/plan/options.h"
 #include "toolpace/plan/smooth/plan_tube.h"
@@ -23,8 +22,8 @@ struct SmoothPlan {
 /// as insert_hold() says, a motion through the tube as plan_tube().
 /// @param limits  of the same path; the corner rule in them counts for the exact blocks alone
 /// @return Errors: of plan_tube, plan_motion and insert_hold
-Result<SmoothPlan> plan_smooth(const Path& path, const Moves& moves, const Machine& machine, const SpeedLimits& limits,
-                               const PlanOptions& options, const ForEach& for_each = for_each_in_turn,
-                               const Monitor& monitor = {});
+Result<SmoothPlan> plan_smooth(const Path& path, const Commands& commands, const Machine& machine,
+                               const SpeedLimits& limits, const PlanOptions& options,
+                               const ForEach& for_each = for_each_in_turn, const Monitor& monitor = {});
 
 }  // namespace toolpace

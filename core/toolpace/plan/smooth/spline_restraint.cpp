@@ -21,9 +21,9 @@ struct Use {
 
 class SplineExplainer {
  public:
-  SplineExplainer(const MotionPlan& plan, const Machine& machine, const CommandedFeeds& feeds,
+  SplineExplainer(const MotionPlan& plan, const Machine& machine, const Commands& commands,
                   const std::vector<double>& node_time)
-      : plan_(plan), machine_(machine), feeds_(feeds), node_time_(node_time) {}
+      : plan_(plan), machine_(machine), commands_(commands), node_time_(node_time) {}
 
   std::vector<Restraint> run(const std::vector<Restraint>& old) {
     std::size_t k = 0;
@@ -97,8 +97,9 @@ class SplineExplainer {
   }
 
   void take_speed(const AxisVector& v, Use& use) const {
-    take(v, feeds_.speed[block_], feeds_.cause[block_], use);
-    const Cause of_axis = feeds_.cause[block_] == Cause::rapid ? Cause::rapid : Cause::axis_speed;
+    const Command& command = commands_[block_];
+    take(v, command.speed, command.cause, use);
+    const Cause of_axis = command.is_rapid() ? Cause::rapid : Cause::axis_speed;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
       use.take(v[static_cast<Eigen::Index>(k)], machine_.axes[k].speed, of_axis);
     }
@@ -112,7 +113,7 @@ class SplineExplainer {
 
   const MotionPlan& plan_;
   const Machine& machine_;
-  const CommandedFeeds& feeds_;
+  const Commands& commands_;
   const std::vector<double>& node_time_;
   std::size_t block_ = 0;
   std::vector<Restraint> out_;
@@ -121,10 +122,10 @@ class SplineExplainer {
 }  // namespace
 
 std::vector<Restraint> explain_splines(const std::vector<Restraint>& restraints, const MotionPlan& plan,
-                                       const Machine& machine, const CommandedFeeds& feeds,
+                                       const Machine& machine, const Commands& commands,
                                        const std::vector<double>& node_time) {
   if (plan.splines.empty()) return restraints;
-  return SplineExplainer(plan, machine, feeds, node_time).run(restraints);
+  return SplineExplainer(plan, machine, commands, node_time).run(restraints);
 }
 
 }  // namespace toolpace

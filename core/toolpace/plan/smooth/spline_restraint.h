@@ -4,15 +4,10 @@
 #include <vector>
 
 #include "toolpace/limits/machine.h"
+#include "toolpace/path/commanded.h"
 #include "toolpace/plan/motion_plan.h"
 
 namespace toolpace {
-
-/// What is commanded in each block.
-struct CommandedFeeds {
-  std::vector<double> speed;  ///< [mm/s, deg/s], may be infinite
-  std::vector<Cause> cause;   ///< feed or rapid
-};
 
 /// Restraints in which the times of the plan's splines are explained by the splines themselves.
 ///
@@ -23,7 +18,7 @@ struct CommandedFeeds {
 /// @param restraints  consecutive, without gaps, of the whole plan (explain())
 /// @param node_time   arrival at each node in the same plan
 std::vector<Restraint> explain_splines(const std::vector<Restraint>& restraints, const MotionPlan& plan,
-                                       const Machine& machine, const CommandedFeeds& feeds,
+                                       const Machine& machine, const Commands& commands,
                                        const std::vector<double>& node_time);
 
 }  // namespace toolpace
