@@ -9,10 +9,12 @@ namespace {
 // Directions that differ by less than rounding of six-decimal coordinates on a millimetre can tell are one direction.
 constexpr double kSameDirection = 1e-9;
 
+constexpr Metric kApart = Metric::apart();
+
 /// Each axis' own limit, or the path's where it has none.
 double axis_acceleration(const Machine& machine, std::size_t k) {
-  if (machine.axes[k].acceleration < kUnlimited || is_rotary(k)) return machine.axes[k].acceleration;
-  return machine.path.acceleration;
+  if (machine.axes[k].acceleration < kUnlimited) return machine.axes[k].acceleration;
+  return is_rotary(k) ? machine.path.acceleration * kRadiansPerDegree : machine.path.acceleration;
 }
 
 double servo_speed(const AxisVector& step, const Machine& machine) {
@@ -23,17 +25,17 @@ double servo_speed(const AxisVector& step, const Machine& machine) {
     const double limit = axis_acceleration(machine, k);
     if (change <= 0 || !(limit < kUnlimited)) continue;
     speed = std::min(speed, limit * machine.period / change);
-    if (!is_rotary(k)) slowest_axis = std::min(slowest_axis, limit);
+    slowest_axis = std::min(slowest_axis, counted(k, limit));
   }
   if (!(angle_acceleration < kUnlimited)) angle_acceleration = slowest_axis;
-  const double chord = step.head<3>().norm();  // 2·sin(α/2) for unit directions
+  const double chord = kApart.norm(step);  // 2·sin(α/2) for unit directions
   return chord > 0 ? std::min(speed, angle_acceleration * machine.period / chord) : speed;
 }
 
 /// What the axes leave along the direction in which the velocity turns.
 double turning_acceleration(const AxisVector& step, const Machine& machine) {
   double acceleration = machine.path.acceleration;
-  const double length = step.norm();
+  const double length = kApart.norm(step);
   for (std::size_t k = 0; k < kAxisCount; ++k) {
     const double share = std::abs(step[static_cast<Eigen::Index>(k)]) / length;
     if (share > 0) acceleration = std::min(acceleration, machine.axes[k].acceleration / share);
@@ -54,10 +56,10 @@ double junction_speed(double half_chord, double acceleration, double deviation) 
 double corner_speed(const CornerOptions& corner, const AxisVector& before, const AxisVector& after,
                     const Machine& machine) {
   const AxisVector step = after - before;
-  const double chord = step.head<3>().norm();
-  if (corner.step) return step.norm() > 0 ? *corner.step / step.norm() : kUnlimited;
+  const double chord = kApart.norm(step);
+  if (corner.step) return chord > 0 ? *corner.step / chord : kUnlimited;
   if (corner.rule == CornerRule::stop) return 0.0;
-  if (step.norm() <= kSameDirection) return kUnlimited;
+  if (chord <= kSameDirection) return kUnlimited;
   switch (corner.rule) {
     case CornerRule::junction:
       return junction_speed(chord / 2, turning_acceleration(step, machine), corner.junction_deviation);

@@ -87,7 +87,7 @@ class Blender {
     Path& p = out_.path;
     if (trims_.is_line(i - 1) && trims_.is_line(i)) {
       const CornerBlend blend{path_.node[i], d * end_direction(path_, i - 1), d * start_direction(path_, i)};
-      note(i, in_tube_unit(blend.after - blend.before) / 8);
+      note(i, Metric::apart().norm(blend.after - blend.before) / 8);
       p.corner_blends.push_back(blend);
       const auto index = static_cast<std::uint32_t>(p.corner_blends.size() - 1);
       push(SegmentKind::blend, slower_move(i), blend_length(blend), index, blend.corner + blend.after);

@@ -11,11 +11,6 @@
 
 namespace toolpace {
 
-/// Size of a difference as the tolerance counts it: one length in mm and degrees together, as a Fréchet test does.
-inline double in_tube_unit(const AxisVector& d) {
-  return std::hypot(d.head<3>().norm(), d.tail<3>().norm() / kRadiansPerDegree);
-}
-
 /// Chooses where the curves of all corners begin and end, so that each stays inside the tolerance.
 class BlendTrims {
  public:
@@ -53,7 +48,7 @@ class BlendTrims {
     for (int k = 1; k < kSamples; ++k) {
       const double t = static_cast<double>(k) / kSamples, s = (2 * t - 1) * d;
       const AxisVector p = s < 0 ? point_at(path_, i - 1, path_.length[i - 1] + s) : point_at(path_, i, s);
-      most = std::max(most, in_tube_unit(blend_point(blend, t) - p));
+      most = std::max(most, Metric::apart().norm(blend_point(blend, t) - p));
     }
     return most;
   }
@@ -129,13 +124,13 @@ class BlendTrims {
     const double tol = std::min(tolerance_at(i - 1), tolerance_at(i));
     if (is_line(i - 1) && is_line(i)) {
       const AxisVector turn = start_direction(path_, i) - end_direction(path_, i - 1);
-      const double chord = turn.head<3>().norm(), size = in_tube_unit(turn);
+      const double chord = Metric::along(false).norm(turn), size = Metric::apart().norm(turn);
       if (chord > kSharpest) ++stops_;
       if (chord > kSharpest || size <= kSameDirection) return 0;
       return 8 * tol / size;
     }
     const Frame a = frame_at(path_, i - 1, path_.length[i - 1]), b = frame_at(path_, i, 0);
-    const double chord = (b.first - a.first).head<3>().norm(), bend = (b.second - a.second).norm();
+    const double chord = Metric::along(false).norm(b.first - a.first), bend = (b.second - a.second).norm();
     const double shorter = std::min(path_.length[i - 1], path_.length[i]);
     if (chord > kSharpest) ++stops_;
     if (chord > kSharpest || (chord <= kSameDirection && bend * shorter <= kSameCurvature)) return 0;

@@ -48,12 +48,12 @@ class Builder {
 
   void add_line(std::size_t row) {
     const AxisVector change = moves_.end[row] - path_.node.back();
-    double length = change.head<3>().norm();
+    double length = Metric::along(false).norm(change);
     AxisVector end = moves_.end[row];
     // Rounding of a work offset may leave a trace of X, Y, Z in a move of rotary axes alone.
     const double trace = 1e-13 * end.head<3>().norm();
     if (length <= trace) {
-      length = change.tail<3>().norm() / kRadiansPerDegree;
+      length = Metric::along(true).norm(change);
       end.head<3>() = path_.node.back().head<3>();
     }
     if (length > 0) add_segment(SegmentKind::line, row, length, kNoDetail, end);

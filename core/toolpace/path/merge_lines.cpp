@@ -6,9 +6,10 @@
 namespace toolpace {
 namespace {
 
-constexpr double kMergeShare = 1.0 / 3;  // of the tolerance
-constexpr std::size_t kMostMerged = 32;  // lines in one, so that time stays linear
-constexpr double kMostTurn = 0.94;       // cosine of the largest turn inside a run
+constexpr Metric kAlong = Metric::along(false);  // lines of rotary axes alone are not merged
+constexpr double kMergeShare = 1.0 / 3;          // of the tolerance
+constexpr std::size_t kMostMerged = 32;          // lines in one, so that time stays linear
+constexpr double kMostTurn = 0.94;               // cosine of the largest turn inside a run
 
 class Merger {
  public:
@@ -60,7 +61,7 @@ class Merger {
     p.kind.push_back(path_.kind[i]);
     p.move.push_back(path_.move[i]);
     p.detail.push_back(path_.detail[i]);
-    p.length.push_back(end == i + 1 ? path_.length[i] : (path_.node[end] - path_.node[i]).head<3>().norm());
+    p.length.push_back(end == i + 1 ? path_.length[i] : kAlong.norm(path_.node[end] - path_.node[i]));
     p.node.push_back(path_.node[end]);
     out_.error.push_back(error);
     tell_moves(i, end);
@@ -73,7 +74,7 @@ class Merger {
     const auto segment = static_cast<std::uint32_t>(p.size() - 1);
     const AxisVector chord = p.node[segment + 1] - p.node[segment];
     for (std::size_t k = begin + 1; k < end; ++k) {
-      const double at = (path_.node[k] - p.node[segment]).head<3>().dot(chord.head<3>()) / p.length[segment];
+      const double at = kAlong.dot(path_.node[k] - p.node[segment], chord) / p.length[segment];
       p.handovers.push_back({segment, path_.move[k], at});
     }
   }
@@ -85,20 +86,19 @@ class Merger {
   double deviation(std::size_t begin, std::size_t end) const {
     const AxisVector& a = path_.node[begin];
     const AxisVector chord = path_.node[end] - a;
-    const double square = chord.head<3>().squaredNorm();
+    const double square = kAlong.squared_norm(chord);
     double most = 0, before = 0;
     for (std::size_t k = begin + 1; k < end; ++k) {
       const AxisVector d = path_.node[k] - a;
-      const double along = d.head<3>().dot(chord.head<3>()) / square;
+      const double along = kAlong.dot(d, chord) / square;
       if (!(along > before && along < 1)) return kNever;
       before = along;
       const AxisVector e = d - along * chord;
-      most = std::max(most, std::hypot(e.head<3>().norm(), e.tail<3>().norm() / kRadiansPerDegree));
+      most = std::max(most, Metric::apart().norm(e));
     }
     const double root = std::sqrt(square);
     for (const std::size_t k : {begin, end - 1}) {
-      const auto u = (path_.node[k + 1] - path_.node[k]).head<3>();
-      if (u.dot(chord.head<3>()) < kMostTurn * root * path_.length[k]) return kNever;
+      if (kAlong.dot(path_.node[k + 1] - path_.node[k], chord) < kMostTurn * root * path_.length[k]) return kNever;
     }
     return most;
   }

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "toolpace/base/axes.h"
+#include "toolpace/base/metric.h"
 #include "toolpace/nc/moves.h"
 #include "toolpace/path/arc.h"
 #include "toolpace/path/blend.h"
@@ -85,5 +85,10 @@ std::uint32_t move_at(const Path& path, std::size_t segment, double s);
 
 /// True where none of X, Y, Z move, so that path length is in degrees.
 bool is_rotary_only(const Path& path, std::size_t segment);
+
+/// What length means along a segment.
+inline Metric metric_along(const Path& path, std::size_t segment) {
+  return Metric::along(is_rotary_only(path, segment));
+}
 
 }  // namespace toolpace

@@ -5,10 +5,11 @@
 namespace toolpace {
 
 void ChordErrorMeter::compare(const AxisVector& on_path, const AxisVector& begin, const AxisVector& end) {
-  const Eigen::Vector3d chord = (end - begin).head<3>(), d = (on_path - begin).head<3>();
-  const double length = chord.squaredNorm();
-  const double share = length > 0 ? std::clamp(chord.dot(d) / length, 0.0, 1.0) : 0.0;
-  largest_ = std::max(largest_, (d - share * chord).norm());
+  constexpr Metric kApart = Metric::apart();
+  const AxisVector chord = end - begin, d = on_path - begin;
+  const double square = kApart.squared_norm(chord);
+  const double share = square > 0 ? std::clamp(kApart.dot(chord, d) / square, 0.0, 1.0) : 0.0;
+  largest_ = std::max(largest_, kApart.norm(d - share * chord));
 }
 
 void ChordErrorMeter::compare_curve(std::size_t segment, double begin, double end, const AxisVector& from,

@@ -14,7 +14,7 @@ class ChordErrorMeter {
   /// Next setpoint: `s` along `segment`.
   void add(std::size_t segment, double s, const AxisVector& point);
 
-  double largest() const { return largest_; }  ///< [mm]
+  double largest() const { return largest_; }  ///< [mm, deg]
 
  private:
   void compare(const AxisVector& on_path, const AxisVector& chord_begin, const AxisVector& chord_end);

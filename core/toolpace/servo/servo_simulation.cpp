@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/base/metric.h"
+
 namespace toolpace {
 namespace {
 
 constexpr double kSettled = 1e-3;        // [mm, deg]
 constexpr double kLongestSettling = 10;  // [s]
-
-double weight(std::size_t axis) { return is_rotary(axis) ? 1 / kRadiansPerDegree : 1.0; }
 
 }  // namespace
 
@@ -45,8 +45,8 @@ void ServoSimulation::take(const Setpoints& chunk, ServoTrace& trace) {
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       if (!used_[axis]) continue;
       const auto i = static_cast<Eigen::Index>(axis);
-      commanded[i] = chunk.position[axis][k] * weight(axis);
-      actual[i] = trace.actual[axis][begin[axis] + k] * weight(axis);
+      commanded[i] = counted(axis, chunk.position[axis][k]);
+      actual[i] = counted(axis, trace.actual[axis][begin[axis] + k]);
     }
     meter_.take(commanded, actual);
   }
@@ -101,13 +101,12 @@ double ServoSimulation::settle() {
   const auto periods = static_cast<std::size_t>(kLongestSettling / period_);
   std::size_t unsettled = 0;
   double play = 0.0;  // which the slide may keep for ever
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) play += used_[axis] ? play_[axis] * weight(axis) : 0.0;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) play += used_[axis] ? counted(axis, play_[axis]) : 0.0;
   for (std::size_t k = 1; k <= periods; ++k) {
     double square = 0.0;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       if (!used_[axis]) continue;
-      const double off =
-          (servos_[axis].step(before_last_[axis], last_[axis], last_[axis]) - last_[axis]) * weight(axis);
+      const double off = counted(axis, servos_[axis].step(before_last_[axis], last_[axis], last_[axis]) - last_[axis]);
       before_last_[axis] = last_[axis];
       square += off * off;
     }

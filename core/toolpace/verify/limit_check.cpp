@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "toolpace/base/metric.h"
 #include "toolpace/verify/position_corners.h"
 
 namespace toolpace {
@@ -50,15 +51,9 @@ void LimitCheck::take_path_speed(const RowStream& stream) {
     return p[axis].empty() ? 0.0 : p[axis][i] - p[axis][i - 1];
   };
   for (std::size_t i = stream.begin(); i < stream.end(); ++i) {
-    double square = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis) square += step(axis, i) * step(axis, i);
-    if (square == 0.0) {  // only rotary axes move: the path is measured in degrees there
-      for (std::size_t axis = 3; axis < kAxisCount; ++axis) {
-        const double degrees = step(axis, i) / kRadiansPerDegree;
-        square += degrees * degrees;
-      }
-    }
-    const double length = std::sqrt(square);
+    AxisVector change;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) change[static_cast<Eigen::Index>(axis)] = step(axis, i);
+    const double length = Metric::along(change.head<3>().isZero(0.0)).norm(change);
     way_ += length;
     const double speed = length / period_;
     if (path_speed_.would_take(speed, 0.0))

@@ -22,7 +22,7 @@ AxisVector point_of(const RowStream& stream, std::size_t local) {
   AxisVector point = AxisVector::Zero();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const auto& p = stream.rows().position[axis];
-    if (!p.empty()) point[static_cast<Eigen::Index>(axis)] = is_rotary(axis) ? p[local] / kRadiansPerDegree : p[local];
+    if (!p.empty()) point[static_cast<Eigen::Index>(axis)] = counted(axis, p[local]);
   }
   return point;
 }

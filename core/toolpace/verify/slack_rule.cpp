@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/base/metric.h"
 #include "toolpace/verify/worst.h"
 
 namespace toolpace {
@@ -18,7 +19,7 @@ double together(const Path& path, const Machine& machine, double AxisLimits::*li
     const bool moves = (!is_rotary(axis) && path.arcs.size() + path.splines.size() > 0) ||
                        std::any_of(path.node.begin(), path.node.end(),
                                    [&](const AxisVector& n) { return n[i] != path.node.front()[i]; });
-    const double most = machine.axes[axis].*limit / (is_rotary(axis) ? kRadiansPerDegree : 1.0);
+    const double most = counted(axis, machine.axes[axis].*limit);
     if (moves) square += most * most;
   }
   return std::sqrt(square);
@@ -46,10 +47,10 @@ Slack SlackRule::at(const RowStream& stream, std::size_t local, bool from_path) 
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const auto& p = stream.rows().position[axis];
     if (p.empty()) continue;
-    const double unit = is_rotary(axis) ? 1 / kRadiansPerDegree : 1.0;
-    const double before = (p[local] - 2 * p[local - 1] + p[local - 2]) * unit;
-    const double after = (p[local + 1] - 2 * p[local] + p[local - 1]) * unit;
-    chord += (p[local] - p[local - 1]) * unit * (p[local] - p[local - 1]) * unit;
+    const double before = counted(axis, p[local] - 2 * p[local - 1] + p[local - 2]);
+    const double after = counted(axis, p[local + 1] - 2 * p[local] + p[local - 1]);
+    const double step = counted(axis, p[local] - p[local - 1]);
+    chord += step * step;
     square[0] += before * before;
     square[1] += after * after;
   }

@@ -95,6 +95,28 @@ TEST(LimitSpeed, AnAxisCapsTheBlocksThatUseIt) {
   EXPECT_DOUBLE_EQ(limits.dynamics_of(0).down.jerk, 10000);
 }
 
+// A degree counts as much as a millimetre, and an axis without limits of its own takes the path's.
+TEST(LimitSpeed, RotaryAxesTurnBackLikeLinearOnes) {
+  for (const CornerRule rule : {CornerRule::servo, CornerRule::junction}) {
+    LimitOptions options;
+    options.corner.rule = rule;
+    double cap[2];
+    for (const Eigen::Index axis : {0, 3}) {
+      const double unit = axis == 3 ? kRadiansPerDegree : 1.0;
+      AxisVector there = AxisVector::Zero();
+      there[axis] = 90 * unit;
+      Moves moves;
+      add(moves, MoveKind::feed, there, 60 * unit);
+      add(moves, MoveKind::feed, AxisVector::Zero(), 60 * unit);
+      const SpeedLimits limits = limits_of(moves, default_machine(), options);
+      cap[axis == 3] = limits.node_cap[1];
+      EXPECT_NEAR(limits.block_cap[0], 60, 1e-9);
+    }
+    EXPECT_LT(cap[0], 2);
+    EXPECT_NEAR(cap[1], cap[0], 1e-9 * cap[0]);
+  }
+}
+
 TEST(LimitSpeed, BlocksWithTheSameLimitsShareThem) {
   Moves moves;
   for (int i = 1; i <= 100; ++i) add(moves, MoveKind::feed, at(i, i % 2), 50);

@@ -13,10 +13,6 @@ constexpr double kMostTime = 1.0;  // [s] of a segment at its feed: longer ones 
 constexpr double kMostPieces = 1e6;
 constexpr double kLeastOfClosed = 3;  // chords of a full turn, however small
 
-double in_tube_unit(int axis, double value) {
-  return is_rotary(static_cast<std::size_t>(axis)) ? value / kRadiansPerDegree : value;
-}
-
 class Builder {
  public:
   Builder(const Path& path, const Commands& commands) : path_(path), commands_(commands) {}
@@ -50,7 +46,7 @@ class Builder {
   void push(const AxisVector& p) {
     for (int a = 0; a < tube_.axes; ++a) {
       const int axis = tube_.axis[static_cast<std::size_t>(a)];
-      tube_.points.push_back(in_tube_unit(axis, p[axis]));
+      tube_.points.push_back(counted(static_cast<std::size_t>(axis), p[axis]));
     }
   }
 
@@ -161,10 +157,9 @@ TubePath build_tube(const Path& path, const Commands& commands, std::size_t begi
 TubeLimits tube_limits(const Machine& machine) {
   TubeLimits limits;
   for (std::size_t a = 0; a < kAxisCount; ++a) {
-    const double unit = is_rotary(a) ? kRadiansPerDegree : 1.0;
-    limits.speed[a] = machine.axes[a].speed / unit;
-    limits.acceleration[a] = machine.axes[a].acceleration / unit;
-    limits.jerk[a] = machine.axes[a].jerk / unit;
+    limits.speed[a] = counted(a, machine.axes[a].speed);
+    limits.acceleration[a] = counted(a, machine.axes[a].acceleration);
+    limits.jerk[a] = counted(a, machine.axes[a].jerk);
   }
   limits.path_acceleration = std::min(machine.path.acceleration, machine.path.deceleration);
   limits.path_jerk = std::min(machine.path.jerk, machine.path.jerk_deceleration);

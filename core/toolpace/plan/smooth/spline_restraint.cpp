@@ -107,8 +107,7 @@ class SplineExplainer {
 
   /// A limit of the path: of X Y Z together, or, where they stand still, of the rotary axes in degrees.
   static void take(const AxisVector& vector, double limit, Cause cause, Use& use) {
-    const double linear = vector.head<3>().norm();
-    use.take(linear > 0 ? linear : vector.tail<3>().norm() / kRadiansPerDegree, limit, cause);
+    use.take(Metric::along(vector.head<3>().isZero(0.0)).norm(vector), limit, cause);
   }
 
   const MotionPlan& plan_;
