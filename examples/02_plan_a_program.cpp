@@ -42,6 +42,6 @@ int main(int argc, char** argv) {
   const auto& summary = outcome->summary;
   std::printf("%zu blocks, %.3f mm, %.3f s (%.3f s of it rapids)\n", summary.blocks, summary.path_length,
               summary.cycle_time, summary.rapid_time);
-  std::printf("at most %.2f mm/s, %.1f mm/s2, %.4g mm/s3\n", summary.max_speed, summary.max_acceleration,
-              summary.max_jerk);
+  std::printf("at most %.2f mm/s, %.1f mm/s2, %.4g mm/s3\n", summary.peaks.speed, summary.peaks.acceleration,
+              summary.peaks.jerk);
 }

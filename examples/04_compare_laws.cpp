@@ -36,6 +36,6 @@ int main(int argc, char** argv) {
     }
     const auto& summary = outcome->summary;
     std::printf("%-18.*s %12.3f %14.1f %14.4g\n", static_cast<int>(law.id.size()), law.id.data(), summary.cycle_time,
-                summary.max_acceleration, summary.max_jerk);
+                summary.peaks.acceleration, summary.peaks.jerk);
   }
 }

@@ -94,6 +94,29 @@ Result<void> set_flag(Setup& setup, const char* flag, const std::optional<double
   return {};
 }
 
+std::vector<std::string> JobFlags::ignored_in(const Outcome& outcome) const {
+  struct Entry {
+    const char* flag;
+    bool is_given;
+    Setting setting;
+  };
+  const Entry entries[] = {{"--law", !law.empty(), Setting::law},
+                           {"--tacc-ms", tacc_ms.has_value(), Setting::t_acc},
+                           {"--tdec-ms", tdec_ms.has_value(), Setting::t_dec},
+                           {"--jm", jm.has_value(), Setting::jerk},
+                           {"--jd", jd.has_value(), Setting::jerk},
+                           {"--lookahead", !lookahead.empty(), Setting::lookahead},
+                           {"--ramps", !ramps.empty(), Setting::ramps},
+                           {"--corner", !corner.empty(), Setting::corner},
+                           {"--tolerance-mm", tolerance.has_value(), Setting::tolerance},
+                           {"--junction-deviation-mm", junction_deviation.has_value(), Setting::junction_deviation}};
+  std::vector<std::string> ignored;
+  for (const Entry& e : entries) {
+    if (e.is_given && outcome.ignored.has(e.setting)) ignored.emplace_back(e.flag);
+  }
+  return ignored;
+}
+
 void JobFlags::add_to(Command& command) {
   Flags limits = command.titled("Machine and limits along the path (they override the machine file's)");
   limits.input(

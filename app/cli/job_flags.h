@@ -3,9 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command_line.h"
 #include "toolpace/machine/setup_keys.h"
+#include "toolpace/pipeline/job.h"
 
 namespace toolpace::cli {
 
@@ -18,6 +20,9 @@ struct JobFlags {
 
   /// The machine file (or the defaults) with the flags on top. Usage and io errors.
   Result<Setup> setup() const;
+
+  /// Those flags that were given, and change nothing in an outcome: "--law", …
+  std::vector<std::string> ignored_in(const Outcome& outcome) const;
 };
 
 /// Stores the value of a flag, where it is given, as the machine file would store this number (see find_number()).

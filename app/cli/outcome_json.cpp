@@ -21,6 +21,16 @@ std::string corner_name(const CornerOptions& corner) {
   return corner.step ? "step" : name_of(corner_names(), corner.rule);
 }
 
+/// null where there is no such motion
+void add_peaks(Json& j, const Peaks& peaks, const std::string& unit) {
+  const auto add = [&](const char* name, double value, const char* per) {
+    j[name + unit + per] = peaks.speed > 0 ? Json(value) : Json(nullptr);
+  };
+  add("max_speed_", peaks.speed, "_s");
+  add("max_acceleration_", peaks.acceleration, "_s2");
+  add("max_jerk_", peaks.jerk, "_s3");
+}
+
 }  // namespace
 
 Json diagnostics_json(const Diagnostics& diagnostics) {
@@ -40,15 +50,18 @@ Json outcome_json(const Outcome& outcome) {
   j["lookahead_blocks"] = o.lookahead;
   j["ramps"] = name_of(ramps_names(), o.ramps);
   j["corner"] = corner_name(o.corner);
+  j["ran"] = {{"law", std::string(law_row(outcome.ran.law).id)},
+              {"ramps", name_of(ramps_names(), outcome.ran.ramps)},
+              {"lookahead_blocks", outcome.ran.lookahead},
+              {"corner", corner_name(outcome.ran.corner)}};
   j["blocks"] = s.blocks;
   j["path_length_mm"] = s.path_length;
   j["cycle_time_s"] = s.cycle_time;
   j["feed_time_s"] = s.feed_time;
   j["rapid_time_s"] = s.rapid_time;
   j["dwell_time_s"] = s.dwell_time;
-  j["max_speed_mm_s"] = s.max_speed;
-  j["max_acceleration_mm_s2"] = s.max_acceleration;
-  j["max_jerk_mm_s3"] = s.max_jerk;
+  add_peaks(j, s.peaks, "mm");
+  add_peaks(j, s.rotary_peaks, "deg");
   j["period_ms"] = outcome.job->machine.period * 1e3;
   j["time_by_limit_s"] = Json::object();
   for (std::size_t i = 0; i < s.time_by_cause.size(); ++i) {
@@ -60,7 +73,7 @@ Json outcome_json(const Outcome& outcome) {
                   {"merged_segments", s.blends.merged},
                   {"max_deviation_mm", std::max(s.blends.deviation, s.tube_deviation)}};
   j["smooth"] = {{"windows", s.tube_windows}, {"fallbacks", s.tube_fallbacks}};
-  j["bound_s"] = s.bound;
+  j["bound_s"] = nullptr;
   Diagnostics warnings = outcome.job->program->diagnostics;
   warnings.insert(warnings.end(), outcome.warnings.begin(), outcome.warnings.end());
   j["warnings"] = diagnostics_json(warnings);

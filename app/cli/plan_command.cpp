@@ -17,6 +17,7 @@
 #include "report.h"
 #include "servo_json.h"
 #include "toolpace/base/descriptor.h"
+#include "toolpace/bound/lower_bound.h"
 #include "toolpace/io/program_pulse_writer.h"
 #include "toolpace/io/setpoint_writer.h"
 #include "toolpace/law/law_table.h"
@@ -136,23 +137,33 @@ void print_proof(std::FILE* out, const VerifyReport& proof) {
   }
 }
 
-void print_summary(const Outcome& outcome, const SetpointPass& pass, const PlanFlags& flags) {
+void print_peaks(const Peaks& peaks, const char* unit) {
+  fmt::print("  peaks        {:.3f} {}/s, {:.1f} {}/s², {}\n", peaks.speed, unit, peaks.acceleration, unit,
+             peaks.jerk < kUnlimited ? fmt::format("{:.4g} {}/s³", peaks.jerk, unit) : "jerk unbounded");
+}
+
+void print_summary(const Outcome& outcome, std::optional<double> bound, const SetpointPass& pass,
+                   const PlanFlags& flags) {
   const Summary& s = outcome.summary;
   fmt::print("{}\n", outcome.job->program_name);
-  fmt::print("  law          {}, look-ahead {} blocks\n", law_row(outcome.job->options.law).id,
-             outcome.job->options.lookahead ? std::to_string(*outcome.job->options.lookahead) : "all");
+  const PlanOptions& ran = outcome.ran;
+  fmt::print("  law          {}, look-ahead {} blocks\n", law_row(ran.law).id,
+             ran.lookahead ? std::to_string(*ran.lookahead) : "all");
+  for (const std::string& flag : flags.job.ignored_in(outcome)) {
+    fmt::print("  not used     {}: it changes nothing in this plan\n", flag);
+  }
   fmt::print("  path         {} blocks, {:.3f} mm\n", s.blocks, s.path_length);
   fmt::print("  cycle time   {:.4f} s  (feed {:.4f}, rapid {:.4f}, dwell {:.4f})\n", s.cycle_time, s.feed_time,
              s.rapid_time, s.dwell_time);
-  if (s.bound) {
+  if (bound) {
     const CornerOptions& corner = outcome.job->options.corner;
     const bool through_tube = corner.rule == CornerRule::smooth && !corner.step;
-    fmt::print("  lower bound  {:.4f} s  ({:.2f} % above it{})\n", *s.bound,
-               *s.bound > 0 ? 100 * (s.cycle_time / *s.bound - 1) : 0.0,
+    fmt::print("  lower bound  {:.4f} s  ({:.2f} % above it{})\n", *bound,
+               *bound > 0 ? 100 * (s.cycle_time / *bound - 1) : 0.0,
                through_tube ? "; it counts lengths, feeds and rests, not corners" : "");
   }
-  fmt::print("  peaks        {:.3f} mm/s, {:.1f} mm/s², {}\n", s.max_speed, s.max_acceleration,
-             s.max_jerk < kUnlimited ? fmt::format("{:.4g} mm/s³", s.max_jerk) : "jerk unbounded");
+  if (s.peaks.speed > 0 || s.rotary_peaks.speed == 0) print_peaks(s.peaks, "mm");
+  if (s.rotary_peaks.speed > 0) print_peaks(s.rotary_peaks, "deg");
   for (std::size_t i = 0; i < s.time_by_cause.size(); ++i) {
     if (s.time_by_cause[i] > 0) {
       fmt::print("  {:<12} {:.4f} s  ({:.1f} %)\n", cause_name(static_cast<Cause>(i)), s.time_by_cause[i],
@@ -169,7 +180,8 @@ Json plan_json(const Outcome& outcome, const SetpointPass& pass, const std::opti
   Json json = outcome_json(outcome);
   json["axes"] = axes_json(pass.peaks);
   json["setpoints"] = pass.rows;
-  json["max_chord_error_mm"] = pass.chord_error;
+  // Off the path only verification, which follows it, can tell.
+  json["max_chord_error_mm"] = outcome.plan.splines.empty() ? Json(pass.chord_error) : Json(nullptr);
   add_verification(json, proof);
   return json;
 }
@@ -181,9 +193,16 @@ Done run_plan(const PlanFlags& flags) {
   if (!setup) return tl::unexpected(setup.error());
   auto target = open_target(flags);
   if (!target) return tl::unexpected(target.error());
-  const auto outcome = plan_program(flags.reading, *setup, flags.bound);
+  const auto outcome = plan_program(flags.reading, *setup);
   if (!outcome) return tl::unexpected(outcome.error());
   const std::chrono::duration<double> planned = std::chrono::steady_clock::now() - begin;
+  std::optional<double> bound;
+  if (flags.bound) {
+    const auto found = lower_bound(*outcome, terminal_monitor("bound"));
+    end_progress();
+    if (!found) return tl::unexpected(found.error());
+    bound = *found;
+  }
 
   const auto pass = pass_over_setpoints(*outcome, target->setpoints.get(), terminal_monitor("setpoints"));
   end_progress();
@@ -202,6 +221,8 @@ Done run_plan(const PlanFlags& flags) {
   }
   if (flags.json) {
     Json json = plan_json(*outcome, *pass, proof);
+    if (bound) json["bound_s"] = *bound;
+    json["ignored"] = flags.job.ignored_in(*outcome);
     const auto servo = follow(*outcome, {}, terminal_monitor("simulating"));
     end_progress();
     if (!servo && servo.error().kind == ErrorKind::cancelled) return tl::unexpected(servo.error());
@@ -209,7 +230,7 @@ Done run_plan(const PlanFlags& flags) {
     json["plan_wall_s"] = planned.count();
     print_json(json);
   } else {
-    if (!to_stdout) print_summary(*outcome, *pass, flags);
+    if (!to_stdout) print_summary(*outcome, bound, *pass, flags);
     if (proof) print_proof(to_stdout ? stderr : stdout, *proof);
   }
   return proof && !proof->passes() ? kLimitBroken : kFine;

@@ -5,7 +5,7 @@
 
 namespace toolpace::cli {
 
-tl::expected<Outcome, Failure> plan_program(const ReadingFlags& flags, const Setup& setup, bool bound) {
+tl::expected<Outcome, Failure> plan_program(const ReadingFlags& flags, const Setup& setup) {
   auto reading = flags.read_accepted();
   if (!reading) return tl::unexpected(std::move(reading.error()));
   auto job = std::make_shared<Job>();
@@ -13,7 +13,6 @@ tl::expected<Outcome, Failure> plan_program(const ReadingFlags& flags, const Set
   job->program = std::make_shared<const Reading>(std::move(*reading));
   job->machine = setup.machine;
   job->options = setup.options;
-  job->bound = bound;
   auto outcome = run(job, terminal_monitor("planning"));
   end_progress();
   if (!outcome) return tl::unexpected<Failure>(std::move(outcome.error()));

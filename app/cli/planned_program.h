@@ -8,7 +8,6 @@
 namespace toolpace::cli {
 
 /// Reads and plans the program; prints its diagnostics and warnings to stderr. A refused program is a Failure.
-/// @param bound  compute the lower bound of the cycle time too
-tl::expected<Outcome, Failure> plan_program(const ReadingFlags& reading, const Setup& setup, bool bound = false);
+tl::expected<Outcome, Failure> plan_program(const ReadingFlags& reading, const Setup& setup);
 
 }  // namespace toolpace::cli

@@ -8,7 +8,7 @@
 #include "planned_program.h"
 #include "toolpace/base/descriptor.h"
 #include "toolpace/io/output_file.h"
-#include "toolpace/pipeline/report_page.h"
+#include "toolpace/report/report_page.h"
 
 namespace toolpace::cli {
 namespace {

@@ -3233,6 +3233,18 @@
             <translation>峰值加加速度</translation>
         </message>
         <message>
+            <source>Peak speed, rotary</source>
+            <translation>峰值速度（回转）</translation>
+        </message>
+        <message>
+            <source>Peak accel., rotary</source>
+            <translation>峰值加速度（回转）</translation>
+        </message>
+        <message>
+            <source>Peak jerk, rotary</source>
+            <translation>峰值加加速度（回转）</translation>
+        </message>
+        <message>
             <source>Path length</source>
             <translation>路径长度</translation>
         </message>

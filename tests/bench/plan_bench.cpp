@@ -6,7 +6,7 @@
 #include <string>
 
 #include "plan_cases.h"
-#include "toolpace/plan/bound.h"
+#include "toolpace/bound/path_bound.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/restraint.h"
 
@@ -65,7 +65,7 @@ void explain_plan(benchmark::State& state) {
 
 void bound_plan(benchmark::State& state) {
   const SpeedLimits& limits = load("smooth");
-  for (auto _ : state) benchmark::DoNotOptimize(lower_bound(limits, LawKind::seven_phase));
+  for (auto _ : state) benchmark::DoNotOptimize(path_bound(limits, LawKind::seven_phase));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(limits.size()));
   state.SetLabel("blocks");
 }

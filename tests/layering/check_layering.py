@@ -9,7 +9,8 @@ import pathlib
 import re
 import sys
 
-ROOMS = ["base", "nc", "path", "limits", "law", "plan", "sample", "servo", "verify", "io", "machine", "pipeline", "tune"]
+ROOMS = ["base", "nc", "path", "limits", "law", "plan", "sample", "servo", "verify", "io", "machine", "pipeline", "bound",
+         "report", "tune"]
 THREADED_ROOMS = {"tune", "pipeline"}
 THREADS = {"thread", "future", "mutex", "shared_mutex", "condition_variable", "semaphore", "latch", "barrier", "execution",
            "pthread.h"}

@@ -9,8 +9,8 @@
 #include "case_count.h"
 #include "plan_cases.h"
 #include "plan_checker.h"
+#include "toolpace/bound/path_bound.h"
 #include "toolpace/law/law_table.h"
-#include "toolpace/plan/bound.h"
 #include "toolpace/plan/plan.h"
 
 namespace toolpace {
@@ -49,7 +49,7 @@ TEST_P(PlansOfRandomChains, KeepEveryLimit) {
       const auto plan = plan_motion(limits, options);
       ASSERT_TRUE(plan) << plan.error().message;
       ASSERT_EQ(test::find_offence(limits, *plan, check_of(law.kind)), "") << describe(options, seed, f.mixed);
-      ASSERT_GE(plan->cycle_time(), lower_bound(limits, law.kind)) << describe(options, seed, f.mixed);
+      ASSERT_GE(plan->cycle_time(), path_bound(limits, law.kind)) << describe(options, seed, f.mixed);
     }
   }
 }
@@ -73,7 +73,7 @@ TEST(PlansOfRandomChains, KeepEveryLimitAtEveryScale) {
       test::CheckOptions check = check_of(law.kind);
       check.tolerance = 1e-6;
       ASSERT_EQ(test::find_offence(limits, *plan, check), "") << describe(options, seed, false);
-      ASSERT_GE(plan->cycle_time(), lower_bound(limits, law.kind)) << describe(options, seed, false);
+      ASSERT_GE(plan->cycle_time(), path_bound(limits, law.kind)) << describe(options, seed, false);
     }
   }
 }

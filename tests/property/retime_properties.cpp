@@ -7,6 +7,7 @@
 #include "random_program_text.h"
 #include "setpoint_tally.h"
 #include "toolpace/nc/reader.h"
+#include "toolpace/pipeline/strategy.h"
 
 namespace toolpace {
 namespace {
@@ -49,7 +50,9 @@ TEST(SetpointsOfRetimedPrograms, KeepTheLimitsOfEveryAxis) {
     auto reading = read_text(program.finish(), "random.ngc");
     ASSERT_TRUE(reading);
     job->program = std::make_shared<const Reading>(std::move(*reading));
-    const auto describe = [&] { return fmt::format("seed {}\n{}\n{}", seed, program.finish(), format_setup(setup).value()); };
+    const auto describe = [&] {
+      return fmt::format("seed {}\n{}\n{}", seed, program.finish(), format_setup(setup).value());
+    };
     const auto outcome = run(job), quick = run(quick_version(*job));
     ASSERT_TRUE(outcome && quick) << describe();
     faster += outcome->summary.cycle_time < quick->summary.cycle_time;

@@ -12,8 +12,8 @@
 
 #include "plan_cases.h"
 #include "plan_checker.h"
+#include "toolpace/bound/path_bound.h"
 #include "toolpace/law/law_table.h"
-#include "toolpace/plan/bound.h"
 #include "toolpace/plan/plan.h"
 
 namespace toolpace {
@@ -51,7 +51,7 @@ std::string find_fault(const Case& c) {
   if (!plan) return plan.error().message;
   const bool smooth = law_row(c.options.law).bounds_jerk;
   std::string fault = test::find_offence(c.limits, *plan, {smooth, smooth, 1e-6});
-  if (plan->cycle_time() < lower_bound(c.limits, c.options.law)) fault += " faster than its bound";
+  if (plan->cycle_time() < path_bound(c.limits, c.options.law)) fault += " faster than its bound";
   if (c.options.ramps != Ramps::span || !c.options.lookahead) return fault;
   PlanOptions deeper = c.options;
   ++*deeper.lookahead;

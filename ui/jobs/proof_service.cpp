@@ -4,8 +4,8 @@
 
 #include "jobs/setpoint_export.h"
 #include "models/units.h"
+#include "toolpace/bound/lower_bound.h"
 #include "toolpace/pipeline/prove.h"
-#include "toolpace/plan/bound.h"
 #include "toolpace/sample/sampler.h"
 
 namespace toolpace::ui {
@@ -63,10 +63,9 @@ Result<std::shared_ptr<const Proof>> proof_of(const ContourScene& scene, const M
   proof->outcome = outcome;
   proof->report = std::move(*report);
   proof->servo = *servo;
-  // The motion through the tube leaves the path that the bound is of.
-  if (outcome->plan.splines.empty()) {
-    proof->bound = lower_bound(outcome->limits, outcome->job->options.law) + outcome->summary.dwell_time;
-  }
+  auto bound = lower_bound(*outcome, {monitor.stop, {}});
+  if (!bound) return tl::unexpected(bound.error());
+  proof->bound = *bound;
   proof->tube = make_tube_trace(*outcome, monitor);
   proof->scene = make_contour_scene(outcome, errors, scene.geometry);
   return proof;

@@ -19,7 +19,7 @@ struct Proof {
   std::shared_ptr<const Outcome> outcome;
   VerifyReport report;                        ///< of the setpoints, written to a file and read back
   ServoSummary servo;                         ///< of the machine's drives
-  std::optional<double> bound;                ///< no plan on this path is faster [s]; none off the path
+  double bound = 0;                           ///< no plan of the job is faster [s]
   std::shared_ptr<const ContourScene> scene;  ///< the preview with the contour errors in it, along the same geometry
   std::shared_ptr<const TubeTrace> tube;      ///< null for plans that stay on the programmed path
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "toolpace/pipeline/strategy.h"
+
 namespace toolpace::ui {
 namespace {
 

@@ -26,11 +26,7 @@ void ResultModel::retranslate() {
   using P = const Planned&;
   const auto proven = [](P p, double value) { return p.proof ? value : std::nan(""); };
   const auto deviation = [](P p) { return p.proof && p.proof->tube ? p.proof->tube->largest_offset : 0.0; };
-  // A motion off the path has no bound of this kind, and its row is left out.
-  const auto bound = [](P p) {
-    if (!p.timeline->outcome()->plan.splines.empty()) return 0.0;
-    return p.proof && p.proof->bound ? *p.proof->bound : std::nan("");
-  };
+  const auto bound = [](P p) { return p.proof ? p.proof->bound : std::nan(""); };
   using enum Shown;
   rows_ = {
       {tr("Cycle time"), Quantity::time, true, quantity, [](P p) { return summary(p).cycle_time; }},
@@ -40,9 +36,15 @@ void ResultModel::retranslate() {
       {tr("Lower bound"), Quantity::time, true, quantity, bound, true},
       {tr("· plan above it"), Quantity::time, true, share,
        [bound](P p) { return bound(p) == 0 ? 0.0 : summary(p).cycle_time / bound(p) - 1; }, true},
-      {tr("Peak speed"), Quantity::speed, false, quantity, [](P p) { return summary(p).max_speed; }},
-      {tr("Peak accel."), Quantity::acceleration, false, quantity, [](P p) { return summary(p).max_acceleration; }},
-      {tr("Peak jerk"), Quantity::jerk, false, quantity, [](P p) { return summary(p).max_jerk; }},
+      {tr("Peak speed"), Quantity::speed, false, quantity, [](P p) { return summary(p).peaks.speed; }},
+      {tr("Peak accel."), Quantity::acceleration, false, quantity, [](P p) { return summary(p).peaks.acceleration; }},
+      {tr("Peak jerk"), Quantity::jerk, false, quantity, [](P p) { return summary(p).peaks.jerk; }},
+      {tr("Peak speed, rotary"), Quantity::angular_speed, false, quantity,
+       [](P p) { return summary(p).rotary_peaks.speed * kRadiansPerDegree; }, true},
+      {tr("Peak accel., rotary"), Quantity::angular_acceleration, false, quantity,
+       [](P p) { return summary(p).rotary_peaks.acceleration * kRadiansPerDegree; }, true},
+      {tr("Peak jerk, rotary"), Quantity::angular_jerk, false, quantity,
+       [](P p) { return summary(p).rotary_peaks.jerk * kRadiansPerDegree; }, true},
       {tr("Violations"), Quantity::length, true, count, [proven](P p) { return proven(p, violations(p)); }},
       {tr("Contour error"), Quantity::length, true, error,
        [proven](P p) { return proven(p, p.proof ? p.proof->servo.max_contour_error : 0); }},

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "preview/phase_bounds.h"
+#include "toolpace/law/phase_bounds.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {

@@ -6,8 +6,9 @@
 #include <mutex>
 #include <optional>
 
-#include "preview/phase_bounds.h"
 #include "preview/scene_geometry.h"
+
+#include "toolpace/law/phase_bounds.h"
 
 namespace toolpace::ui {
 

@@ -15,6 +15,7 @@
 #include "toolpace/path/blend_path.h"
 #include "toolpace/path/commanded.h"
 #include "toolpace/path/path.h"
+#include "toolpace/pipeline/settings.h"
 #include "toolpace/plan/motion_plan.h"
 #include "toolpace/plan/options.h"
 #include "toolpace/sample/setpoints.h"
@@ -27,19 +28,22 @@ struct Job {
   std::shared_ptr<const Reading> program;
   Machine machine;
   PlanOptions options;
-  bool bound = false;  ///< compute the lower bound of the cycle time too
   bool refined =
       true;  ///< time rounded corners anew under the axes' own limits, which takes longer than the plan itself
+};
+
+/// Largest magnitudes of the exact profile along the path; jerk may be infinite.
+struct Peaks {
+  double speed = 0, acceleration = 0, jerk = 0;
 };
 
 struct Summary {
   std::size_t blocks = 0;
   double path_length = 0;                                                ///< [mm]
   double cycle_time = 0, feed_time = 0, rapid_time = 0, dwell_time = 0;  ///< [s]
-  double max_speed = 0, max_acceleration = 0,
-         max_jerk = 0;                                 ///< of the exact profile along the path; jerk may be infinite
+  Peaks peaks;                                                           ///< along the path where X, Y or Z move [mm]
+  Peaks rotary_peaks;                                  ///< where rotary axes alone move [deg]; 0 where they never do
   std::array<double, kCauseCount> time_by_cause = {};  ///< [s], indexed by Cause
-  std::optional<double> bound;                         ///< [s]
   BlendCount blends;                                   ///< corners rounded on the path (CornerRule::blend, G64 P)
   // Of the motion through the tolerance tube (CornerRule::smooth):
   double tube_deviation = 0;       ///< largest distance from the programmed path at setpoints and vertices [mm, deg]
@@ -49,7 +53,9 @@ struct Summary {
 
 /// A planned program. Immutable; shared between threads.
 struct Outcome {
-  std::shared_ptr<const Job> job;
+  std::shared_ptr<const Job> job;  ///< what was asked for
+  PlanOptions ran;                 ///< what was really used: where a way of planning has rules of its own, those
+  Settings ignored;                ///< settings of the job that change nothing here
   std::shared_ptr<const Path> path;
   std::shared_ptr<const Commands> commands;  ///< of the path
   SpeedLimits limits;
@@ -65,10 +71,5 @@ struct Outcome {
 /// tube that do not pass every check, leave the latter with the warning "smooth-fell-back". Errors: of check_setup,
 /// build_path, limit_speed, plan_motion; input (motion-too-long: more than 1e9 setpoints).
 Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor = {});
-
-/// Does the job look for a faster motion after it has a good one, through the tube or on its rounded path? Then a person who
-/// waits is better served with quick_version() first: corners blended inside the same tolerance, and not timed anew.
-bool takes_long(const Job& job);
-std::shared_ptr<const Job> quick_version(const Job& job);
 
 }  // namespace toolpace

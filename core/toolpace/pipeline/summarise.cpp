@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "toolpace/law/law_table.h"
+#include "toolpace/law/phase_bounds.h"
 #include "toolpace/plan/restraint.h"
 
 namespace toolpace {
@@ -27,16 +28,64 @@ void measure_times(const Outcome& o, Summary& summary) {
   }
 }
 
-/// Speed and its changes at the knots and between them.
-void measure_spline(const TimeSpline& spline, Summary& summary) {
-  const std::size_t halves = 2 * (spline.points() - 3);
-  for (std::size_t i = 0; i <= halves; ++i) {
-    const SplineState state = evaluate(spline, static_cast<double>(i) * spline.step / 2);
-    summary.max_speed = std::max(summary.max_speed, state.speed);
-    summary.max_acceleration = std::max(summary.max_acceleration, std::abs(state.acceleration));
-    summary.max_jerk = std::max(summary.max_jerk, std::abs(state.jerk));
-  }
+void include(double speed, double acceleration, double jerk, Peaks& peaks) {
+  peaks.speed = std::max(peaks.speed, speed);
+  peaks.acceleration = std::max(peaks.acceleration, std::abs(acceleration));
+  peaks.jerk = std::max(peaks.jerk, std::abs(jerk));
 }
+
+void include(const PhaseBounds& b, Peaks& peaks) {
+  include(b.speed.high, std::max(b.acceleration.high, -b.acceleration.low), std::max(b.jerk.high, -b.jerk.low), peaks);
+}
+
+/// Peaks of either kind of motion: a ramp may run from one into the other.
+class PeakMeter {
+ public:
+  PeakMeter(const Outcome& outcome, Summary& summary) : outcome_(outcome), summary_(summary) {}
+
+  void measure() {
+    for (const Phase& phase : outcome_.plan.phases) measure_phase(phase);
+    segment_ = 0;
+    for (const TimeSpline& spline : outcome_.plan.splines) measure_spline(spline);
+  }
+
+ private:
+  std::size_t segments() const { return outcome_.path->size(); }
+  double arrival(std::size_t node) const { return outcome_.node_time[node]; }
+
+  void go_to(double time) {
+    while (segment_ + 1 < segments() && arrival(segment_ + 1) <= time) ++segment_;
+  }
+  Peaks& peaks() {
+    const bool rotary = segments() > 0 && is_rotary_only(*outcome_.path, segment_);
+    return rotary ? summary_.rotary_peaks : summary_.peaks;
+  }
+
+  void measure_phase(const Phase& phase) {
+    double from = 0;
+    for (go_to(phase.begin); segment_ + 1 < segments(); ++segment_) {
+      const double node = arrival(segment_ + 1) - phase.begin;
+      if (node >= phase.duration) break;
+      include(bounds(phase, from, std::max(from, node)), peaks());
+      from = std::max(from, node);
+    }
+    include(bounds(phase, from, phase.duration), peaks());
+  }
+
+  /// At the knots and between them. A spline is either of rotary axes alone or not.
+  void measure_spline(const TimeSpline& spline) {
+    go_to(spline.begin);
+    const std::size_t halves = 2 * (spline.points() - 3);
+    for (std::size_t i = 0; i <= halves; ++i) {
+      const SplineState state = evaluate(spline, static_cast<double>(i) * spline.step / 2);
+      include(state.speed, state.acceleration, state.jerk, peaks());
+    }
+  }
+
+  const Outcome& outcome_;
+  Summary& summary_;
+  std::size_t segment_ = 0;
+};
 
 }  // namespace
 
@@ -48,14 +97,10 @@ Summary summarise(const Outcome& o) {
     if (!is_rotary_only(*o.path, i)) s.path_length += o.path->length[i];
   }
   s.cycle_time = o.plan.cycle_time();
-  for (const Phase& phase : o.plan.phases) {
-    const PhaseExtrema e = extrema(phase);
-    s.max_speed = std::max(s.max_speed, e.max_speed);
-    s.max_acceleration = std::max({s.max_acceleration, e.max_acceleration, e.max_deceleration});
-    s.max_jerk = std::max(s.max_jerk, e.max_jerk);
+  PeakMeter(o, s).measure();
+  if (!law_row(o.job->options.law).bounds_jerk) {
+    for (Peaks* peaks : {&s.peaks, &s.rotary_peaks}) peaks->jerk = peaks->speed > 0 ? kUnlimited : 0;
   }
-  for (const TimeSpline& spline : o.plan.splines) measure_spline(spline, s);
-  if (!law_row(o.job->options.law).bounds_jerk) s.max_jerk = kUnlimited;
   measure_times(o, s);
   s.time_by_cause = time_by_cause(o.restraints);
   return s;

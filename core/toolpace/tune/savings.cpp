@@ -69,7 +69,6 @@ Result<std::vector<Saving>> find_savings(const Job& job, double cycle_time, doub
     auto raised = std::make_shared<Job>(job);
     raised->machine = setup.machine;
     raised->options = setup.options;
-    raised->bound = false;
     auto outcome = run(raised, quiet);
     if (!outcome) return tl::unexpected(outcome.error());
     const std::string name = trials[i].section.empty() ? trials[i].key : trials[i].section + "." + trials[i].key;

@@ -3,6 +3,7 @@
 #include "frechet.h"
 #include "planned_program.h"
 #include "polylines.h"
+#include "toolpace/bound/lower_bound.h"
 
 namespace toolpace {
 namespace {
@@ -126,8 +127,8 @@ TEST(RoundedPlan, KeepsTheLimitsOfAxesAndPathThroughArcs) {
     const Outcome outcome = testing::planned(program, setup);
     SCOPED_TRACE(seed);
     EXPECT_LE(use_of_limits(rows(outcome), setup.machine), 1.005);
-    EXPECT_LE(outcome.summary.max_acceleration, 1500 * 1.0001);
-    EXPECT_LE(outcome.summary.max_jerk, 4e4 * 1.0001);
+    EXPECT_LE(outcome.summary.peaks.acceleration, 1500 * 1.0001);
+    EXPECT_LE(outcome.summary.peaks.jerk, 4e4 * 1.0001);
   }
 }
 
@@ -138,11 +139,11 @@ TEST(RoundedPlan, IsNoFasterThanItsBound) {
     const toolpace::Setup setup = rounding();
     job->machine = setup.machine;
     job->options = setup.options;
-    job->bound = true;
     const auto outcome = run(job);
     ASSERT_TRUE(outcome);
-    EXPECT_LE(*outcome->summary.bound, outcome->summary.cycle_time);
-    EXPECT_GT(*outcome->summary.bound, 0.1 * outcome->summary.cycle_time);
+    const double bound = lower_bound(*outcome).value();
+    EXPECT_LE(bound, outcome->summary.cycle_time);
+    EXPECT_GT(bound, 0.1 * outcome->summary.cycle_time);
   }
 }
 

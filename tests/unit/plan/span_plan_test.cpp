@@ -4,7 +4,7 @@
 
 #include "plan_cases.h"
 #include "plan_checker.h"
-#include "toolpace/plan/bound.h"
+#include "toolpace/bound/path_bound.h"
 #include "toolpace/plan/plan.h"
 
 namespace toolpace {
@@ -112,7 +112,7 @@ TEST(SpanPlan, DoesNotCarryASlowAxisIntoTheBlocksOfAFastOne) {
   limits.node_cap[0] = 0;
   limits.block_cause.assign(limits.size(), Cause::feed);
   limits.node_cause.assign(limits.size() + 1, Cause::corner);
-  EXPECT_LE(cycle_time(limits), lower_bound(limits, LawKind::seven_phase) * 1.02);
+  EXPECT_LE(cycle_time(limits), path_bound(limits, LawKind::seven_phase) * 1.02);
 }
 
 TEST(SpanPlan, RunsLineAndCircleAsTheLimitsAllow) {

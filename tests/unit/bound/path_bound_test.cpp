@@ -1,12 +1,12 @@
-#include "toolpace/plan/bound.h"
+#include "toolpace/bound/path_bound.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "plan_cases.h"
+#include "toolpace/bound/bound_valley.h"
 #include "toolpace/law/law_table.h"
-#include "toolpace/plan/bound_valley.h"
 #include "toolpace/plan/plan.h"
 
 namespace toolpace {
@@ -16,20 +16,20 @@ using test::symmetric;
 
 // oracle/bound.py (T_acc, exact without a jerk limit): 0.3331 s; 3.217 s; 9.424 s.
 TEST(LowerBound, IsTheAccelerationLimitedOptimumWithoutJerk) {
-  EXPECT_NEAR(lower_bound(test::ning_blocks(symmetric(3000, 1e6)), LawKind::trapezoid), 0.3331, 5e-5);
+  EXPECT_NEAR(path_bound(test::ning_blocks(symmetric(3000, 1e6)), LawKind::trapezoid), 0.3331, 5e-5);
   test::PolylineRules rules{symmetric(294.2, 3e4)};
   rules.corner_step = 1e9;
   SpeedLimits limits = test::limits_of(test::polyline("butterfly588"), rules);
-  EXPECT_NEAR(lower_bound(limits, LawKind::trapezoid), 3.217, 5e-4);
+  EXPECT_NEAR(path_bound(limits, LawKind::trapezoid), 3.217, 5e-4);
   rules.corner_step = 0.739;
   limits = test::limits_of(test::polyline("butterfly588"), rules);
-  EXPECT_NEAR(lower_bound(limits, LawKind::trapezoid), 9.424, 5e-4);
+  EXPECT_NEAR(path_bound(limits, LawKind::trapezoid), 9.424, 5e-4);
 }
 
 // By hand: from rest with a ≤ √(2Jv) the speed is Jt²/2; 10 mm up and down at J 1e4: 5 = Jt³/6 each way, t = ∛(30/1e4).
 TEST(LowerBound, RisesWithFullJerkFromRest) {
-  EXPECT_NEAR(lower_bound(test::line_of({5, 5}, {1e4, 1e4}, symmetric(1e9, 1e4)), LawKind::quintic),
-              2 * std::cbrt(3e-3), 1e-11);
+  EXPECT_NEAR(path_bound(test::line_of({5, 5}, {1e4, 1e4}, symmetric(1e9, 1e4)), LawKind::quintic), 2 * std::cbrt(3e-3),
+              1e-11);
 }
 
 // Above each of these no proof can go: feasible plans of 10.088 s and 10.349 s are known (oracle/bound.py), and without
@@ -44,7 +44,7 @@ TEST(LowerBound, CountsTheValleysThatCapsThrow) {
     test::PolylineRules rules{symmetric(294.2, f.jerk)};
     rules.corner_step = f.step;
     const SpeedLimits limits = test::limits_of(test::polyline("butterfly588"), rules);
-    const double bound = lower_bound(limits, LawKind::time_optimal);
+    const double bound = path_bound(limits, LawKind::time_optimal);
     EXPECT_GE(bound, f.at_least) << f.step << " " << f.jerk;
     EXPECT_LE(bound, f.feasible) << f.step << " " << f.jerk;
   }
@@ -52,7 +52,7 @@ TEST(LowerBound, CountsTheValleysThatCapsThrow) {
 
 void expect_bound_below_plans(const SpeedLimits& limits, std::uint64_t seed) {
   for (const LawRow& law : law_table()) {
-    const double bound = lower_bound(limits, law.kind);
+    const double bound = path_bound(limits, law.kind);
     EXPECT_GT(bound, 0.0);
     for (const Ramps ramps : {Ramps::block, Ramps::span}) {
       PlanOptions options;
@@ -80,7 +80,7 @@ TEST(LowerBound, OfAValleyIsFullJerkBothWays) {
 }
 
 TEST(LowerBound, OfNothingIsZero) {
-  EXPECT_EQ(lower_bound(test::line_of({}, {}, symmetric(1, 1)), LawKind::quintic), 0.0);
+  EXPECT_EQ(path_bound(test::line_of({}, {}, symmetric(1, 1)), LawKind::quintic), 0.0);
 }
 
 }  // namespace

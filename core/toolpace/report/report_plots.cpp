@@ -1,4 +1,4 @@
-#include "toolpace/pipeline/report_plots.h"
+#include "toolpace/report/report_plots.h"
 
 #include <fmt/format.h>
 

@@ -20,6 +20,6 @@ namespace toolpace {
 /// @param law  trapezoids are not held to the jerk
 /// @return 0 for an empty chain. Accuracy 1e-11 relative, rounded towards shorter times
 /// @source Bobrow et al. 1985 for the envelope; the bounds by jerk are derived above and in bound_valley.h
-double lower_bound(const SpeedLimits& limits, LawKind law);
+double path_bound(const SpeedLimits& limits, LawKind law);
 
 }  // namespace toolpace

@@ -1,4 +1,4 @@
-#include "toolpace/pipeline/tube_bound.h"
+#include "toolpace/bound/tube_bound.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "toolpace/plan/bound.h"
+#include "toolpace/bound/path_bound.h"
 
 namespace toolpace {
 namespace {
@@ -121,7 +121,7 @@ class TubeBound {
     line_.node_cap.assign(n + 1, 0.0);
     for (std::size_t i = 1; i < n; ++i) line_.node_cap[i] = std::min(line_.block_cap[i - 1], line_.block_cap[i]);
     line_.dynamics = {{{up_, kUnlimited, 0.0}, {down_, kUnlimited, 0.0}}};
-    return lower_bound(line_, LawKind::trapezoid);
+    return path_bound(line_, LawKind::trapezoid);
   }
 
   const Path& path_;

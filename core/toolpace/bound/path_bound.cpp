@@ -1,13 +1,13 @@
-#include "toolpace/plan/bound.h"
+#include "toolpace/bound/path_bound.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "toolpace/bound/bound_valley.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/plan/block/block_plan.h"
-#include "toolpace/plan/bound_valley.h"
 #include "toolpace/plan/increasing_root.h"
 
 namespace toolpace {
@@ -147,7 +147,7 @@ class ValleyScan {
 
 }  // namespace
 
-double lower_bound(const SpeedLimits& limits, LawKind law) {
+double path_bound(const SpeedLimits& limits, LawKind law) {
   const std::size_t n = limits.size();
   if (n == 0) return 0.0;
   const Dynamics jerks = largest_jerks(limits, law);

@@ -1,13 +1,15 @@
-#include "toolpace/pipeline/report_page.h"
+#include "toolpace/report/report_page.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "toolpace/bound/lower_bound.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/follow.h"
 #include "toolpace/pipeline/prove.h"
-#include "toolpace/pipeline/report_plots.h"
+#include "toolpace/report/report_plots.h"
 #include "toolpace/sample/sampler.h"
 
 namespace toolpace {
@@ -73,7 +75,12 @@ std::string limit(double value, const char* unit) {
   return std::isfinite(value) ? fmt::format("{:.6g} {}", value, unit) : std::string("no limit");
 }
 
-std::string overview(const Outcome& o) {
+std::string peaks(const Peaks& peaks, const char* unit) {
+  return fmt::format("{:.6g} {}/s, {:.6g} {}/s², {}", peaks.speed, unit, peaks.acceleration, unit,
+                     std::isfinite(peaks.jerk) ? fmt::format("{:.6g} {}/s³", peaks.jerk, unit) : "jerk unbounded");
+}
+
+std::string overview(const Outcome& o, double bound) {
   const Summary& s = o.summary;
   const PlanOptions& options = o.job->options;
   const PathLimits& path = o.job->machine.path;
@@ -88,12 +95,11 @@ std::string overview(const Outcome& o) {
                                                    limit(path.acceleration, "mm/s²"), limit(path.jerk, "mm/s³")));
   html += row("blocks", fmt::format("{}, {:.3f} mm", s.blocks, s.path_length));
   html += row("cycle time", fmt::format("{:.4f} s", s.cycle_time));
-  if (s.bound) html += row("lower bound of the cycle time", fmt::format("{:.4f} s", *s.bound));
+  html += row("lower bound of the cycle time", fmt::format("{:.4f} s", bound));
   html +=
       row("feed, rapid, dwell", fmt::format("{:.4f} s, {:.4f} s, {:.4f} s", s.feed_time, s.rapid_time, s.dwell_time));
-  html += row("peaks along the path",
-              fmt::format("{:.6g} mm/s, {:.6g} mm/s², {}", s.max_speed, s.max_acceleration,
-                          std::isfinite(s.max_jerk) ? fmt::format("{:.6g} mm/s³", s.max_jerk) : "jerk unbounded"));
+  if (s.peaks.speed > 0 || s.rotary_peaks.speed == 0) html += row("peaks along the path", peaks(s.peaks, "mm"));
+  if (s.rotary_peaks.speed > 0) html += row("peaks of rotary axes alone", peaks(s.rotary_peaks, "deg"));
   html += row("setpoints", fmt::format("{}, every {:.6g} ms", row_count(s.cycle_time, o.job->machine.period),
                                        1e3 * o.job->machine.period));
   return html + "</table>\n";
@@ -224,7 +230,7 @@ struct Pictures {
         acceleration(rows),
         jerk(rows),
         contour_error(rows),
-        contour(extent_of(*o.path), o.summary.max_speed) {}
+        contour(extent_of(*o.path), std::max(o.summary.peaks.speed, o.summary.rotary_peaks.speed)) {}
   Envelope speed, acceleration, jerk, contour_error;
   ContourPicture contour;
 
@@ -254,6 +260,8 @@ Result<std::string> report_page(const Outcome& outcome, const Monitor& monitor) 
   monitor.report(0.5);
   const auto proof = prove(outcome, {monitor.stop, {}});
   if (!proof) return tl::unexpected(proof.error());
+  const auto bound = lower_bound(outcome, {monitor.stop, {}});
+  if (!bound) return tl::unexpected(bound.error());
   monitor.report(1.0);
 
   const double duration = outcome.plan.cycle_time();
@@ -262,7 +270,7 @@ Result<std::string> report_page(const Outcome& outcome, const Monitor& monitor) 
                      "</style>\n</head>\n<body>\n<h1>" + escaped(file_name(outcome.job->program_name)) + "</h1>\n";
   html += proof->passes() ? "<p class='good'>Verified: every limit holds.</p>\n"
                           : "<p class='broken'>Verified: limits are broken, see below.</p>\n";
-  html += overview(outcome) + "<h2>Where the time goes</h2>\n" + causes(outcome.summary);
+  html += overview(outcome, *bound) + "<h2>Where the time goes</h2>\n" + causes(outcome.summary);
   html += "<h2>Motion</h2>\n" + plot_svg(pictures.speed, duration, {"speed", "mm/s"}) +
           plot_svg(pictures.acceleration, duration, {"acceleration", "mm/s²"}) +
           plot_svg(pictures.jerk, duration, {"jerk", "mm/s³"}) +

@@ -1,11 +1,11 @@
 #pragma once
-/// Least and greatest speed, acceleration and jerk inside a phase, exact and with sign, for drawing envelopes.
+/// Least and greatest speed, acceleration and jerk inside a phase, exact and with sign.
 
 #include <algorithm>
 
 #include "toolpace/law/phase.h"
 
-namespace toolpace::ui {
+namespace toolpace {
 
 struct Interval {
   double low, high;
@@ -53,4 +53,4 @@ inline PhaseBounds bounds(const Phase& p, double from, double to) {
 
 inline PhaseBounds bounds(const Phase& p) { return bounds(p, 0.0, p.duration); }
 
-}  // namespace toolpace::ui
+}  // namespace toolpace

@@ -1,4 +1,4 @@
-#include "toolpace/plan/bound_valley.h"
+#include "toolpace/bound/bound_valley.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 /// The contour of a report, thinned as it comes.
 
-#include "toolpace/pipeline/report_plots.h"
+#include "toolpace/report/report_plots.h"
 
 #include <gtest/gtest.h>
 

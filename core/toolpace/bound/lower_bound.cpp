@@ -1,0 +1,98 @@
+#include "toolpace/bound/lower_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "toolpace/bound/path_bound.h"
+#include "toolpace/bound/tube_bound.h"
+#include "toolpace/limits/curve_budget.h"
+#include "toolpace/path/build_path.h"
+#include "toolpace/pipeline/job_rules.h"
+#include "toolpace/pipeline/prove.h"
+
+namespace toolpace {
+namespace {
+
+constexpr double kSameRadius = 1e-9;  // relative: an arc whose ends differ by more is a spiral
+
+/// What X, Y and Z can do together on one curve.
+struct Together {
+  double acceleration = 0, jerk = 0;  ///< [mm/s², mm/s³], infinite where an axis that moves has no limit
+};
+
+Together axes_together(const CurveBounds& bounds, const Machine& machine) {
+  Together together;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (bounds.first[i] == 0 && bounds.second[i] == 0 && bounds.third[i] == 0) continue;
+    const double acceleration = std::min(machine.axes[k].acceleration, machine.path.acceleration);
+    together.acceleration = std::hypot(together.acceleration, acceleration);
+    together.jerk = std::hypot(together.jerk, machine.axes[k].jerk);
+  }
+  return together;
+}
+
+/// Curvature that a segment has everywhere [1/mm]: that of circles and helices; splines and corner curves may have none.
+double least_curvature(const Path& path, std::size_t segment) {
+  if (path.kind[segment] != SegmentKind::arc) return 0.0;
+  const ArcCurve& arc = path.arcs[path.detail[segment]];
+  if (std::abs(arc.end_radius - arc.start_radius) > kSameRadius * arc.start_radius) return 0.0;
+  return frame_at(path, segment, path.length[segment] / 2).second.head<3>().norm() * (1 - kSameRadius);
+}
+
+class Opener {
+ public:
+  explicit Opener(const Outcome& outcome) : outcome_(outcome), path_(*outcome.path), open_(outcome.limits) {}
+
+  SpeedLimits run() {
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      if (path_.kind[i] != SegmentKind::line) open_curve(i);
+    }
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      const Cause cause = outcome_.limits.node_cause[i];
+      if (cause == Cause::corner || cause == Cause::stop || open_.node_cap[i] == 0) continue;
+      open_.node_cap[i] = std::min(open_.block_cap[i - 1], open_.block_cap[i]);
+    }
+    return std::move(open_);
+  }
+
+ private:
+  void open_curve(std::size_t i) {
+    const Machine& machine = outcome_.job->machine;
+    const CurveBounds bounds = curve_bounds(path_, i);
+    const Together axes = axes_together(bounds, machine);
+    const double curvature = least_curvature(path_, i);
+    double cap = (*outcome_.commands)[i].speed;
+    if (curvature > 0) cap = std::min(cap, std::sqrt(axes.acceleration / curvature));
+    const double bend = bounds.second.head<3>().squaredNorm();
+    const double jerk = axes.jerk + bend * cap * cap * cap;
+    Dynamics d = outcome_.limits.dynamics_of(i);
+    d.up.acceleration = std::min(machine.path.acceleration, axes.acceleration);
+    d.down.acceleration = std::min(machine.path.deceleration, axes.acceleration);
+    d.up.jerk = std::min(machine.path.jerk, jerk);
+    d.down.jerk = std::min(machine.path.jerk_deceleration, jerk);
+    open_.block_cap[i] =
+        std::max(cap, open_.block_cap[i]);  // at a cusp the planner's cap is no bound either, but never 0
+    if (open_.dynamics.empty() || !(open_.dynamics.back() == d)) open_.dynamics.push_back(d);
+    open_.ramp[i] = static_cast<std::uint32_t>(open_.dynamics.size() - 1);
+  }
+
+  const Outcome& outcome_;
+  const Path& path_;
+  SpeedLimits open_;
+};
+
+}  // namespace
+
+SpeedLimits open_limits(const Outcome& outcome) { return Opener(outcome).run(); }
+
+Result<double> lower_bound(const Outcome& outcome, const Monitor& monitor) {
+  const Job& job = *outcome.job;
+  if (!is_through_tube(job)) return path_bound(open_limits(outcome), job.options.law) + outcome.summary.dwell_time;
+  const auto programmed = build_path(job.program->moves, job.machine.tool_change, monitor);
+  if (!programmed) return tl::unexpected(programmed.error());
+  const double tolerance = judged_tolerance(job.program->moves, job.options.corner);
+  return tube_bound(*programmed, command(*programmed, job), job.machine, tolerance) + outcome.summary.dwell_time;
+}
+
+}  // namespace toolpace

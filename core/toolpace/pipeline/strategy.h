@@ -1,0 +1,53 @@
+#pragma once
+/// The ways of making a motion from a job.
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "toolpace/pipeline/job.h"
+#include "toolpace/plan/smooth/plan_smooth.h"
+
+namespace toolpace {
+
+/// What a strategy plans from.
+struct PlanTask {
+  const Job& job;
+  const Path& path;
+  const Commands& commands;
+  const SpeedLimits& limits;
+};
+
+/// A new way is one row of the table in strategy.cpp.
+struct Strategy {
+  std::string_view id;
+  bool (*takes)(const Job& job, std::size_t segments);  ///< can it run this job? The first row that can does
+  Result<SmoothPlan> (*plan)(const PlanTask& task, const Monitor& monitor);
+  PlanOptions (*ran)(const PlanTask& task);   ///< what of the job's options it really uses, and what instead of others
+  Settings (*ignored)(const PlanTask& task);  ///< what of the job's options changes nothing under it
+};
+
+std::span<const Strategy> strategies();
+
+const Strategy& strategy_of(const Job& job, std::size_t segments);
+
+/// A job that stands for another one, with what of that one's settings it leaves out.
+struct Candidate {
+  std::shared_ptr<const Job> job;
+  Settings ignored;
+};
+
+/// Another job whose motion, where it is faster and proven, serves as well: corners blended inside the same tolerance instead
+/// of a motion through the tube. Nothing where there is none.
+std::optional<Candidate> rival_of(const Job& job);
+
+/// Of all strategies: settings that a motion has no use for, by the options that it ran with.
+Settings unused_settings(const PlanOptions& ran, const Commands& commands);
+
+/// Does the job look for a faster motion after it has a good one, through the tube or on its rounded path? Then a person who
+/// waits is better served with quick_version() first: corners blended inside the same tolerance, and not timed anew.
+bool takes_long(const Job& job);
+std::shared_ptr<const Job> quick_version(const Job& job);
+
+}  // namespace toolpace
