@@ -68,7 +68,7 @@ Result<VerifyReport> judge(SetpointFile& file, const Outcome& outcome, const Mon
   for (const std::uint32_t row : path->move) {
     program.segment_tolerance.push_back(corner_tolerance(moves, row, job.options.corner) + kExact);
   }
-  return verify(file, judged_machine(job.machine, job.options), &program, monitor);
+  return verify(file, judged_machine(job.machine, outcome.ran), &program, monitor);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ std::vector<double> delayed_times(std::vector<double> times, const std::vector<P
 
 /// Which limit binds when, along the path and through the tube.
 std::vector<Restraint> explain_all(const Outcome& o) {
-  return explain_splines(explain(o.limits, o.plan, o.node_time, o.job->options), o.plan, o.job->machine, *o.commands,
+  return explain_splines(explain(o.limits, o.plan, o.node_time, o.ran), o.plan, o.job->machine, *o.commands,
                          o.node_time);
 }
 

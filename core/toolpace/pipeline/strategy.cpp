@@ -107,9 +107,16 @@ constexpr Strategy kStrategies[] = {
     {"along-path", takes_any, plan_along_path, as_asked, nothing},
 };
 
+bool has_jerk_limit(const Machine& machine) {
+  return machine.path.jerk < kUnlimited ||
+         std::any_of(machine.axes.begin(), machine.axes.end(), [](const AxisLimits& a) { return a.jerk < kUnlimited; });
+}
+
+/// Corners blended inside the tolerance of a tube, and, as in the tube, as fast as the limits allow, whatever the law.
 std::shared_ptr<Job> with_blends(const Job& job) {
   auto blended = std::make_shared<Job>(job);
   blended->options.corner.rule = CornerRule::blend;
+  blended->options.law = has_jerk_limit(job.machine) ? LawKind::time_optimal : LawKind::trapezoid;
   blended->options.ramps = Ramps::span;
   blended->options.lookahead.reset();
   return blended;
@@ -126,7 +133,7 @@ const Strategy& strategy_of(const Job& job, std::size_t segments) {
 
 std::optional<Candidate> rival_of(const Job& job) {
   if (!is_through_tube(job)) return {};
-  return Candidate{with_blends(job), {Setting::ramps, Setting::lookahead}};
+  return Candidate{with_blends(job), {Setting::law, Setting::ramps, Setting::lookahead}};
 }
 
 Settings unused_settings(const PlanOptions& ran, const Commands& commands) {

@@ -98,7 +98,7 @@ Summary summarise(const Outcome& o) {
   }
   s.cycle_time = o.plan.cycle_time();
   PeakMeter(o, s).measure();
-  if (!law_row(o.job->options.law).bounds_jerk) {
+  if (!law_row(o.ran.law).bounds_jerk) {
     for (Peaks* peaks : {&s.peaks, &s.rotary_peaks}) peaks->jerk = peaks->speed > 0 ? kUnlimited : 0;
   }
   measure_times(o, s);

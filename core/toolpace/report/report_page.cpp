@@ -82,7 +82,7 @@ std::string peaks(const Peaks& peaks, const char* unit) {
 
 std::string overview(const Outcome& o, double bound) {
   const Summary& s = o.summary;
-  const PlanOptions& options = o.job->options;
+  const PlanOptions& options = o.ran;
   const PathLimits& path = o.job->machine.path;
   std::string html = "<table>\n";
   html += row("program", o.job->program_name);

@@ -1,0 +1,122 @@
+#include "toolpace/pipeline/strategy.h"
+
+#include <numbers>
+
+#include "planned_program.h"
+#include "toolpace/law/law_table.h"
+
+namespace toolpace {
+namespace {
+
+using namespace testing;
+
+std::shared_ptr<Job> job_of(const Program& program, CornerRule rule, LawKind law) {
+  auto job = std::make_shared<Job>();
+  job->program = program.reading();
+  const toolpace::Setup setup = axis_limited_setup();
+  job->machine = setup.machine;
+  job->options = setup.options;
+  job->options.law = law;
+  job->options.corner.rule = rule;
+  return job;
+}
+
+Program crooked() {
+  Program program;
+  program.line(10, 0).line(20, 6).line(30, 0).arc(30, 5, std::numbers::pi / 2).line(35, 30);
+  return program;
+}
+
+/// Another value of a setting.
+void change(Setting setting, Job& job) {
+  PlanOptions& o = job.options;
+  switch (setting) {
+    case Setting::law: o.law = o.law == LawKind::quintic ? LawKind::trapezoid : LawKind::quintic; break;
+    case Setting::t_acc: o.t_acc *= 2; break;
+    case Setting::t_dec: o.t_dec *= 2; break;
+    case Setting::jerk: job.machine.path.jerk = job.machine.path.jerk_deceleration = 1e3; break;
+    case Setting::lookahead: o.lookahead = o.lookahead == 1 ? 2 : 1; break;
+    case Setting::ramps: o.ramps = o.ramps == Ramps::span ? Ramps::block : Ramps::span; break;
+    case Setting::corner:
+      o.corner.rule = o.corner.rule == CornerRule::stop ? CornerRule::servo : CornerRule::stop;
+      break;
+    case Setting::tolerance: o.corner.tolerance *= 3; break;
+    case Setting::junction_deviation: o.corner.junction_deviation *= 3; break;
+  }
+}
+
+void expect_same_motion(const Outcome& a, const Outcome& b, const std::string& where) {
+  EXPECT_EQ(a.summary.cycle_time, b.summary.cycle_time) << where;
+  ASSERT_EQ(a.plan.phases.size(), b.plan.phases.size()) << where;
+  for (std::size_t i = 0; i < a.plan.phases.size(); ++i)
+    EXPECT_EQ(a.plan.phases[i].begin, b.plan.phases[i].begin) << where;
+}
+
+// Every corner rule and law: what an outcome says it ignores may be set to anything.
+TEST(Strategy, WhatIsIgnoredChangesNothing) {
+  std::size_t ignored = 0;
+  for (const CornerRule rule :
+       {CornerRule::stop, CornerRule::servo, CornerRule::junction, CornerRule::blend, CornerRule::smooth}) {
+    for (const LawRow& law : law_table()) {
+      for (const bool steps : {false, true}) {
+        const auto job = job_of(crooked(), rule, law.kind);
+        if (steps) job->options.corner.step = 5;
+        const auto outcome = run(job);
+        if (!outcome) continue;
+        for (std::size_t k = 0; k < kSettingCount; ++k) {
+          const auto setting = static_cast<Setting>(k);
+          if (!outcome->ignored.has(setting)) continue;
+          ++ignored;
+          auto other = std::make_shared<Job>(*job);
+          change(setting, *other);
+          const auto again = run(other);
+          const std::string where = std::string(law.id) + " rule " + std::to_string(static_cast<int>(rule)) +
+                                    " setting " + std::to_string(k) + (steps ? " step" : "");
+          ASSERT_TRUE(again) << where << again.error().message;
+          expect_same_motion(*outcome, *again, where);
+        }
+      }
+    }
+  }
+  EXPECT_GT(ignored, 100u);
+}
+
+TEST(Strategy, AMotionThroughTheTubeSaysThatItTookNoLawAndNoWindow) {
+  const auto job = job_of(crooked(), CornerRule::smooth, LawKind::trapezoid);
+  job->options.lookahead = 1;
+  const auto outcome = run(job);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->job->options.law, LawKind::trapezoid);
+  EXPECT_EQ(outcome->ran.law, LawKind::time_optimal);
+  EXPECT_FALSE(outcome->ran.lookahead);
+  EXPECT_EQ(outcome->ran.ramps, Ramps::span);
+  for (const Setting s : {Setting::law, Setting::lookahead, Setting::ramps}) EXPECT_TRUE(outcome->ignored.has(s));
+}
+
+// Blocks under G61 stay on the path, by the job's own law.
+TEST(Strategy, ExactBlocksKeepTheLawOfTheJob) {
+  Program program;
+  program.line(10, 0).line(20, 6).control(PathControl::exact_stop).line(30, 0).line(40, 6);
+  const auto outcome = run(job_of(program, CornerRule::smooth, LawKind::quintic));
+  ASSERT_TRUE(outcome);
+  if (!outcome->plan.splines.empty()) {
+    EXPECT_EQ(outcome->ran.law, LawKind::quintic);
+    EXPECT_FALSE(outcome->ignored.has(Setting::law));
+  }
+}
+
+TEST(Strategy, TheFirstRowThatTakesAJobRunsIt) {
+  const auto smooth = job_of(crooked(), CornerRule::smooth, LawKind::seven_phase);
+  const auto blend = job_of(crooked(), CornerRule::blend, LawKind::seven_phase);
+  blend->options.ramps = Ramps::span;
+  const auto servo = job_of(crooked(), CornerRule::servo, LawKind::quintic);
+  EXPECT_EQ(strategy_of(*smooth, 5).id, "through-tube");
+  EXPECT_EQ(strategy_of(*blend, 5).id, "timed-anew");
+  EXPECT_EQ(strategy_of(*servo, 5).id, "along-path");
+  EXPECT_TRUE(takes_long(*smooth));
+  EXPECT_FALSE(takes_long(*servo));
+  EXPECT_FALSE(takes_long(*quick_version(*smooth)));
+}
+
+}  // namespace
+}  // namespace toolpace
