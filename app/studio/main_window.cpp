@@ -89,6 +89,7 @@ void MainWindow::showPlan() {
   if (plan) {
     tuning_->setBlockCount(plan.timeline->outcome()->summary.blocks);
     const auto& corner = plan.timeline->outcome()->job->options.corner;
+    tuning_->setIgnored(plan.timeline->outcome()->ignored, corner.rule);
     const bool rounds = corner.rule == CornerRule::blend || corner.rule == CornerRule::smooth;
     contour_->setTolerance(rounds ? corner.tolerance : 0);
   }

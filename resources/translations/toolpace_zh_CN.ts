@@ -3750,6 +3750,10 @@
     <context>
         <name>toolpace::ui::TuningPanel</name>
         <message>
+            <source>The motion through the tolerance has no use for it</source>
+            <translation>在公差内平滑的运动不使用此项</translation>
+        </message>
+        <message>
             <source>Trapezoid</source>
             <translation>梯形</translation>
         </message>

@@ -103,6 +103,29 @@ class TuningTest : public QObject {
     ui::screenshot(*window_, "window-trapezoid");
   }
 
+  void what_a_motion_through_the_tolerance_has_no_use_for_is_disabled_and_says_why() {
+    auto& corner = the<QComboBox>("cornerBox");
+    const auto choose = [&](CornerRule rule) {
+      corner.setCurrentIndex(corner.findData(static_cast<int>(rule)));
+      emit corner.activated(corner.currentIndex());
+      settle(*window_);
+    };
+    choose(CornerRule::smooth);
+    const bool is_through_tube = !window_->workspace().timeline()->outcome()->plan.splines.empty();
+    QVERIFY(is_through_tube);
+    for (const char* name : {"lawBox", "rampsBox"}) {
+      QVERIFY2(!the<QWidget>(name).isEnabled(), name);
+      QVERIFY2(!the<QWidget>(name).toolTip().isEmpty(), name);
+    }
+    QVERIFY(!the<QSlider>("lookaheadSlider").isEnabled());
+    choose(CornerRule::servo);
+    for (const char* name : {"lawBox", "rampsBox"}) {
+      QVERIFY2(the<QWidget>(name).isEnabled(), name);
+      QVERIFY2(the<QWidget>(name).toolTip().isEmpty(), name);
+    }
+    QVERIFY(the<QSlider>("lookaheadSlider").isEnabled());
+  }
+
   void one_drag_of_the_slider_is_one_undo_step() {
     auto& slider = the<QSlider>("lookaheadSlider");
     QCOMPARE(undo().count(), 0);

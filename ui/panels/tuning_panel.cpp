@@ -222,6 +222,12 @@ void TuningPanel::setLengthUnit(LengthUnit unit) {
 
 void TuningPanel::setBlockCount(std::size_t blocks) { lookahead_->setBlockCount(blocks); }
 
+void TuningPanel::setIgnored(const Settings& ignored, CornerRule rule) {
+  ignored_ = ignored;
+  ignored_rule_ = rule;
+  showRelevant();
+}
+
 void TuningPanel::setRotaryAxes(const std::array<bool, 3>& shown) { axes_->setRotaryAxes(shown); }
 
 int TuningPanel::wholeHeight() const { return widget()->sizeHint().height() + 2 * frameWidth(); }
@@ -240,9 +246,21 @@ void TuningPanel::showValues() {
 void TuningPanel::showRelevant() {
   const auto& options = model_.value().options;
   const LawRow& law = law_row(options.law);
-  for (auto* field : {t_acc_, t_dec_}) form_->setRowVisible(field, law.uses_time);
-  for (auto* field : {jerk_, jerk_deceleration_}) form_->setRowVisible(field, law.bounds_jerk);
   const auto rule = options.corner.rule;
+  const auto is_ignored = [&](Setting setting) { return rule == ignored_rule_ && ignored_.has(setting); };
+  const bool has_law = !is_ignored(Setting::law);
+  for (auto* field : {t_acc_, t_dec_}) form_->setRowVisible(field, law.uses_time && has_law);
+  for (auto* field : {jerk_, jerk_deceleration_}) form_->setRowVisible(field, law.bounds_jerk || !has_law);
+  const auto enable = [&](QWidget* field, QLabel* label, Setting setting) {
+    const QString reason = is_ignored(setting) ? tr("The motion through the tolerance has no use for it") : QString();
+    for (QWidget* widget : {field, static_cast<QWidget*>(label)}) {
+      widget->setEnabled(reason.isEmpty());
+      widget->setToolTip(reason);
+    }
+  };
+  enable(law_, law_label_, Setting::law);
+  enable(ramps_, ramps_label_, Setting::ramps);
+  enable(lookahead_, lookahead_label_, Setting::lookahead);
   form_->setRowVisible(tolerance_, rule == CornerRule::blend || rule == CornerRule::smooth);
   form_->setRowVisible(deviation_, rule == CornerRule::junction);
 }

@@ -12,6 +12,7 @@
 #include "panels/axes_grid.h"
 #include "panels/form_grid.h"
 #include "panels/lookahead_field.h"
+#include "toolpace/pipeline/settings.h"
 
 namespace toolpace::ui {
 
@@ -23,6 +24,8 @@ class TuningPanel : public QScrollArea {
 
   void setLengthUnit(LengthUnit unit);
   void setBlockCount(std::size_t blocks);
+  /// What the plan of the present tuning had no use for: shown, but not to be edited, with the reason.
+  void setIgnored(const Settings& ignored, CornerRule rule);
   void setRotaryAxes(const std::array<bool, 3>& shown);
 
   /// With which nothing has to be scrolled [px].
@@ -63,6 +66,8 @@ class TuningPanel : public QScrollArea {
   QLabel *law_label_ = nullptr, *lookahead_label_ = nullptr, *ramps_label_ = nullptr, *corner_label_ = nullptr;
   LookaheadField* lookahead_;
   AxesGrid* axes_;
+  Settings ignored_;                            ///< by a plan
+  CornerRule ignored_rule_ = CornerRule::stop;  ///< with this corner rule
   NumberField *t_acc_, *t_dec_, *jerk_, *jerk_deceleration_, *tolerance_, *deviation_;
 };
 
