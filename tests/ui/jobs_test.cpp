@@ -5,9 +5,14 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <numeric>
+#include <optional>
 #include <random>
+#include <thread>
+#include <vector>
 
 #include "jobs/export_service.h"
+#include "jobs/mailbox.h"
 #include "jobs/tune_service.h"
 #include "jobs/workspace.h"
 #include "support/ui_test.h"
@@ -69,6 +74,57 @@ class JobsTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void letters_of_two_threads_are_done_here_each_threads_in_its_order() {
+    constexpr int kLetters = 1000;
+    Mailbox mailbox;
+    std::vector<int> done[2];
+    int elsewhere = 0;
+    const auto here = std::this_thread::get_id();
+    std::vector<std::thread> writers;
+    for (auto& mine : done) {
+      writers.emplace_back([&] {
+        for (int i = 0; i < kLetters; ++i) {
+          mailbox.post([&, i] {
+            mine.push_back(i);
+            if (std::this_thread::get_id() != here) ++elsewhere;
+          });
+        }
+      });
+    }
+    const auto is_done = [&] { return done[0].size() + done[1].size() == 2 * kLetters; };
+    QVERIFY(QTest::qWaitFor(is_done, kPatience));
+    for (auto& writer : writers) writer.join();
+    std::vector<int> in_order(kLetters);
+    std::iota(in_order.begin(), in_order.end(), 0);
+    QCOMPARE(done[0], in_order);
+    QCOMPARE(done[1], in_order);
+    QCOMPARE(elsewhere, 0);
+  }
+
+  void a_letter_that_waits_for_the_next_one_gets_it() {
+    Mailbox mailbox;
+    bool is_next_done = false, has_waited = false;
+    mailbox.post([&] { has_waited = QTest::qWaitFor([&] { return is_next_done; }, kPatience); });
+    mailbox.post([&] { is_next_done = true; });
+    QVERIFY(QTest::qWaitFor([&] { return has_waited; }, kPatience));
+  }
+
+  void letters_that_are_left_when_the_mailbox_goes_are_never_done() {
+    std::optional<Mailbox> mailbox(std::in_place);
+    int done = 0;
+    mailbox->post([&] {
+      ++done;
+      mailbox.reset();
+    });
+    mailbox->post([&] { ++done; });
+    QVERIFY(QTest::qWaitFor([&] { return !mailbox; }, kPatience));
+    Mailbox later;
+    bool is_later = false;
+    later.post([&] { is_later = true; });
+    QVERIFY(QTest::qWaitFor([&] { return is_later; }, kPatience));
+    QCOMPARE(done, 1);
+  }
+
   void however_fast_somebody_edits_the_plan_at_rest_is_the_one_of_what_is_there() {
     Workspace workspace;
     Hurry hurry(workspace);

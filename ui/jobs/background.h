@@ -2,10 +2,11 @@
 /// One worker thread whose results arrive on the thread of its owner.
 
 #include <QObject>
-#include <QThreadPool>
 #include <functional>
 #include <stop_token>
+#include <thread>
 
+#include "jobs/mailbox.h"
 #include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
 
@@ -36,7 +37,10 @@ class Background : public QObject {
   void finished();  ///< after the delivery or the failure
 
  private:
-  QThreadPool pool_;
+  void conclude(const Delivery& delivery, const Failure& failure);
+
+  Mailbox mailbox_;
+  std::thread thread_;  ///< of the running task alone
   std::stop_source stop_;
   bool running_ = false;
 };
