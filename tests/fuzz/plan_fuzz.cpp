@@ -4,17 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <memory>
-#include <string_view>
-#include <utility>
 
-#include "toolpace/machine/setup.h"
-#include "toolpace/nc/reader.h"
-#include "toolpace/pipeline/job.h"
+#include "polyline_job.h"
 
 namespace {
 
 using namespace toolpace;
+
+constexpr std::size_t kMostMoves = 500;
 
 /// The first byte chooses law, ramps and depth; the rest is the polyline.
 PlanOptions options_of(std::uint8_t choice) {
@@ -29,12 +26,8 @@ PlanOptions options_of(std::uint8_t choice) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
-  auto reading = read_text(text, "fuzz.csv");
-  if (!reading || reading->refused || reading->moves.size() > 500) return 0;
-  auto job = std::make_shared<Job>();
-  job->program = std::make_shared<const Reading>(std::move(*reading));
-  job->machine = default_setup().machine;
+  const auto job = fuzz::polyline_job(data + 1, size - 1, kMostMoves);
+  if (!job) return 0;
   job->options = options_of(data[0]);
   const auto outcome = run(job);
   if (!outcome) return 0;
