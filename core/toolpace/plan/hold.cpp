@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/plan/brake.h"
 #include "toolpace/plan/plan.h"
@@ -18,6 +19,8 @@ using detail::Brakes;
 constexpr PhaseShape kJerk = PhaseShape::constant_jerk;
 /// Share of the path's length below which two places are the same.
 constexpr double kSamePlace = 1e-12;
+/// Share of a phase's duration below which two moments are the same.
+constexpr double kSameMoment = 1e-12;
 /// Share of a cap by which the stop may pass it: rounding.
 constexpr double kRounding = 1e-9;
 
@@ -73,8 +76,9 @@ class HoldInserter {
   void cut(const Phase& p, double time) {
     head_.clear();
     stop_.clear();
+    if (!(time > kSameMoment * p.duration)) time = 0;  // nothing is left to cut into pieces
     state_ = evaluate(p, time);
-    if (!(time > 0)) return;
+    if (time == 0) return;
     if (p.shape == kJerk || time >= p.duration) {
       head_.push_back(p);
       head_.back().duration = time;
@@ -246,7 +250,7 @@ Result<void> check_hold(const Hold& hold) {
 Error hold_after_end(double cycle_time) {
   return {ErrorKind::infeasible,
           "hold-after-end",
-          "the hold comes after the end of the program",
+          "the hold comes after the end of the program, which is at " + to_text(cycle_time) + " s",
           "choose a time before the end",
           {},
           cycle_time};

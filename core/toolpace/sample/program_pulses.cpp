@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "toolpace/base/numbers.h"
 #include "toolpace/sample/motion_cursor.h"
 
 namespace toolpace {
@@ -172,7 +173,8 @@ class Breaks {
 
 Result<void> check_timer(double timer_hz) {
   if (timer_hz >= kSlowestTimer && timer_hz <= kFastestTimer) return {};
-  return tl::unexpected(pulse_error("timer-value", "the timer's clock is no frequency between 1 Hz and 1e12 Hz",
+  return tl::unexpected(pulse_error("timer-value",
+                                    "the timer's clock is " + to_text(timer_hz) + " Hz, not between 1 Hz and 1e12 Hz",
                                     "give --timer-hz, such as 1000000"));
 }
 

@@ -94,6 +94,21 @@ TEST(FeedHold, KeepsThePausesBehindItAndLengthensTheOneItFallsInto) {
   EXPECT_NEAR(during->cycle_time(), paused.cycle_time() + 1.0, 1e-9);
 }
 
+TEST(FeedHold, AtAMomentThatNoClockTellsFromTheStartIsOneAtTheStart) {
+  const SpeedLimits limits = test::line_of({10}, {50}, symmetric(500, 1e4));
+  for (const LawRow& law : law_table()) {
+    PlanOptions options;
+    options.law = law.kind;
+    const auto plan = plan_motion(limits, options);
+    for (const double time : {0.0, 5e-324, 1e-310, 1e-300, 1e-20}) {
+      const auto held = insert_hold(limits, *plan, options, {time, 1.0});
+      ASSERT_TRUE(held) << law.id << " at " << time;
+      EXPECT_NEAR(held->cycle_time(), plan->cycle_time() + 1.0, 1e-9) << law.id << " at " << time;
+      EXPECT_EQ(test::find_offence(limits, *held), "");
+    }
+  }
+}
+
 TEST(FeedHold, RefusesATimeBehindTheEnd) {
   const SpeedLimits limits = test::line_of({10}, {50}, symmetric(500, 1e4));
   const auto plan = plan_motion(limits, PlanOptions{});
