@@ -26,6 +26,18 @@ std::pair<std::string, std::string> name_and_unit(const std::string& flag) {
   return {flag.substr(0, blank), blank == std::string::npos ? "" : flag.substr(blank + 1)};
 }
 
+/// The first flag with an = and nothing behind it, as a script's unset variable leaves it. CLI11 would give it the next word.
+std::optional<std::string> find_valueless(int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--") break;
+    if (word.size() > 3 && word.rfind("--", 0) == 0 && word.find('=') == word.size() - 1) {
+      return word.substr(0, word.size() - 1);
+    }
+  }
+  return std::nullopt;
+}
+
 void put_below(CLI::Option* option, const std::string& title) {
   if (!title.empty()) option->group(title);
 }
@@ -128,6 +140,10 @@ Command CommandLine::add(const std::string& name, const std::string& summary, Ac
 }
 
 Result<Action> CommandLine::parse(int argc, const char* const* argv) {
+  if (const auto flag = find_valueless(argc, argv)) {
+    return tl::unexpected(usage_error("flag-value", *flag + " is empty: nothing stands behind its =",
+                                      "write its value right behind the =, without a blank, or leave out both"));
+  }
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& e) {

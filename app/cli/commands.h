@@ -13,4 +13,7 @@ void add_simulate_command(CommandLine& line);
 void add_steps_command(CommandLine& line);
 void add_verify_command(CommandLine& line);
 
+/// All of them, in the order in which --help lists them.
+void add_commands(CommandLine& line);
+
 }  // namespace toolpace::cli

@@ -44,13 +44,7 @@ Done run_command(int argc, char** argv) {
   try {
     catch_interrupts();
     CommandLine line;
-    add_plan_command(line);
-    add_blocks_command(line);
-    add_move_command(line);
-    add_steps_command(line);
-    add_verify_command(line);
-    add_simulate_command(line);
-    add_report_command(line);
+    add_commands(line);
     const auto action = line.parse(argc, argv);
     return action ? flush_output((*action)()) : tl::unexpected<Failure>(action.error());
   } catch (const std::system_error&) {  // of fmt::print

@@ -8,6 +8,7 @@
 #include "json.h"
 
 #include "commands.h"
+#include "flag_names.h"
 #include "report.h"
 #include "toolpace/law/single_move.h"
 
@@ -15,6 +16,12 @@ namespace toolpace::cli {
 namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+constexpr FlagName kFlags[] = {{"the length", "--length"},          {"the feed", "--feed"},
+                               {"the start speed", "--start"},      {"the end speed", "--end"},
+                               {"the acceleration limit", "--am"},  {"the deceleration limit", "--dm"},
+                               {"the jerk limit", "--jm"},          {"the jerk limit while slowing down", "--jd"},
+                               {"the acceleration time", "--tacc"}, {"the deceleration time", "--tdec"}};
 
 struct MoveFlags {
   std::string law = "quintic";
@@ -106,12 +113,12 @@ Done run_move(const MoveFlags& flags) {
   const auto kind = find_law(flags.law);
   if (!kind) {
     return tl::unexpected(
-        usage_error("law-unknown", "there is no law called " + flags.law, "take one of " + law_ids()));
+        usage_error("law-unknown", "--law: there is no law called " + flags.law, "take one of " + law_ids()));
   }
   const LawRow& law = law_row(*kind);
   if (auto error = find_missing(law, flags)) return tl::unexpected(std::move(*error));
   const auto move = single_move(*kind, flags.move, dynamics_of(law, flags));
-  if (!move) return tl::unexpected(move.error());
+  if (!move) return tl::unexpected(with_flag(move.error(), kFlags));
   mention_unused(law, flags);
   if (flags.json) {
     print_json(move_json(law, *move));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "commands.h"
+#include "flag_names.h"
 #include "interrupt.h"
 #include "toolpace/io/pulse_writer.h"
 #include "toolpace/sample/pulse_table.h"
@@ -38,7 +39,11 @@ Done run_steps(const StepsFlags& flags) {
   move.t_acc = flags.tacc_ms * kSecondsPerMillisecond;
   move.t_dec = flags.tdec_ms * kSecondsPerMillisecond;
   const auto table = PulseTable::create(move);
-  if (!table) return tl::unexpected(table.error());
+  if (!table) {
+    constexpr FlagName kFlags[] = {
+        {"the number of steps", "--steps"}, {"the top speed", "--speed"}, {"the timer clock", "--timer-hz"}};
+    return tl::unexpected(with_flag(table.error(), kFlags));
+  }
   const PulseFormat format = flags.format == "c" ? PulseFormat::c_header : PulseFormat::csv;
   const auto written = write_pulses(flags.output, *table, format, terminal_monitor("writing"));
   end_progress();

@@ -54,10 +54,12 @@ std::string help_of(const CLI::App& command) {
 
 Error unexpected(const CLI::App& app, const std::string& word) {
   const CLI::App& command = running(app);
-  if (word.size() > 1 && word.front() == '-') {
-    const std::string flag = word.substr(0, word.find('='));
+  const std::string flag = word.substr(0, word.find('='));
+  const auto flags = flags_of(command);
+  const bool is_behind_dashes = std::find(flags.begin(), flags.end(), flag) != flags.end();  // "--": no flags from here on
+  if (word.size() > 1 && word.front() == '-' && !is_behind_dashes) {
     return usage_error("flag-unknown", fmt::format("there is no flag {}", flag),
-                       suggestion(meant(flag, flags_of(command)), help_of(command)));
+                       suggestion(meant(flag, flags), help_of(command)));
   }
   if (&command == &app) {
     return usage_error("command-unknown", fmt::format("there is no command '{}'", word),

@@ -1,8 +1,9 @@
 """Flags and limits that make no sense end with exit code 2 and say so; help and version end with 0."""
 
+import re
 import unittest
 
-from command_line import BAD_INPUT, BAD_USAGE, FINE, CommandLineTest
+from command_line import BAD_INPUT, BAD_USAGE, FINE, SOURCE_DIR, CommandLineTest
 
 LINE = "G21 G90 G94\nG1 X10 F3000\nM2\n"
 
@@ -42,6 +43,29 @@ class Usage(CommandLineTest):
         program = self.file("a.ngc", LINE)
         self.expect_failure(self.run_toolpace("plan", program, "--am", "1", "--am", "2"), BAD_USAGE, "--am", "more than once")
         self.expect_failure(self.run_toolpace("plan", program, "--am"), BAD_USAGE, "--am needs a value")
+
+    def test_a_flag_with_nothing_behind_its_equals_sign_does_not_take_the_next_word(self):
+        program = self.file("a.ngc", LINE)
+        for words in (("--am=", "5"), ("--am=", program), ("--am=", "--jm=5"), ("--am=",), ("--law=", "quintic"), ("--json=", program),
+                      ("--sub-path=", ".")):
+            with self.subTest(words=words):
+                run = self.run_toolpace("plan", program, *words)
+                self.expect_failure(run, BAD_USAGE, words[0][:-1] + " is empty", "right behind the =")
+
+    def test_behind_two_dashes_there_are_no_flags(self):
+        program = self.file("a.ngc", LINE)
+        for word in ("--am=", "--am", "--bound"):
+            self.expect_failure(self.run_toolpace("plan", program, "--", word), BAD_USAGE, f"'{word}' is one argument too many")
+
+    def test_the_fuzzer_of_command_lines_knows_every_command_and_flag(self):
+        known = re.findall(r'^"(.*)"$', (SOURCE_DIR / "tests" / "fuzz" / "command_line.dict").read_text(), re.MULTILINE)
+        commands = re.findall(r"^  (\w+) ", self.run_toolpace("--help").out.decode().split("ommands:\n")[1], re.MULTILINE)
+        self.assertIn("plan", commands)
+        for command in commands:
+            flags = re.findall(r"^  (?:-\w,)?(--[\w-]+)", self.run_toolpace(command, "--help").out.decode(), re.MULTILINE)
+            self.assertGreater(len(flags), 3, command)
+            self.assertEqual(set(flags) - set(known), set())
+        self.assertEqual(set(commands) - set(known), set())
 
     def test_an_empty_name_is_no_name(self):
         program = self.file("a.ngc", LINE)
@@ -100,6 +124,8 @@ class Usage(CommandLineTest):
                         self.assertIn(run.code, (FINE, BAD_USAGE, BAD_INPUT), run.err)
                         self.assertNotIn("internal", run.err)
                         self.assertNotIn(b"nan", run.out)
+                        if run.code == BAD_USAGE and "[timer-too-" not in run.err:  # those are of several flags together
+                            self.assertIn(flag, run.err)
                         if run.code != FINE:
                             self.assertRegex(run.err, r"between .* and|from 0 to|at least|above the feed|slower|faster")
 

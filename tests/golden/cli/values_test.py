@@ -65,7 +65,7 @@ class Values(CommandLineTest):
                                text)
 
     def test_every_flag_takes_or_refuses_every_kind_of_number(self):
-        for flag, value in itertools.product(FLAGS, ["0", "-1", "1e-310", "1e-320", "1e300", "nan", "inf", "true", "1e-7", "1e9"]):
+        for flag, value in itertools.product(FLAGS, ["0", "-1", "5e-324", "1e-310", "1e-320", "1e300", "nan", "inf", "true", "1e-7", "1e9", "1e18"]):
             with self.subTest(flag=flag, value=value):
                 self.judge(self.plan(f"{flag}={value}"), (flag, value))
 

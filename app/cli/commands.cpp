@@ -1,0 +1,15 @@
+#include "commands.h"
+
+namespace toolpace::cli {
+
+void add_commands(CommandLine& line) {
+  add_plan_command(line);
+  add_blocks_command(line);
+  add_move_command(line);
+  add_steps_command(line);
+  add_verify_command(line);
+  add_simulate_command(line);
+  add_report_command(line);
+}
+
+}  // namespace toolpace::cli
