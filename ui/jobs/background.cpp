@@ -1,5 +1,6 @@
 #include "jobs/background.h"
 
+#include <memory>
 #include <utility>
 
 #include "toolpace/base/exception_error.h"
@@ -24,9 +25,9 @@ void Background::start(Task task, Failure failure) {
   stop_ = std::stop_source();
   Monitor monitor;
   monitor.stop = stop_.get_token();
-  monitor.progress = [this, last = 0.0](double fraction) mutable {
-    if (fraction < last + kProgressStep) return;
-    last = fraction;
+  monitor.progress = [this, last = std::make_shared<double>(0.0)](double fraction) {  // one for all copies
+    if (fraction < *last + kProgressStep) return;
+    *last = fraction;
     mailbox_.post([this, fraction] { emit progressed(fraction); });
   };
   const auto post = [this, failure](Delivery delivery) {
