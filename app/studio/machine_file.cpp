@@ -64,6 +64,7 @@ Result<void> MachineFile::open(const QString& path) {
   tuning_.replace(tr("Open machine"), content->setup);
   name_ = QFileInfo(path).completeBaseName();
   source_ = imported_ ? QString() : is_built_in(path) ? path : QFileInfo(path).absoluteFilePath();
+  input_ = is_built_in(path) ? QString() : QFileInfo(path).absoluteFilePath();
   settle(is_built_in(path) ? QString() : source_, std::move(*content));
   return {};
 }
@@ -73,6 +74,7 @@ void MachineFile::openDefaults() {
   tuning_.replace(tr("Default limits"), default_setup());
   name_.clear();
   source_.clear();
+  input_.clear();
   settle({}, {{}, default_setup(), {}});
 }
 
@@ -100,6 +102,7 @@ Result<void> MachineFile::save(const QString& path) {
   imported_ = false;
   name_ = QFileInfo(target).completeBaseName();
   source_ = target;
+  input_ = target;
   settle(target, {*text, tuning_.value(), ui::stamp_of(target)});
   return {};
 }

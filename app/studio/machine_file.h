@@ -30,7 +30,9 @@ class MachineFile : public QObject {
   const QString& path() const { return path_; }  ///< the file that saving writes; empty: there is none yet
   const QString& source() const {
     return source_;
-  }                                              ///< file or built-in machine to open at the next start; may be empty
+  }  ///< file or built-in machine to open at the next start; may be empty
+  /// What is on the disk of it: path(), or the settings of another controller that were read; empty: nothing.
+  const QString& input() const { return input_; }
   const QString& name() const { return name_; }  ///< shown to people; empty: the default limits
   /// Saving would write something that is nowhere yet. Overrides and holds are of a job, not of the machine.
   bool isModified() const { return modified_; }
@@ -66,7 +68,7 @@ class MachineFile : public QObject {
 
   ui::TuningModel& tuning_;
   ui::FileWatcher watcher_;
-  QString path_, source_, name_;
+  QString path_, source_, input_, name_;
   Content held_;                    ///< the file as it was read or written; no text: none of ours
   std::optional<Content> outside_;  ///< another program's, until a person has chosen
   bool imported_ = false;           ///< in no file of ours yet

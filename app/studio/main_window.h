@@ -143,7 +143,9 @@ class MainWindow : public QMainWindow {
   void exportPulses();
   void exportPicture(Picture picture);
   void exportReport();
-  Result<void> mayWrite(const QString& path);
+  enum class Output { exported, program, machine };
+  Result<void> checkOutput(const QString& path, Output output) const;
+  Result<void> mayWrite(const QString& path, Output output = Output::exported);
   QString askFile(const QString& title, const QString& suffix, const QStringList& filters);
   void connectExporter();
   // main_window_help.cpp

@@ -35,15 +35,26 @@ std::vector<std::pair<QString, QString>> setpoint_formats() {
 
 }  // namespace
 
-/// Nothing that was read to make an export may be what it is written to. Shows why not.
-Result<void> MainWindow::mayWrite(const QString& path) {
-  std::vector<FileRole> inputs = {{"the program", workspace_.program().path().toStdString()},
-                                  {"the machine file", machine_.path().toStdString()}};
+/// Nothing that is open may be what something else is written to. A program and a machine are saved in place; settings of
+/// other controllers never are.
+Result<void> MainWindow::checkOutput(const QString& path, Output output) const {
+  std::vector<FileRole> inputs;
+  if (output != Output::program) inputs.push_back({"the program", workspace_.program().path().toStdString()});
+  const bool in_place = output == Output::machine && machine_.input() == machine_.path();
+  if (!in_place) inputs.push_back({"the machine file", machine_.input().toStdString()});
   if (const auto& document = workspace_.document()) {
     const auto& files = document->reading->moves.files;  // the program itself, then what it calls
     for (std::size_t i = 1; i < files.size(); ++i) inputs.push_back({"a sub-program", files[i]});
   }
-  auto fine = check_outputs({{"the export", path.toStdString()}}, inputs);
+  const char* what = output == Output::program   ? "the program"
+                     : output == Output::machine ? "the machine file"
+                                                 : "the export";
+  return check_outputs({{what, path.toStdString()}}, inputs);
+}
+
+/// Shows why not.
+Result<void> MainWindow::mayWrite(const QString& path, Output output) {
+  auto fine = checkOutput(path, output);
   if (!fine) showFailure(fine.error(), path);
   return fine;
 }

@@ -83,6 +83,7 @@ void MainWindow::buildPanels() {
   addDock("problemsDock", problems_, Qt::RightDockWidgetArea, false);
   single_move_ = new ui::SingleMovePage(this);
   stepper_ = new ui::StepperPage(this);
+  stepper_->setOutputCheck([this](const QString& file) { return checkOutput(file, Output::exported); });
   addTool("singleMoveDock", single_move_, {900, 560});
   addTool("stepperDock", stepper_, {900, 560});
   arrange();

@@ -104,6 +104,7 @@ QString MainWindow::askMachinePath(QString suggestion) {
 }
 
 bool MainWindow::storeMachineAs(const QString& path) {
+  if (!mayWrite(path, Output::machine)) return false;
   if (const auto saved = machine_.save(path); !saved) {
     showFailure(saved.error(), path);
     return false;

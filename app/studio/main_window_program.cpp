@@ -105,6 +105,7 @@ void MainWindow::saveProgram(bool ask, std::function<void()> then) {
 void MainWindow::storeProgramAs(const QString& path) { startSaving(path, {}); }
 
 void MainWindow::startSaving(const QString& path, std::function<void()> then) {
+  if (!mayWrite(path, Output::program)) return;
   after_saving_ = std::move(then);
   workspace_.save(QFileInfo(path).absoluteFilePath());
 }

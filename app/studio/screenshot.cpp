@@ -1,12 +1,10 @@
 #include "screenshot.h"
 
 #include <QApplication>
-#include <QPixmap>
 
 #include "end_on_signals.h"
 #include "main_window.h"
 #include "theme/finish_drawing.h"
-#include "theme/picture_file.h"
 #include "toolpace/base/monitor.h"
 
 namespace toolpace::studio {
@@ -36,7 +34,7 @@ void settle_with_proof(MainWindow& window) {
 Result<void> take_screenshot(MainWindow& window, const QString& file) {
   settle_with_proof(window);
   if (is_ended()) return tl::unexpected(cancelled_error());
-  return ui::save_picture(file, {window.size(), [&window] { return window.grab().toImage(); }});
+  return window.savePicture(MainWindow::Picture::window, file);
 }
 
 }  // namespace toolpace::studio

@@ -10,7 +10,7 @@ namespace toolpace::studio {
 class MainWindow;
 
 /// Waits until the program is open (or refused), planned and proven, then saves the window as PNG. Errors: those of
-/// save_picture, and cancelled when a signal came.
+/// savePicture, and cancelled when a signal came.
 Result<void> take_screenshot(MainWindow& window, const QString& file);
 
 /// Runs the event loop until reading and planning are done and the window is laid out and drawn as it stays, or a signal

@@ -9,6 +9,7 @@
 
 #include "main_window.h"
 #include "panels/nc_panel.h"
+#include "panels/stepper_page.h"
 #include "preferences.h"
 #include "preview/contour_view.h"
 #include "screenshot.h"
@@ -259,6 +260,39 @@ class FilesTest : public QObject {
     QCOMPARE(tuning.options.lookahead, std::optional<std::size_t>(17));
     write(in("broken.toml"), "[path]\nmax_sped_mm_s = 3\n");
     QVERIFY(!window.openMachine(in("broken.toml")));
+  }
+
+  void nothing_that_is_open_is_written_over() {
+    write(in("main.ngc"), "G21 G90 G94\nG1 F1200 X10\nO<sub> call\nM2\n");
+    write(in("sub.ngc"), "O<sub> sub\nG1 X20\nO<sub> endsub\n");
+    write(in("open.toml"), "[path]\nmax_speed_mm_s = 50\n");
+    MainWindow window(false);
+    window.show();
+    QVERIFY(window.openMachine(in("open.toml")));
+    window.openProgram(in("main.ngc"));
+    settle(window);
+    QSignalSpy saved(&window.workspace(), &ui::Workspace::saved);
+    auto* stepper = window.findChild<ui::StepperPage*>();
+    QVERIFY(stepper);
+    QSignalSpy exported(stepper, &ui::StepperPage::exported);
+    for (const char* name : {"main.ngc", "sub.ngc", "open.toml"}) {
+      QFile file(in(name));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      const QByteArray before = file.readAll();
+      if (name != QByteArray("main.ngc")) window.storeProgramAs(in(name));
+      QVERIFY(!window.workspace().isSaving());
+      QCOMPARE(window.storeMachineAs(in(name)), name == QByteArray("open.toml"));
+      QVERIFY(!window.saveReport(in(name)));
+      window.saveSetpoints(in(name));
+      stepper->exportTo(in(name));
+      QCOMPARE(exported.takeFirst()[1].toBool(), false);
+      const auto picture = take_screenshot(window, in(name));
+      QVERIFY(!picture);
+      QCOMPARE(QString::fromStdString(picture.error().code), QString("output-is-input"));
+      file.seek(0);
+      QCOMPARE(file.readAll(), before);
+    }
+    QCOMPARE(saved.size(), 0);
   }
 
   void preferences_are_remembered() {

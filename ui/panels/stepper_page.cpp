@@ -164,6 +164,7 @@ void StepperPage::chooseFile() {
 
 void StepperPage::exportTo(const QString& file) {
   if (!table_ || background_.isBusy()) return;
+  if (const auto fine = check_(file); !fine) return finishExport(file, fine);
   setBusy(true);
   const PulseFormat format = file.endsWith(".h", Qt::CaseInsensitive) ? PulseFormat::c_header : PulseFormat::csv;
   const auto write = [this, file, format, table = *table_](const Monitor& monitor) {

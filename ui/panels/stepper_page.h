@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QWidget>
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "jobs/background.h"
@@ -30,6 +31,10 @@ class StepperPage : public QWidget {
   /// The table on display; nothing while the form asks for one that cannot be made.
   const std::optional<PulseTable>& table() const { return table_; }
   void setTheme(const Theme& theme);
+
+  /// Asked before a file is written; its error is shown instead.
+  using OutputCheck = std::function<Result<void>(const QString& file)>;
+  void setOutputCheck(OutputCheck check) { check_ = std::move(check); }
 
   /// Writes the table: .h as a C header, anything else as CSV. exported() follows.
   void exportTo(const QString& file);
@@ -61,6 +66,7 @@ class StepperPage : public QWidget {
 
   StepperMove move_{20000, 20000, 0.25, 0.15, 84e6};
   std::optional<PulseTable> table_;
+  OutputCheck check_ = [](const QString&) { return Result<void>(); };
   FormGrid* grid_;
   std::array<Entry, kFields> entries_ = {};
   FigureList* figures_;
