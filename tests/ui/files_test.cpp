@@ -295,6 +295,34 @@ class FilesTest : public QObject {
     QCOMPARE(saved.size(), 0);
   }
 
+  void an_opening_wins_over_a_change_of_the_program_that_goes() {
+    write(in("goes.ngc"), kSquare);
+    write(in("comes.ngc"), kSquare);
+    MainWindow window(false);
+    window.show();
+    window.openProgram(in("goes.ngc"));
+    settle(window);
+    auto* watcher = &window.workspace().watcher();
+    window.openProgram(in("comes.ngc"));
+    emit watcher->changed(in("goes.ngc"));
+    window.workspace().program().replaceLine(1, "G1 F1200 X30");
+    settle(window);
+    QCOMPARE(window.workspace().document()->name, QString("comes.ngc"));
+  }
+
+  void a_change_is_read_where_the_opening_fails() {
+    write(in("stays.ngc"), kSquare);
+    MainWindow window(false);
+    window.show();
+    window.openProgram(in("stays.ngc"));
+    settle(window);
+    write(in("stays.ngc"), QByteArray(kSquare).replace("X10", "X20"));
+    window.openProgram(in("missing.ngc"));
+    emit window.workspace().watcher().changed(in("stays.ngc"));
+    settle(window);
+    QCOMPARE(window.workspace().timeline()->outcome()->summary.path_length, 60.0);
+  }
+
   void preferences_are_remembered() {
     Preferences saved;
     saved.dark = true;

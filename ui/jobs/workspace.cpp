@@ -46,6 +46,7 @@ std::shared_ptr<const Job> Workspace::job() const {
 
 void Workspace::cancel() {
   reader_.cancel();
+  giveUpOpening();
   planner_.cancel();
   refiner_.giveUp();
 }

@@ -33,6 +33,7 @@ class Workspace : public QObject {
   TuningModel& tuning() { return tuning_; }
   ProgramModel& program() { return program_; }
   Playback& playback() { return playback_; }
+  FileWatcher& watcher() { return watcher_; }                                    ///< of the program's file
   const std::shared_ptr<const Document>& document() const { return document_; }  ///< as last read
   const Planned& plan() const { return plan_; }                                  ///< plan A; empty before the first one
   const Planned& pinned() const { return pinned_; }                              ///< plan B; empty = none
@@ -97,6 +98,7 @@ class Workspace : public QObject {
   // workspace_program.cpp
   void connectProgram();
   void readText();
+  void giveUpOpening();
   void takeDocument(std::shared_ptr<const Document> document, std::optional<FileStamp> stamp);
   bool takeText(const Document& document, std::optional<FileStamp> stamp);
   void takeSaved(const QString& path, quint64 state, std::optional<FileStamp> stamp);
@@ -130,6 +132,8 @@ class Workspace : public QObject {
   quint64 read_state_ = 0;          // of the text that the document was read from
   std::optional<FileStamp> known_;  // the program's file as it was read, written, or passed over
   bool saving_this_program_ = false;
+  bool opening_ = false;                            // wins over all that happens to the program that is to go
+  bool text_waits_ = false, change_waits_ = false;  // to be read should the opening fail
   Conflict conflict_ = Conflict::none;
   Planned plan_, pinned_;
   Diagnostics problems_;

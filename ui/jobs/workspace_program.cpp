@@ -8,7 +8,10 @@ namespace toolpace::ui {
 
 void Workspace::connectProgram() {
   connect(&reader_, &ReaderService::read, this, &Workspace::takeDocument);
-  connect(&reader_, &ReaderService::failed, this, &Workspace::openFailed);
+  connect(&reader_, &ReaderService::failed, this, [this](const Error& error, const QString& path) {
+    emit openFailed(error, path);
+    giveUpOpening();
+  });
   connect(&reader_, &ReaderService::progressed, this, &Workspace::progressed);
   connect(&saver_, &SaveService::saved, this, &Workspace::takeSaved);
   connect(&saver_, &SaveService::failed, this, [this](const Error& error, const QString& path) {
@@ -26,11 +29,29 @@ void Workspace::connectProgram() {
   connect(&saver_, &SaveService::busyChanged, this, busy);
 }
 
-void Workspace::openFile(const QString& path) { reader_.readFile(path); }
+void Workspace::openFile(const QString& path) {
+  opening_ = true;
+  reader_.readFile(path);
+}
 
-void Workspace::openText(const QByteArray& text, const QString& name) { reader_.readText(text, name); }
+void Workspace::openText(const QByteArray& text, const QString& name) {
+  opening_ = true;
+  reader_.readText(text, name);
+}
+
+/// The program that was to go stays: what happened to it meanwhile counts.
+void Workspace::giveUpOpening() {
+  if (!std::exchange(opening_, false)) return;
+  const bool text_waits = std::exchange(text_waits_, false);
+  if (std::exchange(change_waits_, false)) takeOutsideChange();
+  if (text_waits && !reader_.isBusy()) readText();
+}
 
 void Workspace::readText() {
+  if (opening_) {
+    text_waits_ = true;
+    return;
+  }
   reader_.readEdited({program_.path(), program_.name(), program_.text(), program_.state()});
 }
 
@@ -43,6 +64,10 @@ void Workspace::reload() {
 }
 
 void Workspace::takeOutsideChange() {
+  if (opening_) {
+    change_waits_ = true;
+    return;
+  }
   emit editsWanted();
   if (program_.isModified()) return setConflict(Conflict::changed_outside);
   reader_.readFile(program_.path());
@@ -97,6 +122,7 @@ bool Workspace::takeText(const Document& document, std::optional<FileStamp> stam
     read_state_ = *document.edited_state;
     return false;
   }
+  opening_ = text_waits_ = change_waits_ = false;
   const bool another = !document_ || program_.path() != document.path || program_.name() != document.name;
   if (another) {
     saving_this_program_ = false;
