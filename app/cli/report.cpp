@@ -1,31 +1,11 @@
 #include "report.h"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 
 #include "interrupt.h"
+#include "toolpace/base/error_text.h"
 
 namespace toolpace::cli {
-namespace {
-
-std::string place(const Location& where) {
-  if (where.file.empty()) return "";
-  if (where.line == 0) return where.file + ": ";
-  if (where.column == 0) return fmt::format("{}:{}: ", where.file, where.line);
-  return fmt::format("{}:{}:{}: ", where.file, where.line, where.column);
-}
-
-const char* word(Severity severity) {
-  switch (severity) {
-    case Severity::note: return "note";
-    case Severity::warning: return "warning";
-    case Severity::error: break;
-  }
-  return "error";
-}
-
-}  // namespace
 
 void tell(const std::string& text) {
   if (is_interrupted() && std::ferror(stderr) != 0) return;  // it waited for a reader, and is not to wait again
@@ -44,16 +24,11 @@ ExitCode exit_code(ErrorKind kind) {
 }
 
 ExitCode report(const Error& error) {
-  tell(fmt::format("{}error: {} [{}]\n", place(error.where), error.message, error.code));
-  if (!error.remedy.empty()) tell(fmt::format("  {}\n", error.remedy));
+  tell(error_text(error));
   return exit_code(error.kind);
 }
 
-void report(const Diagnostic& d) {
-  tell(fmt::format("{}{}: {} [{}]\n", place(d.where), word(d.severity), d.message, d.code));
-  if (!d.excerpt.empty()) tell(fmt::format("  {}\n", d.excerpt));
-  if (!d.remedy.empty()) tell(fmt::format("  {}\n", d.remedy));
-}
+void report(const Diagnostic& diagnostic) { tell(diagnostic_text(diagnostic)); }
 
 void report(const Diagnostics& diagnostics) {
   for (const auto& d : diagnostics) report(d);
@@ -76,7 +51,7 @@ Json to_json(const Failure& failure) {
 Json to_json(const Diagnostics& diagnostics) {
   auto list = Json::array();
   for (const Diagnostic& d : diagnostics) {
-    list.push_back({{"severity", word(d.severity)},
+    list.push_back({{"severity", severity_word(d.severity)},
                     {"code", d.code},
                     {"file", d.where.file},
                     {"line", d.where.line},

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "theme/picture_file.h"
+#include "toolpace/base/error_text.h"
 
 namespace toolpace::studio {
 namespace {
@@ -128,13 +129,7 @@ Result<Request> parse_command_line(const QStringList& arguments) {
 }
 
 ExitCode report(const Error& error) {
-  std::string place = error.where.file;
-  if (!place.empty() && error.where.line > 0) place += ":" + std::to_string(error.where.line);
-  if (!place.empty() && error.where.line > 0 && error.where.column > 0)
-    place += ":" + std::to_string(error.where.column);
-  if (!place.empty()) place += ": ";
-  std::fprintf(stderr, "%serror: %s [%s]\n", place.c_str(), error.message.c_str(), error.code.c_str());
-  if (!error.remedy.empty()) std::fprintf(stderr, "  %s\n", error.remedy.c_str());
+  std::fputs(error_text(error).c_str(), stderr);
   switch (error.kind) {
     case ErrorKind::usage: return kBadUsage;
     case ErrorKind::input:
