@@ -144,7 +144,7 @@ class MainWindow : public QMainWindow {
   void exportPicture(Picture picture);
   void exportReport();
   enum class Output { exported, program, machine };
-  Result<void> checkOutput(const QString& path, Output output) const;
+  Result<void> checkOutput(const QString& path, Output output);
   Result<void> mayWrite(const QString& path, Output output = Output::exported);
   QString askFile(const QString& title, const QString& suffix, const QStringList& filters);
   void connectExporter();

@@ -37,7 +37,7 @@ std::vector<std::pair<QString, QString>> setpoint_formats() {
 
 /// Nothing that is open may be what something else is written to. A program and a machine are saved in place; settings of
 /// other controllers never are.
-Result<void> MainWindow::checkOutput(const QString& path, Output output) const {
+Result<void> MainWindow::checkOutput(const QString& path, Output output) {
   std::vector<FileRole> inputs;
   if (output != Output::program) inputs.push_back({"the program", workspace_.program().path().toStdString()});
   const bool in_place = output == Output::machine && machine_.input() == machine_.path();
