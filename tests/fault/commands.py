@@ -7,6 +7,7 @@ import pathlib
 import subprocess
 
 PROGRAM = os.environ["TOOLPACE"]
+WINDOW = os.environ.get("TOOLPACE_WINDOW_EXPORT", "")
 SOURCE_DIR = pathlib.Path(os.environ["TOOLPACE_SOURCE_DIR"])
 FORMATS = ("csv", "npy", "npz", "halstream", "semicolon.csv")
 
@@ -16,9 +17,10 @@ class Command:
     arguments: tuple
     target: str = ""  # the file it writes
     stdin: str = ""  # an input that comes through a pipe
+    program: str = PROGRAM
 
     def __str__(self):
-        return "toolpace " + " ".join(self.arguments) + (f" < {self.stdin}" if self.stdin else "")
+        return pathlib.Path(self.program).name + " " + " ".join(self.arguments) + (f" < {self.stdin}" if self.stdin else "")
 
     def wants_json(self):
         return "--json" in self.arguments
@@ -61,6 +63,14 @@ def every_command():
     yield Command(("simulate", "part.ngc", "--machine", "mill.toml", "--json"))
     yield Command(("simulate", "part.ngc", "--machine", "mill.toml", "--trace", "out.csv"), "out.csv")
     yield Command(("report", "part.ngc", "--machine", "mill.toml", "-o", "out.html"), "out.html")
+
+
+def every_export():
+    """What the window writes, but PDF, in which stands when it was made."""
+    for what, target in (("setpoints", "out.csv"), ("setpoints", "out.npz"), ("setpoints", "out.pulses.csv"),
+                         ("plots", "out.svg"), ("contour", "out.png"), ("window", "out.png"), ("report", "out.html"),
+                         ("program", "out.ngc"), ("machine", "out.toml")):
+        yield Command((what, "short.ngc", "mill.toml", target), target, program=WINDOW)
 
 
 def part():

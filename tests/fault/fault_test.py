@@ -1,6 +1,7 @@
 """Runs every command under faults and looks at what it leaves behind.
 
-fault_test.py [GROUP…]   the groups of kinds.py; all unless named
+fault_test.py [GROUP…]   the groups of kinds.py, and "window": those kinds that can strike what the window writes;
+                         every one unless named
 
 Where a fault strikes is chosen by counting first: every place where there are few, else the first, the last and others at
 random, more of them by the factor TOOLPACE_CASES_FACTOR, and all for "all". TOOLPACE_FAULT_COMMANDS: only commands that
@@ -10,27 +11,31 @@ contain this text. TOOLPACE_FAULT_KINDS: only these kinds. Whatever the fault, a
 - leaves no other file behind, is ended by no signal, and ends.
 """
 
+import itertools
 import json
 import os
 import random
 import sys
 import tempfile
 
-from commands import every_command
+from commands import WINDOW, every_command, every_export
 from kinds import FINE, KINDS, LIMIT_BROKEN
 from scratch import OLD, Scratch
 
 PLACES = 3  # of each fault in each command, unless there is a factor
+WINDOW_PLACES = 1  # the same in each export of the window, which takes longer
 
 
-def places(count, kind, seed):
+def places(count, kind, command):
     """Numbers up to `count` that choose where the fault strikes."""
     every = range(kind.least, count + 1)
     factor = os.environ.get("TOOLPACE_CASES_FACTOR", "1")
-    most = len(every) if factor == "all" else int(PLACES * float(factor))
+    few = WINDOW_PLACES if command.program == WINDOW else PLACES
+    most = len(every) if factor == "all" else int(few * float(factor))
     if len(every) <= most:
         return list(every)
-    return sorted({every[0], every[-1], *random.Random(seed).sample(every, most - 2)})
+    chosen = random.Random(f"{command} {kind.name}").sample(every, most)
+    return sorted({every[0], every[-1], *chosen[2:]}) if most > 2 else sorted(chosen)
 
 
 def broken_rules(command, kind, run, base):
@@ -99,7 +104,7 @@ class Sweep:
         """@return how many faults happened, and how many of them the command held out against"""
         tried = held = 0
         complaints = []
-        for turn, at in enumerate(places(self.count(command, kind), kind, f"{command} {kind.name}")):
+        for turn, at in enumerate(places(self.count(command, kind), kind, command)):
             run = self.scratch.run(command, kind, at, with_old=turn % 2 == 0)
             if kind.group != "system" and run.injected == 0:
                 continue  # another thread was faster, or a call that the last run had was not made
@@ -116,18 +121,23 @@ class Sweep:
 def main():
     groups = sys.argv[1:]
     kinds = os.environ.get("TOOLPACE_FAULT_KINDS", "").split()
-    commands = [c for c in every_command() if os.environ.get("TOOLPACE_FAULT_COMMANDS", "") in str(c)]
+    only = os.environ.get("TOOLPACE_FAULT_COMMANDS", "")
+    surfaces = [("", [c for c in every_command() if only in str(c)])]
+    if WINDOW:
+        surfaces.append(("window ", [c for c in every_export() if only in str(c)]))
     with tempfile.TemporaryDirectory() as folder:
         sweep = Sweep(Scratch(folder))
-        print(f"{'fault':<20}{'tried':>8}{'held':>8}")
-        for kind in KINDS:
-            if groups and kind.group not in groups or kinds and kind.name not in kinds:
+        print(f"{'fault':<28}{'tried':>8}{'held':>8}")
+        for surface, kind in itertools.product(surfaces, KINDS):
+            title, commands = surface
+            group = "window" if title else kind.group
+            if groups and group not in groups or kinds and kind.name not in kinds or title and not kind.strikes_window():
                 continue
             tallies = [sweep.try_kind(kind, command) for command in commands]
             tried, held = (sum(column) for column in zip(*tallies))
-            print(f"{kind.name:<20}{tried:>8}{held:>8}", flush=True)
+            print(f"{title + kind.name:<28}{tried:>8}{held:>8}", flush=True)
             if tried == 0:
-                sweep.complaints.append(f"{kind.name} never happened")
+                sweep.complaints.append(f"{title}{kind.name} never happened")
     print("\n".join(sweep.complaints))
     return 1 if sweep.complaints else 0
 

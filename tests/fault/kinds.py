@@ -18,6 +18,10 @@ class Kind:
     calls: tuple = ()  # that it can strike
     least: int = 1  # of the numbers that choose where it strikes
 
+    def strikes_window(self):
+        """Qt ends where it gets no memory; an input that changes is read anew; and the window prints nothing."""
+        return self.group not in ("memory", "input") and self.name not in ("full-stdout", "closed-stdout")
+
 
 KINDS = (
     # There is always room for the rest, in the next call.

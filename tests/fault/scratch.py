@@ -7,7 +7,7 @@ import resource
 import struct
 import subprocess
 
-from commands import PROGRAM, write_inputs
+from commands import write_inputs
 
 PATIENCE = 60  # s; what takes longer hangs
 TALLY = struct.Struct("12Q")
@@ -39,7 +39,8 @@ class Scratch:
         self.work.mkdir()
         self.temporary.mkdir()
         self.inputs = {name: (self.work / name).read_bytes() for name in write_inputs(self.work)}
-        self.environment = {"PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8", "TMPDIR": str(self.temporary)}
+        self.environment = {"PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8", "TMPDIR": str(self.temporary),
+                            "QT_QPA_PLATFORM": "offscreen", "QT_LOGGING_RULES": "default.warning=false"}
 
     def run(self, command, kind, at, with_old=False):
         """Runs the command with the fault at its place, 0 = nowhere; with_old: the target is there already."""
@@ -53,7 +54,7 @@ class Scratch:
         code, err = None, ""
         with self.standard_output(kind if at > 0 else None) as out:
             try:
-                done = subprocess.run([PROGRAM, *command.arguments], cwd=self.work, stdout=out, stderr=subprocess.PIPE,
+                done = subprocess.run([command.program, *command.arguments], cwd=self.work, stdout=out, stderr=subprocess.PIPE,
                                       input=self.inputs[pathlib.Path(command.stdin)] if command.stdin else b"",
                                       timeout=PATIENCE, **options)
                 code, err = done.returncode, done.stderr.decode("utf-8", "replace")

@@ -1,13 +1,14 @@
 #include "jobs/regular_file.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <QFile>
+#include <QFileInfo>
 #include <cerrno>
 #include <filesystem>
 
+#include "toolpace/base/descriptor.h"
 #include "toolpace/base/file_error.h"
 
 namespace toolpace::ui {
@@ -15,21 +16,6 @@ namespace {
 
 constexpr qsizetype kPiece = qsizetype{1} << 22;  // bytes between two looks at the monitor
 constexpr qint64 kNsPerSecond = 1'000'000'000;
-
-class Descriptor {
- public:
-  // Without O_NONBLOCK a pipe that nobody writes to would not even open.
-  explicit Descriptor(const QByteArray& file) : value_(::open(file.constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (value_ >= 0) ::close(value_);
-  }
-  int value() const { return value_; }
-
- private:
-  int value_;
-};
 
 FileStamp stamp(const struct stat& info) {
   return {static_cast<qint64>(info.st_dev), static_cast<qint64>(info.st_ino), static_cast<qint64>(info.st_size),
@@ -68,10 +54,10 @@ Result<void> check_regular_file(const QString& path) {
 Result<FileContent> read_regular_file(const QString& path, const Monitor& monitor) {
   // Looked at before it is opened, too: opening some devices alone does something.
   if (auto regular = check_regular_file(path); !regular) return tl::unexpected(regular.error());
-  const Descriptor descriptor(QFile::encodeName(path));
+  const auto descriptor = open_for_reading(QFileInfo(path).absoluteFilePath().toStdString());
+  if (!descriptor) return tl::unexpected(descriptor.error());
   struct stat info {};
-  if (descriptor.value() < 0) return tl::unexpected(trouble(errno, path, "open"));
-  if (::fstat(descriptor.value(), &info) != 0) return tl::unexpected(trouble(errno, path, "read"));
+  if (::fstat(descriptor->value(), &info) != 0) return tl::unexpected(trouble(errno, path, "read"));
   if (auto regular = check_kind(info, path); !regular) return tl::unexpected(regular.error());
   FileContent content{{}, stamp(info)};
   content.bytes.reserve(content.stamp.bytes + 1);  // one more, to see the end
@@ -79,7 +65,7 @@ Result<FileContent> read_regular_file(const QString& path, const Monitor& monito
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
     content.bytes.resize(size + std::max<qsizetype>(std::min(kPiece, content.stamp.bytes - size), 1));
     const ssize_t count =
-        ::read(descriptor.value(), content.bytes.data() + size, static_cast<std::size_t>(content.bytes.size() - size));
+        ::read(descriptor->value(), content.bytes.data() + size, static_cast<std::size_t>(content.bytes.size() - size));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return tl::unexpected(trouble(errno, path, "read"));
     size += count;
