@@ -7,23 +7,44 @@ namespace toolpace::cli {
 
 using Library = nlohmann::ordered_json;
 
-/// Hands a value over to the library that prints it.
+/// Lays out arrays and objects; what stands in them is written by the library. It is given no more than one value at a time:
+/// taking a tree of its down needs memory, and where there is none left, that ends the program.
 struct JsonWriter {
-  static Library convert(const Json& json) { return std::visit(JsonWriter{}, json.value_); }
+  std::string& out;
+  std::size_t depth = 0;
 
   template <class T>
-  Library operator()(const T& scalar) const {
-    return Library(scalar);
+  void operator()(const T& scalar) const {
+    out += Library(scalar).dump(-1, ' ', false, Library::error_handler_t::replace);
   }
-  Library operator()(const Json::Array& values) const {
-    Library array = Library::array();
-    for (const Json& value : values) array.push_back(convert(value));
-    return array;
+  void operator()(const Json::Array& values) const {
+    write_list('[', values, ']', [](const JsonWriter& inner, const Json& value) { std::visit(inner, value.value_); });
   }
-  Library operator()(const Json::Object& members) const {
-    Library object = Library::object();
-    for (const auto& [key, value] : members) object[key] = convert(value);
-    return object;
+  void operator()(const Json::Object& members) const {
+    write_list('{', members, '}', [](const JsonWriter& inner, const Json::Member& member) {
+      inner(member.first);
+      inner.out += ": ";
+      std::visit(inner, member.second.value_);
+    });
+  }
+
+ private:
+  template <class List, class Write>
+  void write_list(char open, const List& list, char close, const Write& write) const {
+    out += open;
+    const JsonWriter inner{out, depth + 1};
+    for (const auto& entry : list) {
+      if (&entry != &list.front()) out += ',';
+      inner.new_line();
+      write(inner, entry);
+    }
+    if (!list.empty()) new_line();
+    out += close;
+  }
+  void new_line() const {
+    constexpr std::size_t kIndent = 2;
+    out += '\n';
+    out.append(kIndent * depth, ' ');
   }
 };
 
@@ -41,8 +62,9 @@ void Json::push_back(Json value) {
 }
 
 std::string Json::text() const {
-  constexpr int kIndent = 2;
-  return JsonWriter::convert(*this).dump(kIndent, ' ', false, Library::error_handler_t::replace);
+  std::string out;
+  std::visit(JsonWriter{out}, value_);
+  return out;
 }
 
 }  // namespace toolpace::cli

@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#define TOML_EXCEPTIONS 0
-#define TOML_HEADER_ONLY 1
-#include <toml++/toml.h>
 
 #include "toolpace/base/input_file.h"
 #include "toolpace/base/nearest_word.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/machine/setup_keys.h"
+#include "toolpace/machine/toml_library.h"
 
 namespace toolpace {
 namespace {

@@ -1,8 +1,6 @@
 #include "toolpace/machine/toml_layout.h"
 
-#define TOML_EXCEPTIONS 0
-#define TOML_HEADER_ONLY 1
-#include <toml++/toml.h>
+#include "toolpace/machine/toml_library.h"
 
 namespace toolpace {
 namespace {
