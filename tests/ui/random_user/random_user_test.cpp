@@ -1,4 +1,4 @@
-/// Thousands of things that somebody does with the window, at random. TOOLPACE_USER_ACTIONS (200) and TOOLPACE_USER_SEED (1)
+/// Thousands of things that somebody does with the window, at random. TOOLPACE_USER_ACTIONS (100) and TOOLPACE_USER_SEED (1)
 /// choose how many and which; TOOLPACE_USER_TRACE prints each before it is done.
 
 #include <QSettings>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace toolpace::ui;
 
-constexpr int kUsualActions = 200, kBetweenDeepLooks = 40;
+constexpr int kUsualActions = 100, kBetweenDeepLooks = 40;
 
 struct Place {
   unsigned long long seed = 1;
