@@ -73,7 +73,10 @@ class Opener {
     d.down.jerk = std::min(machine.path.jerk_deceleration, jerk);
     open_.block_cap[i] =
         std::max(cap, open_.block_cap[i]);  // at a cusp the planner's cap is no bound either, but never 0
-    if (open_.dynamics.empty() || !(open_.dynamics.back() == d)) open_.dynamics.push_back(d);
+    if (!(open_.dynamics.back() == d)) {
+      open_.dynamics.push_back(d);
+      open_.dynamics_cause.push_back(Cause::axis_acceleration);
+    }
     open_.ramp[i] = static_cast<std::uint32_t>(open_.dynamics.size() - 1);
   }
 

@@ -27,4 +27,7 @@ struct SpeedLimits {
   const Dynamics& dynamics_of(std::size_t block) const { return dynamics[ramp[block]]; }
 };
 
+/// Blocks begin … end − 1 as a chain of their own, from rest to rest. @pre begin < end ≤ all.size()
+SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end);
+
 }  // namespace toolpace

@@ -183,8 +183,6 @@ class HoldInserter {
 
   /// Plans from the stop to the end.
   Result<MotionPlan> plan_rest(double at, const Monitor& monitor) const {
-    SpeedLimits rest;
-    rest.dynamics = limits_.dynamics;
     std::size_t first = block_at(at);
     double left = position_[first + 1] - at;
     if (left <= kSamePlace * length() && first + 1 <= limits_.size()) {
@@ -192,17 +190,8 @@ class HoldInserter {
       left = first < limits_.size() ? limits_.length[first] : 0.0;
     }
     if (first >= limits_.size()) return MotionPlan{};
-    const auto tail = [&](const auto& all, auto& some, std::size_t from) {
-      some.assign(all.begin() + static_cast<std::ptrdiff_t>(from), all.end());
-    };
-    tail(limits_.length, rest.length, first);
-    tail(limits_.block_cap, rest.block_cap, first);
-    tail(limits_.ramp, rest.ramp, first);
-    tail(limits_.block_cause, rest.block_cause, first);
-    tail(limits_.node_cap, rest.node_cap, first);
-    tail(limits_.node_cause, rest.node_cause, first);
+    SpeedLimits rest = slice(limits_, first, limits_.size());
     rest.length.front() = left;
-    rest.node_cap.front() = 0.0;
     return plan_motion(rest, options_, monitor);
   }
 

@@ -32,24 +32,6 @@ std::vector<Run> find_runs(const Path& path, const Commands& commands) {
   return runs;
 }
 
-SpeedLimits slice(const SpeedLimits& all, const Run& run) {
-  const auto part = [](const auto& v, std::size_t from, std::size_t to) {
-    return std::decay_t<decltype(v)>(v.begin() + static_cast<std::ptrdiff_t>(from),
-                                     v.begin() + static_cast<std::ptrdiff_t>(to));
-  };
-  SpeedLimits r;
-  r.length = part(all.length, run.begin, run.end);
-  r.block_cap = part(all.block_cap, run.begin, run.end);
-  r.ramp = part(all.ramp, run.begin, run.end);
-  r.block_cause = part(all.block_cause, run.begin, run.end);
-  r.node_cap = part(all.node_cap, run.begin, run.end + 1);
-  r.node_cause = part(all.node_cause, run.begin, run.end + 1);
-  r.node_cap.front() = r.node_cap.back() = 0.0;
-  r.node_cause.front() = r.node_cause.back() = Cause::stop;
-  r.dynamics = all.dynamics;
-  return r;
-}
-
 class SmoothPlanner {
  public:
   SmoothPlanner(const Path& path, const Commands& commands, const Machine& machine, const SpeedLimits& limits,
@@ -97,7 +79,7 @@ class SmoothPlanner {
   }
 
   Result<void> add_exact(const Run& run, const Monitor& monitor) {
-    const SpeedLimits part = slice(limits_, run);
+    const SpeedLimits part = slice(limits_, run.begin, run.end);
     auto plan = plan_motion(part, options_, {monitor.stop, {}});
     if (!plan) return tl::unexpected(plan.error());
     if (hold_ && hold_time() < plan->cycle_time()) {

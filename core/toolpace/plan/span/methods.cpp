@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "toolpace/plan/block/block_plan.h"
@@ -34,29 +33,6 @@ bool has_seams(const SpeedLimits& limits) {
     if (ratio_of(limits.dynamics_of(i - 1), limits.dynamics_of(i)) > kSeamRatio) return true;
   }
   return false;
-}
-
-/// Blocks first … last − 1 as a chain of their own.
-SpeedLimits part_of(const SpeedLimits& limits, std::size_t first, std::size_t last) {
-  const auto cut = [&](const auto& values, std::size_t end) {
-    return std::remove_cvref_t<decltype(values)>(values.begin() + static_cast<std::ptrdiff_t>(first),
-                                                 values.begin() + static_cast<std::ptrdiff_t>(end));
-  };
-  SpeedLimits part{cut(limits.length, last),
-                   cut(limits.block_cap, last),
-                   cut(limits.ramp, last),
-                   cut(limits.block_cause, last),
-                   cut(limits.node_cap, last + 1),
-                   cut(limits.node_cause, last + 1),
-                   {},
-                   {}};
-  for (std::uint32_t& ramp : part.ramp) {
-    const Dynamics& dynamics = limits.dynamics[ramp];
-    if (part.dynamics.empty() || !(part.dynamics.back() == dynamics)) part.dynamics.push_back(dynamics);
-    ramp = static_cast<std::uint32_t>(part.dynamics.size() - 1);
-  }
-  part.node_cap.front() = part.node_cap.back() = 0.0;
-  return part;
 }
 
 }  // namespace
@@ -103,7 +79,7 @@ void SpanPlanner::choose_by_samples() {
   std::vector<double> time(methods_.size(), 0.0);
   for (std::size_t k = 0; k < kSamples; ++k) {
     const std::size_t first = k * (limits_.size() - kSampleBlocks) / (kSamples - 1);
-    const SpeedLimits part = part_of(limits_, first, first + kSampleBlocks);
+    const SpeedLimits part = slice(limits_, first, first + kSampleBlocks);
     const SpanPlanner planner(part, law_, monitor_);
     const std::vector<double> cap = joined_caps(part);
     for (std::size_t m = 0; m < methods_.size(); ++m) {
