@@ -112,15 +112,23 @@ void MainWindow::showPinned() {
 void MainWindow::showProblems() {
   const auto& all = workspace_.problems();
   nc_->view().setProblems(all);
-  problems_->setProblems(all);
+  Diagnostics shown = all;
+  if (failure_) shown.insert(shown.begin(), *failure_);
+  problems_->setProblems(shown);
   const auto first_error =
       std::find_if(all.begin(), all.end(), [](const Diagnostic& d) { return d.severity == Severity::error; });
   const bool has_errors = first_error != all.end();
   if (has_errors && !had_errors_) docks_["problemsDock"]->raise();
   if (!has_errors && had_errors_) docks_["resultsDock"]->raise();
   had_errors_ = has_errors;
-  const QString count = all.empty() ? QString() : QString(" %1").arg(all.size());
+  const QString count = shown.empty() ? QString() : QString(" %1").arg(shown.size());
   docks_["problemsDock"]->setWindowTitle(tr("Problems") + count);
+}
+
+void MainWindow::forgetFailure() {
+  if (!failure_) return;
+  failure_.reset();
+  showProblems();
 }
 
 void MainWindow::showCursor(double time) {
@@ -190,14 +198,15 @@ void MainWindow::showTitle() {
 
 void MainWindow::showFailure(const Error& error, const QString& path) {
   if (error.kind == ErrorKind::cancelled) return;
-  Diagnostics problems = workspace_.problems();
-  Diagnostic failure{Severity::error, error.code, error.message, error.remedy, error.where, {}};
+  Diagnostic& failure = failure_.emplace();
+  failure.code = error.code;
+  failure.message = error.message;
+  failure.remedy = error.remedy;
+  failure.where = error.where;
   failure.where.line = 0;  // of another file than the one shown
   const std::string name = QFileInfo(path).fileName().toStdString();
   if (error.message.find(name) == std::string::npos) failure.message = name + ": " + error.message;
-  problems.insert(problems.begin(), failure);
-  problems_->setProblems(problems);
-  docks_["problemsDock"]->setWindowTitle(tr("Problems") + QString(" %1").arg(problems.size()));
+  showProblems();
   docks_["problemsDock"]->show();
   docks_["problemsDock"]->raise();
   transport_->setMessage(ui::message_text(failure.code, failure.message));

@@ -9,6 +9,7 @@
 #include <QTranslator>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "actions.h"
 #include "jobs/export_service.h"
@@ -99,6 +100,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showState();
   void showFailure(const Error& error, const QString& path);
+  void forgetFailure();
   // main_window_wiring.cpp
   void connectWorkspace();
   void connectPanels();
@@ -161,6 +163,8 @@ class MainWindow : public QMainWindow {
   Preferences preferences_;
   ui::Workspace workspace_;
   ui::ExportService exporter_;
+  std::optional<Diagnostic>
+      failure_;  ///< of the last file that could not be read or written, until something else is done
   MachineFile machine_{workspace_.tuning()};
   Actions* actions_ = nullptr;
   ui::Theme theme_ = ui::light_theme();

@@ -54,6 +54,7 @@ Result<void> MainWindow::checkOutput(const QString& path, Output output) {
 
 /// Shows why not.
 Result<void> MainWindow::mayWrite(const QString& path, Output output) {
+  forgetFailure();
   auto fine = checkOutput(path, output);
   if (!fine) showFailure(fine.error(), path);
   return fine;

@@ -56,6 +56,7 @@ bool MainWindow::openMachine(const QString& path) {
     showFailure(opened.error(), path);
     return false;
   }
+  forgetFailure();
   takeMachine();
   return true;
 }

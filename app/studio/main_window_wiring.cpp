@@ -20,6 +20,9 @@ namespace toolpace::studio {
 void MainWindow::connectWorkspace() {
   using ui::Workspace;
   connect(&workspace_, &Workspace::documentChanged, this, &MainWindow::showDocument);
+  connect(&workspace_, &Workspace::documentChanged, this, [this](bool another) {
+    if (another) forgetFailure();
+  });
   connectProgram();
   connectMachine();
   connect(&workspace_, &Workspace::planChanged, this, &MainWindow::showPlan);
@@ -32,6 +35,7 @@ void MainWindow::connectWorkspace() {
     circle_->setPlan(workspace_.plan());
   });
   connect(&workspace_, &Workspace::problemsChanged, this, &MainWindow::showProblems);
+  connect(&workspace_.tuning().undoStack(), &QUndoStack::indexChanged, this, &MainWindow::forgetFailure);
   connect(&workspace_, &Workspace::cursorChanged, this, &MainWindow::showCursor);
   connect(&workspace_, &Workspace::openFailed, this, &MainWindow::showFailure);
   connect(&workspace_, &Workspace::busyChanged, transport_, &ui::TransportBar::setBusy);
