@@ -124,8 +124,6 @@ std::shared_ptr<Job> with_blends(const Job& job) {
 
 }  // namespace
 
-std::span<const Strategy> strategies() { return kStrategies; }
-
 const Strategy& strategy_of(const Job& job, std::size_t segments) {
   return *std::find_if(std::begin(kStrategies), std::end(kStrategies),
                        [&](const Strategy& s) { return s.takes(job, segments); });

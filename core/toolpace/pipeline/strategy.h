@@ -2,9 +2,8 @@
 /// The ways of making a motion from a job.
 
 #include <memory>
-#include <span>
+#include <optional>
 #include <string_view>
-#include <vector>
 
 #include "toolpace/pipeline/job.h"
 #include "toolpace/plan/smooth/plan_smooth.h"
@@ -27,8 +26,6 @@ struct Strategy {
   PlanOptions (*ran)(const PlanTask& task);   ///< what of the job's options it really uses, and what instead of others
   Settings (*ignored)(const PlanTask& task);  ///< what of the job's options changes nothing under it
 };
-
-std::span<const Strategy> strategies();
 
 const Strategy& strategy_of(const Job& job, std::size_t segments);
 
