@@ -4,6 +4,7 @@
 
 #include "planned_program.h"
 #include "toolpace/law/law_table.h"
+#include "toolpace/pipeline/job_rules.h"
 
 namespace toolpace {
 namespace {
@@ -97,12 +98,15 @@ TEST(Strategy, AMotionThroughTheTubeSaysThatItTookNoLawAndNoWindow) {
 TEST(Strategy, ExactBlocksKeepTheLawOfTheJob) {
   Program program;
   program.line(10, 0).line(20, 6).control(PathControl::exact_stop).line(30, 0).line(40, 6);
-  const auto outcome = run(job_of(program, CornerRule::smooth, LawKind::quintic));
-  ASSERT_TRUE(outcome);
-  if (!outcome->plan.splines.empty()) {
-    EXPECT_EQ(outcome->ran.law, LawKind::quintic);
-    EXPECT_FALSE(outcome->ignored.has(Setting::law));
-  }
+  const auto job = job_of(program, CornerRule::smooth, LawKind::quintic);
+  const Path path = build_path(program.moves(), 0).value();
+  const Commands commands = command(path, *job);
+  const SpeedLimits limits;
+  const PlanTask task{*job, path, commands, limits};
+  const Strategy& strategy = strategy_of(*job, path.size());
+  EXPECT_EQ(strategy.id, "through-tube");
+  EXPECT_EQ(strategy.ran(task).law, LawKind::quintic);
+  EXPECT_EQ(strategy.ignored(task), Settings{});
 }
 
 TEST(Strategy, TheFirstRowThatTakesAJobRunsIt) {
