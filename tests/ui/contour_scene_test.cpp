@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include "models/instant.h"
 #include "preview/scene_draw.h"
 #include "preview/scene_pick.h"
 #include "support/planned.h"
@@ -122,7 +123,7 @@ class ContourSceneTest : public QObject {
       for (const double share : {0.0, 0.3, 0.9, 1.0}) {
         const double time = scene->colours->stretch(i, 0, share).end;
         const Eigen::Vector3d wanted = g.point(i) + share * (g.point(i + 1) - g.point(i));
-        const double off = (place_at(*outcome, time)->point - wanted).norm();
+        const double off = (instant_at(*outcome, time)->position.head<3>() - wanted).norm();
         // Chords leave their arc by a part in 2500 of the whole, 0.026 mm here.
         QVERIFY2(off < 0.026, qPrintable(QString("piece %1 at %2: %3 mm").arg(i).arg(share).arg(off)));
       }
@@ -159,11 +160,11 @@ class ContourSceneTest : public QObject {
 
   void places_agree_with_the_setpoints_ends() {
     const auto outcome = planned_butterfly();
-    const auto begin = place_at(*outcome, -5), end = place_at(*outcome, 1e9);
-    QVERIFY((begin->point - outcome->path->node.front().head<3>()).norm() < 1e-9);
-    QVERIFY((end->point - outcome->path->node.back().head<3>()).norm() < 1e-6);
+    const auto begin = instant_at(*outcome, -5), end = instant_at(*outcome, 1e9);
+    QVERIFY((begin->position.head<3>() - outcome->path->node.front().head<3>()).norm() < 1e-9);
+    QVERIFY((end->position.head<3>() - outcome->path->node.back().head<3>()).norm() < 1e-6);
     QVERIFY(std::abs(end->state.speed) < 1e-6);
-    QVERIFY(place_at(*outcome, std::nan("")).has_value());
+    QVERIFY(instant_at(*outcome, std::nan("")).has_value());
   }
 
   void a_dwell_holds_the_place() {
@@ -173,7 +174,7 @@ class ContourSceneTest : public QObject {
     const auto scene = make_contour_scene(outcome);
     check_sound(*scene);
     const double arrival = outcome->node_time[1];
-    QVERIFY((place_at(*outcome, arrival + 1.0)->point - Eigen::Vector3d(10, 0, 0)).norm() < 1e-9);
+    QVERIFY((instant_at(*outcome, arrival + 1.0)->position.head<3>() - Eigen::Vector3d(10, 0, 0)).norm() < 1e-9);
     // What follows begins after the pause and is no slower for it.
     QVERIFY(scene->colours->stretch(1, 0.01, 1).begin >= arrival + 2.0);
     QVERIFY(std::abs(scene->colours->shades(ColourBy::speed)[1] - scene->colours->shades(ColourBy::speed)[0]) <= 2);
@@ -203,7 +204,7 @@ class ContourSceneTest : public QObject {
     QCOMPARE(span->first, outcome->node_time[1]);
     QCOMPARE(span->second, outcome->node_time[2]);
     QVERIFY(!time_of_line(*outcome, 99));
-    QCOMPARE(place_at(*outcome, (span->first + span->second) / 2)->line, 2u);
+    QCOMPARE(instant_at(*outcome, (span->first + span->second) / 2)->line, 2u);
   }
 
   void a_click_finds_the_piece_and_its_time() {
@@ -216,7 +217,7 @@ class ContourSceneTest : public QObject {
     const auto hit = pick(*scene, view, at + QPointF(3, 0), 8);
     QVERIFY(hit.has_value());
     QVERIFY(std::abs(hit->distance - 3) < 1e-6);
-    QVERIFY((place_at(*outcome, hit->time)->point - Eigen::Vector3d(100, 50, 0)).norm() < 1.0);
+    QVERIFY((instant_at(*outcome, hit->time)->position.head<3>() - Eigen::Vector3d(100, 50, 0)).norm() < 1.0);
     QVERIFY(!pick(*scene, view, at + QPointF(30, 0), 8));
   }
 

@@ -74,18 +74,18 @@ class ContourViewTest : public QObject {
   void a_click_on_the_path_asks_for_its_time_and_one_beside_it_does_not() {
     auto view = shown(butterfly_);
     QSignalSpy asked(view.get(), &ContourView::cursorTimeRequested);
-    const auto place = place_at(*outcome_, 2.0);
-    QTest::mouseClick(&view->canvas(), Qt::LeftButton, {}, on_screen(*view, place->point));
+    const auto place = instant_at(*outcome_, 2.0);
+    QTest::mouseClick(&view->canvas(), Qt::LeftButton, {}, on_screen(*view, place->position.head<3>()));
     QCOMPARE(asked.count(), 1);
-    const auto hit = place_at(*outcome_, asked[0][0].toDouble());
-    QVERIFY((hit->point - place->point).norm() * view->canvas().projection().scale < 9);
+    const auto hit = instant_at(*outcome_, asked[0][0].toDouble());
+    QVERIFY((hit->position.head<3>() - place->position.head<3>()).norm() * view->canvas().projection().scale < 9);
     QTest::mouseClick(&view->canvas(), Qt::LeftButton, {}, {4, 4});
     QCOMPARE(asked.count(), 1);
   }
 
   void the_wheel_zooms_about_the_mouse_and_a_double_click_fits() {
     auto view = shown(butterfly_);
-    const Eigen::Vector3d point = place_at(*outcome_, 2.0)->point;
+    const Eigen::Vector3d point = instant_at(*outcome_, 2.0)->position.head<3>();
     const QPoint at = on_screen(*view, point);
     const double before = view->canvas().projection().scale;
     wheel(view->canvas(), at, 360);
@@ -99,7 +99,7 @@ class ContourViewTest : public QObject {
   void dragging_moves_the_picture_and_no_cursor() {
     auto view = shown(butterfly_);
     QSignalSpy asked(view.get(), &ContourView::cursorTimeRequested);
-    const Eigen::Vector3d point = place_at(*outcome_, 2.0)->point;
+    const Eigen::Vector3d point = instant_at(*outcome_, 2.0)->position.head<3>();
     const QPoint at = on_screen(*view, point);
     drag(view->canvas(), at, at + QPoint(60, -40));
     QVERIFY((on_screen(*view, point) - at - QPoint(60, -40)).manhattanLength() <= 2);
@@ -153,7 +153,7 @@ class ContourViewTest : public QObject {
   void the_mouse_over_the_path_reads_its_values() {
     auto view = shown(butterfly_);
     QSignalSpy hovered(&view->canvas(), &ContourCanvas::hoverChanged);
-    const QPoint at = on_screen(*view, place_at(*outcome_, 2.0)->point);
+    const QPoint at = on_screen(*view, instant_at(*outcome_, 2.0)->position.head<3>());
     QMouseEvent move(QEvent::MouseMove, at, view->canvas().mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
     QApplication::sendEvent(&view->canvas(), &move);
     QVERIFY(hovered.count() >= 1);
@@ -196,10 +196,10 @@ class ContourViewTest : public QObject {
   void an_enlarged_error_and_a_tolerance_band_show() {
     auto trace = std::make_shared<ErrorTrace>();
     for (double t = 0; t < outcome_->plan.cycle_time(); t += 0.002) {
-      const auto place = place_at(*outcome_, t);
+      const auto place = instant_at(*outcome_, t);
       trace->time.push_back(t);
       trace->error.push_back(static_cast<float>(0.004 * (1 + std::sin(20 * t))));
-      trace->commanded.push_back(place->point.cast<float>());
+      trace->commanded.push_back(place->position.head<3>().cast<float>());
       trace->offset.push_back(Eigen::Vector3f(0.005f * static_cast<float>(std::sin(9 * t)), 0.004f, 0));
     }
     auto view = shown(make_contour_scene(outcome_, trace));

@@ -6,6 +6,7 @@
 
 #include "support/planned.h"
 #include "support/ui_test.h"
+#include "toolpace/sample/motion.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -13,7 +14,9 @@ using namespace toolpace::ui;
 class ProfileCurvesTest : public QObject {
   Q_OBJECT
 
-  static PhaseState state(const Outcome& outcome, double time) { return motion_at(outcome.plan, time); }
+  static PhaseState state(const Outcome& outcome, double time) {
+    return Motion(*outcome.path, outcome.plan).at(time).along();
+  }
 
   static void check_curve(const Curve& curve) {
     QCOMPARE(curve.time.size(), curve.value.size());
@@ -137,7 +140,8 @@ class ProfileCurvesTest : public QObject {
     for (int k = 1; k < 200; ++k) {
       const double time =
           outcome->node_time[across] + (outcome->node_time[across + 1] - outcome->node_time[across]) * k / 200;
-      wanted = std::max(wanted, static_cast<float>(axis_state(*outcome, across, time, 1).acceleration));
+      wanted =
+          std::max(wanted, static_cast<float>(Motion(*outcome->path, outcome->plan).at(time).axes().acceleration[1]));
     }
     QVERIFY(wanted > 100);
     for (const int columns : {1, 7, 40, 1000}) {
@@ -164,7 +168,7 @@ class ProfileCurvesTest : public QObject {
     for (qsizetype i = 0; i < curves.speed.time.size(); i += 11) {
       const double t = curves.speed.time[i] - spline.begin;
       if (t <= 0 || t >= spline.duration()) continue;
-      QVERIFY(std::abs(curves.speed.value[i] - evaluate(spline, t).speed) < 1e-9);
+      QVERIFY(std::abs(curves.speed.value[i] - along(spline, evaluate(spline, t)).speed) < 1e-9);
     }
     // Along one axis: the integral of its speed is the way it goes.
     const MotionCurves x = axis_curves(*series, {0, series->duration(), 8000}, 0);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "preview/motion_state.h"
 #include "toolpace/path/arc.h"
+#include "toolpace/plan/plan.h"
 
 namespace toolpace::ui {
 namespace {
@@ -120,7 +120,7 @@ std::optional<std::size_t> next_circle(const Outcome& outcome, double time, int 
   const Path& path = *outcome.path;
   if (path.size() == 0) return std::nullopt;
   const auto count = static_cast<std::ptrdiff_t>(path.size());
-  auto at = static_cast<std::ptrdiff_t>(block_at(outcome, time));
+  auto at = static_cast<std::ptrdiff_t>(segment_at(outcome.node_time, time));
   const auto here = circle_at(outcome, static_cast<std::size_t>(at));
   for (at += direction; at >= 0 && at < count; at += direction) {
     const auto row = path.move[static_cast<std::size_t>(at)];

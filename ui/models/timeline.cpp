@@ -3,18 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "preview/motion_state.h"
+#include "toolpace/plan/plan.h"
 
 namespace toolpace::ui {
-namespace {
-
-double distance_at(const MotionPlan& plan, double time) {
-  const Phase& phase = plan.phases[phase_at(plan, time)];
-  return evaluate(phase, std::clamp(time - phase.begin, 0.0, phase.duration)).distance;
-}
-
-}  // namespace
-
 Timeline::Timeline(std::shared_ptr<const Outcome> outcome) : outcome_(std::move(outcome)) {
   collect_lines();
   sum_losses();
@@ -74,33 +65,6 @@ const std::vector<std::uint32_t>& Timeline::worst_lines() const {
   return worst_lines_;
 }
 
-std::size_t Timeline::block_at(double time) const {
-  const auto& t = outcome_->node_time;
-  if (t.size() < 2) return 0;
-  const auto after = std::upper_bound(t.begin(), t.end(), time);
-  const auto index = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - t.begin(), 1)) - 1;
-  return std::min(index, t.size() - 2);
-}
-
-Instant Timeline::at(double time) const {
-  const auto& o = *outcome_;
-  Instant instant;
-  instant.time = std::clamp(time, 0.0, duration());
-  if (o.plan.phases.empty() || o.path->size() == 0) return instant;
-  instant.state = motion_at(o.plan, instant.time);
-  instant.block = block_at(instant.time);
-  const double along = instant.state.distance - distance_at(o.plan, o.node_time[instant.block]);
-  instant.position = point_at(*o.path, instant.block, std::clamp(along, 0.0, o.path->length[instant.block]));
-  if (const TimeSpline* spline = spline_at(o.plan, instant.time)) {
-    instant.position = evaluate(*spline, std::clamp(instant.time - spline->begin, 0.0, spline->duration())).position;
-  }
-  instant.line = line_of_block(instant.block);
-  const auto restraint = std::upper_bound(o.restraints.begin(), o.restraints.end(), instant.time,
-                                          [](double t, const Restraint& r) { return t < r.begin; });
-  if (restraint != o.restraints.begin()) instant.cause = std::prev(restraint)->cause;
-  return instant;
-}
-
 std::optional<double> Timeline::time_of_line(std::uint32_t line) const {
   for (std::size_t i = std::max(line, 1u); i < lines_.size(); ++i) {
     if (lines_[i].begin >= 0) return lines_[i].begin;
@@ -110,7 +74,7 @@ std::optional<double> Timeline::time_of_line(std::uint32_t line) const {
 
 double Timeline::next_line(double time) const {
   if (outcome_->path->size() == 0) return 0;
-  const std::size_t block = block_at(time);
+  const std::size_t block = segment_at(outcome_->node_time, time);
   const std::uint32_t line = line_of_block(block);
   for (std::size_t i = block + 1; i < outcome_->path->size(); ++i) {
     if (line_of_block(i) != line) return outcome_->node_time[i];
@@ -120,7 +84,7 @@ double Timeline::next_line(double time) const {
 
 double Timeline::previous_line(double time) const {
   if (outcome_->path->size() == 0) return 0;
-  std::size_t block = block_at(time);
+  std::size_t block = segment_at(outcome_->node_time, time);
   const auto begin_of = [this](std::size_t i) {
     const std::uint32_t line = line_of_block(i);
     while (i > 0 && line_of_block(i - 1) == line) --i;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "toolpace/pipeline/job.h"
+#include "models/instant.h"
 
 namespace toolpace::ui {
 
@@ -23,16 +23,6 @@ struct LineStats {
   double asked_speed() const { return asked_time > 0 ? length / asked_time : 0; }
 };
 
-/// State at an instant.
-struct Instant {
-  double time = 0;                           ///< [s]
-  PhaseState state = {};                     ///< along the path
-  AxisVector position = AxisVector::Zero();  ///< [mm, rad]
-  std::size_t block = 0;
-  std::uint32_t line = 0;  ///< NC line of the program itself; 0 = none
-  Cause cause = Cause::feed;
-};
-
 /// Immutable; built by a worker, shared with the window.
 class Timeline {
  public:
@@ -41,7 +31,7 @@ class Timeline {
   const std::shared_ptr<const Outcome>& outcome() const { return outcome_; }
   double duration() const { return outcome_->plan.cycle_time(); }
 
-  Instant at(double time) const;  ///< time is clamped into the plan
+  Instant at(double time) const { return instant_at(*outcome_, time).value_or(Instant{}); }
   /// When the motion of a line begins, or of the next line that moves; nothing after the last.
   std::optional<double> time_of_line(std::uint32_t line) const;
   /// Begin of the next (or previous) NC line that moves, as seen from `time`.
@@ -60,7 +50,6 @@ class Timeline {
 
  private:
   std::uint32_t line_of_block(std::size_t block) const;
-  std::size_t block_at(double time) const;
   void collect_lines();
   void sum_losses();
 

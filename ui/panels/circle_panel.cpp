@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "preview/motion_state.h"
 #include "theme/icons.h"
+#include "toolpace/plan/plan.h"
 
 namespace toolpace::ui {
 namespace {
@@ -89,7 +89,7 @@ void CirclePanel::look() {
   const bool inside =
       !roundness_->is_empty() && cursor_ >= roundness_->circle.begin && cursor_ < roundness_->circle.end;
   if (!stale_ && inside) return;
-  const std::size_t block = outcome.path->size() > 0 ? block_at(outcome, cursor_) : 0;
+  const std::size_t block = outcome.path->size() > 0 ? segment_at(outcome.node_time, cursor_) : 0;
   if (circle_at(outcome, block)) {
     measure(block);
   } else if (stale_) {

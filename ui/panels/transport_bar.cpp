@@ -111,7 +111,7 @@ void TransportBar::showInstant() {
                        .arg(steady(kSpeed, instant_->state.speed * speed.factor, 2), speed.text,
                             steady(kAcceleration, instant_->state.acceleration * acceleration.factor, 0),
                             acceleration.text));
-  showCause(instant_->cause);
+  if (instant_->cause) showCause(*instant_->cause);
 }
 
 void TransportBar::setPlaying(bool playing) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "toolpace/plan/restraint.h"
+
 namespace toolpace::ui {
 namespace {
 
@@ -20,10 +22,9 @@ CauseTimes::CauseTimes(const std::vector<Restraint>& restraints) : restraints_(&
 
 CauseShares CauseTimes::until(double time) const {
   const auto& list = *restraints_;
-  const auto after =
-      std::upper_bound(list.begin(), list.end(), time, [](double t, const Restraint& r) { return t < r.begin; });
-  const auto count = static_cast<std::size_t>(after - list.begin());
-  if (count == 0) return {};
+  const Restraint* last = restraint_at(list, time);
+  if (!last) return {};
+  const auto count = static_cast<std::size_t>(last - list.data()) + 1;
   const std::size_t block = (count - 1) / kStride;
   CauseShares sum = sums_[block];
   for (std::size_t i = block * kStride; i < count; ++i) {
@@ -42,11 +43,7 @@ CauseShares CauseTimes::between(double begin, double end) const {
 
 const Restraint* CauseTimes::at(double time) const {
   if (is_empty()) return nullptr;
-  const auto& list = *restraints_;
-  const auto after =
-      std::upper_bound(list.begin(), list.end(), time, [](double t, const Restraint& r) { return t < r.begin; });
-  if (after == list.begin() || time > list.back().end) return nullptr;
-  return &*std::prev(after);
+  return time > restraints_->back().end ? nullptr : restraint_at(*restraints_, time);
 }
 
 }  // namespace toolpace::ui

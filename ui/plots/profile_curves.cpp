@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "toolpace/path/path.h"
+#include "toolpace/plan/plan.h"
+#include "toolpace/sample/motion.h"
 
 namespace toolpace::ui {
 namespace {
@@ -30,16 +31,16 @@ void add_stroke(Curve& curve, double time, const Extent& extent) {
   curve.add(time, upwards ? extent.high : extent.low);
 }
 
-void add_exact(MotionCurves& curves, const MotionPlan& plan, const Phase& p, const TimeWindow& part, double pixel) {
+/// A part of one phase.
+void add_exact(MotionCurves& curves, Motion& motion, const Phase& p, const TimeWindow& part, double pixel) {
   const double from = part.begin, to = part.end;
-  const bool off_path = spline_at(plan, (from + to) / 2) != nullptr;
-  const bool bent = p.rate != 0 || off_path;
+  const bool bent = p.rate != 0 || motion.at((from + to) / 2).leaves_path();
   const int parts =
       bent ? static_cast<int>(std::clamp((to - from) / pixel / kPixelsPerPoint, kLeastPoints, 4000.0)) : 1;
   for (int k = 0; k <= parts; ++k) {
     const double time = k == parts ? to : from + (to - from) * k / parts;
     const PhaseState state =
-        off_path ? motion_at(plan, time) : evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
+        motion.leaves_path() ? motion.at(time).along() : evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
     curves.speed.add(time, state.speed);
     curves.acceleration.add(time, state.acceleration);
     curves.jerk.add(time, state.jerk);
@@ -47,20 +48,23 @@ void add_exact(MotionCurves& curves, const MotionPlan& plan, const Phase& p, con
 }
 
 MotionExtent extent_between(const ProfileSeries& series, double begin, double end) {
-  const auto& phases = series.outcome->plan.phases;
+  const MotionPlan& plan = series.outcome->plan;
   const auto scan = [&](std::size_t first, std::size_t last) { return motion_extent(*series.outcome, first, last); };
-  const std::size_t first = phase_at(series.outcome->plan, begin), last = phase_at(series.outcome->plan, end);
-  const auto part = [&](std::size_t i) {
-    const double from = std::max(begin, phases[i].begin);
-    return motion_bounds(series.outcome->plan, i, from,
-                         std::max(std::min(end, phases[i].begin + phases[i].duration), from));
-  };
+  Motion motion(*series.outcome->path, plan);
+  const std::size_t first = motion.at(begin).phase(), last = motion.at(end).phase();
   MotionExtent extent;
-  extent.add(part(first));
-  if (last == first) return extent;
-  extent.add(part(last));
-  if (last > first + 1) extent.add(series.phases.query(first + 1, last, scan));
+  if (last <= first + 1) {
+    extent.add(motion.bounds(begin, end));
+    return extent;
+  }
+  extent.add(motion.bounds(begin, plan.phases[first + 1].begin));
+  extent.add(motion.bounds(plan.phases[last].begin, end));
+  extent.add(series.phases.query(first + 1, last, scan));
   return extent;
+}
+
+std::size_t phase_at(const ProfileSeries& series, double time) {
+  return Motion(*series.outcome->path, series.outcome->plan).at(time).phase();
 }
 
 /// One value of the blocks as steps in time.
@@ -97,7 +101,7 @@ bool is_dense(const ProfileSeries& series, const TimeWindow& whole) {
   if (series.is_empty()) return false;
   const TimeWindow window = clipped(series, whole);
   if (!(window.end > window.begin)) return false;
-  const std::size_t count = phase_at(series.outcome->plan, window.end) - phase_at(series.outcome->plan, window.begin);
+  const std::size_t count = phase_at(series, window.end) - phase_at(series, window.begin);
   return count >= static_cast<std::size_t>(window.columns) / 2 + 2;
 }
 
@@ -130,13 +134,13 @@ MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& whole)
     return curves;
   }
   const auto& phases = series.outcome->plan.phases;
-  const std::size_t first = phase_at(series.outcome->plan, window.begin),
-                    last = phase_at(series.outcome->plan, window.end);
+  Motion motion(*series.outcome->path, series.outcome->plan);
+  const std::size_t first = motion.at(window.begin).phase(), last = motion.at(window.end).phase();
   double from = window.begin;
   for (std::size_t i = first; i <= last; ++i) {
     const double to = std::min(phases[i].begin + phases[i].duration, window.end);
     if (!(to > from)) continue;
-    add_exact(curves, series.outcome->plan, phases[i], {from, to, 1}, pixel);
+    add_exact(curves, motion, phases[i], {from, to, 1}, pixel);
     from = to;
   }
   return curves;
@@ -171,7 +175,8 @@ CapCurves cap_curves(const ProfileSeries& series, const TimeWindow& whole) {
   const TimeWindow window = clipped(series, whole);
   if (!(window.end > window.begin)) return curves;
   const auto scan = [&](std::size_t first, std::size_t last) { return cap_extent(outcome, first, last); };
-  const std::size_t first = block_at(outcome, window.begin), last = block_at(outcome, window.end);
+  const std::size_t first = segment_at(outcome.node_time, window.begin),
+                    last = segment_at(outcome.node_time, window.end);
   if (last - first < static_cast<std::size_t>(window.columns)) {
     for (std::size_t i = first; i <= last; ++i) {
       const double begin = std::max(outcome.node_time[i], window.begin),
@@ -183,7 +188,7 @@ CapCurves cap_curves(const ProfileSeries& series, const TimeWindow& whole) {
   const double pixel = (window.end - window.begin) / window.columns;
   for (int column = 0; column < window.columns; ++column) {
     const double begin = window.begin + column * pixel;
-    const std::size_t from = block_at(outcome, begin), to = block_at(outcome, begin + pixel);
+    const std::size_t from = segment_at(outcome.node_time, begin), to = segment_at(outcome.node_time, begin + pixel);
     add_caps(curves, begin, begin + pixel, series.blocks.query(from, to + 1, scan));
   }
   return curves;
@@ -191,27 +196,30 @@ CapCurves cap_curves(const ProfileSeries& series, const TimeWindow& whole) {
 
 namespace {
 
-void add_axis_block(MotionCurves& curves, const Outcome& outcome, std::size_t block, const TimeWindow& part,
-                    std::size_t axis) {
+void add_axis_block(MotionCurves& curves, Motion& motion, std::size_t block, const TimeWindow& part, std::size_t axis) {
+  const auto i = static_cast<Eigen::Index>(axis);
   const int parts = std::clamp(part.columns / 2, 2, 2000);
   for (int k = 0; k <= parts; ++k) {
     // A hair inside the block, so that a corner is a step and not a slope.
     const double share = std::clamp(static_cast<double>(k) / parts, 1e-6, 1 - 1e-6);
     const double time = part.begin + (part.end - part.begin) * share;
-    const AxisMotion state = axis_state(outcome, block, time, axis);
-    curves.speed.add(time, state.speed);
-    curves.acceleration.add(time, state.acceleration);
-    curves.jerk.add(time, state.jerk);
+    const AxisMotion state = motion.at(time, block).axes();
+    curves.speed.add(time, state.speed[i]);
+    curves.acceleration.add(time, state.acceleration[i]);
+    curves.jerk.add(time, state.jerk[i]);
   }
 }
 
 /// Exact: blocks that lie wholly between the times come from the pyramid, the two at the ends are cut.
 MotionExtent axis_extent_between(const ProfileSeries& series, double begin, double end, std::size_t axis) {
   const Outcome& outcome = *series.outcome;
-  const std::size_t first = block_at(outcome, begin), last = block_at(outcome, end);
+  const std::size_t first = segment_at(outcome.node_time, begin), last = segment_at(outcome.node_time, end);
+  Motion motion(*outcome.path, outcome.plan);
   const auto part = [&](std::size_t i) {
-    return axis_extent(outcome, i, std::max(begin, outcome.node_time[i]), std::min(end, outcome.node_time[i + 1]),
-                       axis);
+    const double from = std::max(begin, outcome.node_time[i]);
+    MotionExtent extent;
+    extent.add(motion.bounds(from, std::max(from, std::min(end, outcome.node_time[i + 1])), axis));
+    return extent;
   };
   MotionExtent extent = part(first);
   if (last == first) return extent;
@@ -231,12 +239,14 @@ MotionCurves axis_curves(const ProfileSeries& series, const TimeWindow& whole, s
   const TimeWindow window = clipped(series, whole);
   if (!(window.end > window.begin)) return curves;
   const double pixel = (window.end - window.begin) / window.columns;
-  const std::size_t first = block_at(outcome, window.begin), last = block_at(outcome, window.end);
+  const std::size_t first = segment_at(outcome.node_time, window.begin),
+                    last = segment_at(outcome.node_time, window.end);
   if (last - first < static_cast<std::size_t>(window.columns) / 2 + 2) {
+    Motion motion(*outcome.path, outcome.plan);
     for (std::size_t i = first; i <= last; ++i) {
       const double begin = std::max(outcome.node_time[i], window.begin),
                    end = std::min(outcome.node_time[i + 1], window.end);
-      if (end > begin) add_axis_block(curves, outcome, i, {begin, end, static_cast<int>((end - begin) / pixel)}, axis);
+      if (end > begin) add_axis_block(curves, motion, i, {begin, end, static_cast<int>((end - begin) / pixel)}, axis);
     }
     return curves;
   }

@@ -187,7 +187,7 @@ void ProfilePlot::gather() {
 void ProfilePlot::updateMarks() {
   cursor_->marks.clear();
   if (!cursor_->time || !series_ || series_->is_empty()) return;
-  const PhaseState s = motion_at(series_->outcome->plan, *cursor_->time);
+  const PhaseState s = series_->state_at(*cursor_->time);
   const std::array values = {s.speed, s.acceleration, s.jerk};
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     cursor_->marks.push_back({rows_[i].value(), values[i] * rows_[i].factor(), theme_.accent});

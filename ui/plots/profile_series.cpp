@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "toolpace/path/path.h"
+#include "toolpace/sample/motion.h"
 
 namespace toolpace::ui {
 namespace {
@@ -16,7 +16,11 @@ void add_finite(Extent& extent, double value) {
 
 MotionExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_t last) {
   MotionExtent extent;
-  for (std::size_t i = first; i < last; ++i) extent.add(motion_bounds(outcome.plan, i));
+  Motion motion(*outcome.path, outcome.plan);
+  for (std::size_t i = first; i < last; ++i) {
+    const Phase& p = outcome.plan.phases[i];
+    extent.add(motion.bounds(p.begin, p.begin + p.duration));
+  }
   return extent;
 }
 
@@ -36,50 +40,16 @@ CapExtent cap_extent(const Outcome& outcome, std::size_t first, std::size_t last
   return extent;
 }
 
-AxisMotion axis_state(const Outcome& outcome, std::size_t block, double time, std::size_t axis) {
-  if (const TimeSpline* spline = spline_at(outcome.plan, time)) return axis_motion(*spline, time, axis);
-  const Path& path = *outcome.path;
-  const PhaseState s = motion_at(outcome.plan, time);
-  const double start = motion_at(outcome.plan, outcome.node_time[block]).distance;
-  const double along = std::clamp(s.distance - start, 0.0, path.length[block]);
-  const Frame frame = frame_at(path, block, along);
-  const auto i = static_cast<Eigen::Index>(axis);
-  return {frame.first[i] * s.speed, frame.first[i] * s.acceleration + frame.second[i] * s.speed * s.speed,
-          frame.first[i] * s.jerk + 3 * frame.second[i] * s.speed * s.acceleration +
-              frame.third[i] * s.speed * s.speed * s.speed};
-}
-
-MotionExtent axis_extent(const Outcome& outcome, std::size_t block, double begin, double end, std::size_t axis) {
-  constexpr int kInstants = 8;
-  const auto& plan = outcome.plan;
-  MotionExtent extent;
-  const bool line = outcome.path->kind[block] == SegmentKind::line;
-  const double share = line ? start_direction(*outcome.path, block)[static_cast<Eigen::Index>(axis)] : 0.0;
-  for (std::size_t i = phase_at(plan, begin); i < plan.phases.size() && plan.phases[i].begin <= end; ++i) {
-    const double from = std::max(begin, plan.phases[i].begin);
-    const double to = std::min(end, plan.phases[i].begin + plan.phases[i].duration);
-    if (to < from || (to == from && end > begin)) continue;
-    if (line && (plan.splines.empty() || !spline_at(plan, (from + to) / 2))) {
-      extent.add(motion_bounds(plan, i, from, to).scaled(share));
-      continue;
-    }
-    for (int k = 0; k < kInstants; ++k) {
-      // A hair inside, so that a corner belongs to the block on its own side.
-      const double at = std::clamp(static_cast<double>(k) / (kInstants - 1), 1e-6, 1 - 1e-6);
-      const AxisMotion m = axis_state(outcome, block, from + (to - from) * at, axis);
-      extent.add(PhaseBounds{{m.speed, m.speed}, {m.acceleration, m.acceleration}, {m.jerk, m.jerk}});
-    }
-  }
-  return extent;
-}
-
 MotionExtent axis_extent_of_blocks(const Outcome& outcome, std::size_t first, std::size_t last, std::size_t axis) {
   MotionExtent extent;
+  Motion motion(*outcome.path, outcome.plan);
   for (std::size_t i = first; i < last; ++i) {
-    extent.add(axis_extent(outcome, i, outcome.node_time[i], outcome.node_time[i + 1], axis));
+    extent.add(motion.bounds(outcome.node_time[i], outcome.node_time[i + 1], axis));
   }
   return extent;
 }
+
+PhaseState ProfileSeries::state_at(double time) const { return Motion(*outcome->path, outcome->plan).at(time).along(); }
 
 const ProfileSeries::AxisPyramid& ProfileSeries::axis(std::size_t axis) const {
   std::call_once(axis_made_.at(axis), [&] {

@@ -9,7 +9,7 @@
 
 #include "plots/cause_times.h"
 #include "plots/pyramid.h"
-#include "preview/motion_state.h"
+#include "toolpace/law/phase_bounds.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {
@@ -61,6 +61,8 @@ struct ProfileSeries {
   bool is_axis_made(std::size_t axis) const { return axis_ready_.at(axis); }
 
   double duration() const { return outcome ? outcome->plan.cycle_time() : 0.0; }
+  /// Along the way that is run. @pre not empty
+  PhaseState state_at(double time) const;
   bool is_empty() const { return !outcome || outcome->plan.phases.empty() || duration() <= 0; }
 
  private:
@@ -68,13 +70,6 @@ struct ProfileSeries {
   mutable std::array<std::atomic<bool>, kAxes> axis_ready_ = {};
   mutable std::array<AxisPyramid, kAxes> axes_;
 };
-
-/// Speed, acceleration and jerk of one axis [mm, rad based], by the chain rule from the motion along the path.
-AxisMotion axis_state(const Outcome& outcome, std::size_t block, double time, std::size_t axis);
-
-/// Least and greatest values of an axis inside a block, between two times of the plan. Exact on lines, where the axis has
-/// a fixed share of the path's motion; on curves and off the path of eight instants in each phase.
-MotionExtent axis_extent(const Outcome& outcome, std::size_t block, double begin, double end, std::size_t axis);
 
 /// Of the blocks [first, last).
 MotionExtent axis_extent_of_blocks(const Outcome& outcome, std::size_t first, std::size_t last, std::size_t axis);

@@ -17,12 +17,6 @@
 #include "plots/value_table.h"
 
 namespace toolpace::ui {
-namespace {
-
-PhaseState state_at(const ProfileSeries& series, double time) { return motion_at(series.outcome->plan, time); }
-
-}  // namespace
-
 ProfileView::ProfileView(QWidget* parent) : QWidget(parent) {
   setObjectName("profileView");
   pages_ = new QStackedWidget(this);
@@ -234,7 +228,7 @@ void ProfileView::setMeasuring(bool on) {
 QString ProfileView::measureText() const {
   const auto& at = plot_->measures();
   if (!at[0] || !at[1] || !series_ || series_->is_empty()) return {};
-  const PhaseState a = state_at(*series_, *at[0]), b = state_at(*series_, *at[1]);
+  const PhaseState a = series_->state_at(*at[0]), b = series_->state_at(*at[1]);
   return QString("Δt %1   Δv %2   Δs %3")
       .arg(steadyText(*at[1] - *at[0], Quantity::time, 4), steadyText(b.speed - a.speed, Quantity::speed, 2),
            steadyText(b.distance - a.distance, Quantity::length, 3));
@@ -249,7 +243,7 @@ QString ProfileView::steadyText(double core_value, Quantity quantity, int decima
 void ProfileView::updateReadout() {
   QString text = measureText();
   if (text.isEmpty() && cursor_ && series_ && !series_->is_empty()) {
-    const PhaseState s = state_at(*series_, *cursor_);
+    const PhaseState s = series_->state_at(*cursor_);
     text = QString("t %1   v %2   a %3   j %4")
                .arg(steadyText(*cursor_, Quantity::time, 3), steadyText(s.speed, Quantity::speed, 2),
                     steadyText(s.acceleration, Quantity::acceleration, 0), steadyText(s.jerk, Quantity::jerk, 0));

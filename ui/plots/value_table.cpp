@@ -52,7 +52,7 @@ QVariant ValueTable::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole || !series_ || series_->is_empty()) return {};
   const double time = timeOf(index.row());
-  const PhaseState s = motion_at(series_->outcome->plan, time);
+  const PhaseState s = series_->state_at(time);
   const std::array values = {time, s.distance, s.speed, s.acceleration, s.jerk};
   const auto column = static_cast<std::size_t>(index.column());
   const ColumnStyle& style = kColumnStyles[column];

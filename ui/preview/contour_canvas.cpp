@@ -113,7 +113,7 @@ void ContourCanvas::setBandShown(bool shown) {
 void ContourCanvas::setCursorTime(std::optional<double> time) {
   cursor_time_ = time;
   cursor_.reset();
-  if (time && scene_ && scene_->outcome) cursor_ = place_at(*scene_->outcome, *time);
+  if (time && scene_ && scene_->outcome) cursor_ = instant_at(*scene_->outcome, *time);
   update();
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "models/instant.h"
 #include "models/units.h"
 #include "preview/colour_map.h"
 #include "preview/contour_scene.h"
@@ -50,7 +51,7 @@ class ContourCanvas : public QWidget {
   LengthUnit unit() const { return unit_; }
   ColourBy colourBy() const { return by_; }
   const ColourTable& colours() const { return colours_; }
-  const std::optional<PathPlace>& hovered() const { return hovered_; }
+  const std::optional<Instant>& hovered() const { return hovered_; }
 
   /// The picture without what follows the cursor, `size` logical px at `scale`, drawn smooth.
   QImage render(const QSize& size, double scale) const;
@@ -121,7 +122,7 @@ class ContourCanvas : public QWidget {
   QElapsedTimer since_scene_;
 
   std::optional<double> cursor_time_;
-  std::optional<PathPlace> cursor_, hovered_;
+  std::optional<Instant> cursor_, hovered_;
   std::optional<std::pair<double, double>> highlight_;
   QPointF pressed_at_, dragged_from_, hover_at_;
   bool dragging_ = false;

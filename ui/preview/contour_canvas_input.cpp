@@ -96,7 +96,8 @@ void ContourCanvas::hover(const QPointF& at) {
   const bool had = hovered_.has_value();
   hovered_.reset();
   if (scene_ && scene_->outcome) {
-    if (const auto hit = pick(*scene_, projection_, at, kPickRadius)) hovered_ = place_at(*scene_->outcome, hit->time);
+    if (const auto hit = pick(*scene_, projection_, at, kPickRadius))
+      hovered_ = instant_at(*scene_->outcome, hit->time);
   }
   if (!had && !hovered_) return;
   emit hoverChanged();

@@ -8,7 +8,7 @@
 
 #include "preview/cause_style.h"
 #include "preview/contour_canvas.h"
-#include "preview/motion_state.h"
+#include "toolpace/plan/plan.h"
 
 namespace toolpace::ui {
 namespace {
@@ -121,8 +121,8 @@ void ContourCanvas::drawHighlight(QPainter& painter) const {
                                     geometry.block.begin());
   };
   const double hair = 1e-9 * (1 + highlight_->second);
-  const std::size_t from = vertex_of(block_at(*scene_->outcome, highlight_->first + hair));
-  const std::size_t to = vertex_of(block_at(*scene_->outcome, highlight_->second - hair) + 1);
+  const std::size_t from = vertex_of(segment_at(scene_->outcome->node_time, highlight_->first + hair));
+  const std::size_t to = vertex_of(segment_at(scene_->outcome->node_time, highlight_->second - hair) + 1);
   if (to <= from || to >= geometry.line.vertex.size()) return;
   QPainterPath path;
   const std::size_t stride = std::max<std::size_t>((to - from) / kMostBandPieces, 1);
@@ -134,7 +134,7 @@ void ContourCanvas::drawHighlight(QPainter& painter) const {
 
 void ContourCanvas::drawCursor(QPainter& painter) const {
   if (!cursor_) return;
-  const QPointF at = projection_.map(cursor_->point);
+  const QPointF at = projection_.map(cursor_->position.head<3>());
   painter.setPen(QPen(theme_.surface, 4));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(at, 7, 7);
@@ -185,7 +185,7 @@ void ContourCanvas::drawScaleBar(QPainter& painter) const {
 
 void ContourCanvas::drawHover(QPainter& painter) const {
   if (!hovered_ || dragging_) return;
-  const QPointF at = projection_.map(hovered_->point);
+  const QPointF at = projection_.map(hovered_->position.head<3>());
   painter.setPen(QPen(theme_.text, 1.5));
   painter.setBrush(theme_.surface);
   painter.drawEllipse(at, 3.5, 3.5);
@@ -199,11 +199,11 @@ void ContourCanvas::drawHover(QPainter& painter) const {
     return QString::number(mm * display_unit(Quantity::length, unit_).factor, 'f', unit_ == LengthUnit::mm ? 3 : 4);
   };
   lines << QString("X %1  Y %2  Z %3")
-               .arg(coordinate(hovered_->point.x()), coordinate(hovered_->point.y()), coordinate(hovered_->point.z()));
+               .arg(coordinate(hovered_->position.x()), coordinate(hovered_->position.y()),
+                    coordinate(hovered_->position.z()));
   lines << "a " + value(hovered_->state.acceleration, Quantity::acceleration) + "   j " +
                value(hovered_->state.jerk, Quantity::jerk);
-  if (const auto cause = cause_at(*scene_->outcome, hovered_->time))
-    lines << tr("held by: %1").arg(cause_title(*cause));
+  if (hovered_->cause) lines << tr("held by: %1").arg(cause_title(*hovered_->cause));
   if (const auto row = tube_ ? tube_->row_at(hovered_->time) : std::nullopt) {
     if (const QString text = tube_text(*tube_, *row, unit_); !text.isEmpty()) lines << text;
   }

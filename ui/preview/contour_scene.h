@@ -32,22 +32,6 @@ std::shared_ptr<const ContourScene> make_contour_scene(std::shared_ptr<const Out
                                                        std::shared_ptr<const ErrorTrace> trace = nullptr,
                                                        std::shared_ptr<const SceneGeometry> known = nullptr);
 
-/// A place on the path.
-struct PathPlace {
-  std::size_t block = 0;                            ///< segment of the path
-  double along = 0;                                 ///< [mm] from its start
-  double time = 0;                                  ///< [s]
-  PhaseState state = {};                            ///< exact, along the path
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< [mm]
-  std::uint32_t line = 0;                           ///< NC line, 0 = unknown
-};
-
-/// Where the tool is at a time of the plan, exactly; clamped to the plan. Nothing for an outcome without a plan.
-std::optional<PathPlace> place_at(const Outcome& outcome, double time);
-
-/// What holds the speed down at a time; nothing where the outcome does not say.
-std::optional<Cause> cause_at(const Outcome& outcome, double time);
-
 /// First and last moment of an NC line of the main program [s]; nothing where the line does not move. Of the passes of a
 /// loop the one at `time` is meant, or the first if it is none of them.
 std::optional<std::pair<double, double>> time_of_line(const Outcome& outcome, std::uint32_t line, double time = 0.0);

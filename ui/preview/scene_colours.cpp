@@ -4,83 +4,13 @@
 #include <cmath>
 
 #include "preview/cause_style.h"
-#include "preview/motion_state.h"
+#include "toolpace/plan/restraint.h"
+#include "toolpace/sample/motion.h"
 
 namespace toolpace::ui {
 namespace {
 
-constexpr double kShadeAccuracy = 2e-3;  // half a shade
-
 constexpr auto index(ColourBy by) { return static_cast<std::size_t>(by); }
-
-/// Time within a phase at which it has come to `distance`: Newton's steps, kept inside a bracket.
-/// @param accuracy  of the phase's duration
-double time_within(const Phase& p, double distance, double accuracy) {
-  const double length = evaluate(p, p.duration).distance - p.distance;
-  if (distance <= p.distance || !(length > 0)) return 0;
-  double low = 0, high = p.duration, time = p.duration * std::min((distance - p.distance) / length, 1.0);
-  for (int i = 0; i < 60 && high - low > accuracy * p.duration; ++i) {
-    const PhaseState s = evaluate(p, time);
-    (s.distance < distance ? low : high) = time;
-    const double step = s.speed > 0 ? time + (distance - s.distance) / s.speed : low;
-    const double next = step > low && step < high ? step : (low + high) / 2;
-    const bool settled = std::abs(next - time) < accuracy * p.duration;
-    time = next;
-    if (settled) break;
-  }
-  return time;
-}
-
-/// Time at which a plan comes to a path position, and has rested there.
-double time_at_distance(const MotionPlan& plan, double distance) {
-  const auto& phases = plan.phases;
-  const auto after =
-      std::upper_bound(phases.begin(), phases.end(), distance, [](double d, const Phase& p) { return d < p.distance; });
-  const Phase& phase = after == phases.begin() ? phases.front() : *std::prev(after);
-  return phase.begin + time_within(phase, distance, 1e-9);
-}
-
-/// The same to the accuracy of a shade. Speeds change nearly evenly, so from that guess a step or two of Newton's do.
-double time_within(const Phase& p, double distance) {
-  const double way = distance - p.distance;
-  if (way <= 0 || !(p.duration > 0)) return 0;
-  const double gain = evaluate(p, p.duration).speed - p.speed;
-  const double root = std::sqrt(std::max(p.speed * p.speed + 2 * gain / p.duration * way, 0.0));
-  double time = p.speed + root > 0 ? std::min(2 * way / (p.speed + root), p.duration) : 0.0;
-  if (p.rate == 0) return time;
-  for (int i = 0; i < 3; ++i) {
-    const PhaseState s = evaluate(p, time);
-    if (!(s.speed > 0)) break;
-    const double step = (distance - s.distance) / s.speed;
-    time = std::clamp(time + step, 0.0, p.duration);
-    if (std::abs(step) < kShadeAccuracy * p.duration) return time;
-  }
-  return time_within(p, distance, kShadeAccuracy);
-}
-
-/// States at times, and times at distances, that only grow: without a search for each.
-class MotionWalk {
- public:
-  explicit MotionWalk(const MotionPlan& plan) : plan_(plan) {}
-
-  double time_at(double distance) {
-    const auto& phases = plan_.phases;
-    while (reached_ + 1 < phases.size() && phases[reached_ + 1].distance <= distance) ++reached_;
-    return phases[reached_].begin + time_within(phases[reached_], distance);
-  }
-
-  PhaseState at(double time) {
-    const auto& phases = plan_.phases;
-    while (phase_ + 1 < phases.size() && phases[phase_ + 1].begin <= time) ++phase_;
-    if (!plan_.splines.empty()) return motion_at(plan_, time);
-    const Phase& p = phases[phase_];
-    return evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
-  }
-
- private:
-  const MotionPlan& plan_;
-  std::size_t phase_ = 0, reached_ = 0;
-};
 
 }  // namespace
 
@@ -101,15 +31,13 @@ std::array<Interval, kColourings> SceneColours::find_ranges() const {
   const auto& moves = outcome_.path->move;
   const auto* kinds = outcome_.job && outcome_.job->program ? &outcome_.job->program->moves.kind : nullptr;
   const auto is_rapid = [&](std::size_t block) { return kinds && (*kinds)[moves[block]] == MoveKind::rapid; };
-  std::size_t block = 0, feeds = 0;
+  std::size_t feeds = 0;
   while (feeds < moves.size() && is_rapid(feeds)) ++feeds;
   const bool only_rapids = feeds == moves.size();
-  for (std::size_t i = 0; i < outcome_.plan.phases.size(); ++i) {
-    const Phase& phase = outcome_.plan.phases[i];
-    const double middle = phase.begin + phase.duration / 2;
-    while (block + 1 < moves.size() && outcome_.node_time[block + 1] < middle) ++block;
+  Motion motion(*outcome_.path, outcome_.plan);
+  for (std::size_t block = 0; block < moves.size(); ++block) {
     if (!only_rapids && is_rapid(block)) continue;
-    const PhaseBounds b = motion_bounds(outcome_.plan, i);
+    const PhaseBounds b = motion.bounds(outcome_.node_time[block], outcome_.node_time[block + 1]);
     speed = std::max(speed, b.speed.high);
     acceleration = std::max({acceleration, -b.acceleration.low, b.acceleration.high});
     jerk = std::max({jerk, -b.jerk.low, b.jerk.high});
@@ -151,8 +79,8 @@ const std::vector<std::uint8_t>& SceneColours::shades(ColourBy by, std::size_t l
 double SceneColours::time_at(std::size_t block, double share) const {
   const double arrival = outcome_.node_time[block + 1];
   if (share >= 1) return arrival;
-  const double start = motion_at(outcome_.plan, outcome_.node_time[block]).distance;
-  const double time = time_at_distance(outcome_.plan, start + share * outcome_.path->length[block]);
+  const double position = outcome_.path->position[block] + share * outcome_.path->length[block];
+  const double time = Motion(*outcome_.path, outcome_.plan).time_at(position);
   return std::clamp(time, outcome_.node_time[block], arrival);
 }
 
@@ -171,17 +99,16 @@ std::uint8_t SceneColours::shade(ColourBy by, const Stretch& s) const {
   const std::scoped_lock lock(mutex_);
   (void)range(by);
   const double middle = (s.begin + s.end) / 2;
+  const PhaseState state = Motion(*outcome_.path, outcome_.plan).at(middle).along();
   switch (by) {
-    case ColourBy::speed: return scaled(by, motion_at(outcome_.plan, middle).speed);
-    case ColourBy::acceleration: return scaled(by, motion_at(outcome_.plan, middle).acceleration);
-    case ColourBy::jerk: return scaled(by, motion_at(outcome_.plan, middle).jerk);
+    case ColourBy::speed: return scaled(by, state.speed);
+    case ColourBy::acceleration: return scaled(by, state.acceleration);
+    case ColourBy::jerk: return scaled(by, state.jerk);
     case ColourBy::contour_error: return scaled(by, worst_error(s.begin, s.end));
     case ColourBy::limit: break;
   }
-  const auto& list = outcome_.restraints;
-  const auto after =
-      std::upper_bound(list.begin(), list.end(), middle, [](double t, const Restraint& r) { return t < r.begin; });
-  return static_cast<std::uint8_t>(index_of(after == list.begin() ? after->cause : std::prev(after)->cause));
+  const Restraint* restraint = restraint_at(outcome_.restraints, middle);
+  return static_cast<std::uint8_t>(index_of(restraint ? restraint->cause : outcome_.restraints.front().cause));
 }
 
 double SceneColours::worst_error(double begin, double end) const {
@@ -195,17 +122,18 @@ double SceneColours::worst_error(double begin, double end) const {
 
 SceneColours::Shades SceneColours::make_full(ColourBy by) const {
   Shades shades(geometry_.line.pieces());
-  MotionWalk walk(outcome_.plan);
+  Motion motion(*outcome_.path, outcome_.plan);
   const auto& list = outcome_.restraints;
   const auto& pauses = outcome_.path->pauses;
   std::size_t restraint = 0, pause = 0;
-  double begin = outcome_.node_time.front(), speed = 0, start = 0;
+  double begin = outcome_.node_time.front(), speed = 0;
   const bool on_path = geometry_.time.empty();
   const auto end_of = [&](std::size_t piece, std::size_t block) {
     if (!on_path) return geometry_.time[piece + 1];
     const double share = geometry_.share_after(piece), arrival = outcome_.node_time[block + 1];
     if (share >= 1) return arrival;
-    return std::clamp(walk.time_at(start + share * outcome_.path->length[block]), outcome_.node_time[block], arrival);
+    return std::clamp(motion.time_at(outcome_.path->position[block] + share * outcome_.path->length[block]),
+                      outcome_.node_time[block], arrival);
   };
   for (std::size_t i = 0; i < shades.size(); ++i) {
     const std::size_t block = geometry_.block_of(i);
@@ -214,16 +142,16 @@ SceneColours::Shades SceneColours::make_full(ColourBy by) const {
     switch (by) {
       case ColourBy::speed: {
         const double way = length * (geometry_.share_after(i) - geometry_.share_before(i));
-        shades[i] = scaled(by, on_path && lasting > 0 ? way / lasting : walk.at((begin + end) / 2).speed);
+        shades[i] = scaled(by, on_path && lasting > 0 ? way / lasting : motion.at((begin + end) / 2).along().speed);
         break;
       }
       case ColourBy::acceleration: {
-        const double exit = walk.at(end).speed;
+        const double exit = motion.at(end).along().speed;
         shades[i] = scaled(by, lasting > 0 ? (exit - speed) / lasting : 0.0);
         speed = exit;
         break;
       }
-      case ColourBy::jerk: shades[i] = scaled(by, walk.at((begin + end) / 2).jerk); break;
+      case ColourBy::jerk: shades[i] = scaled(by, motion.at((begin + end) / 2).along().jerk); break;
       case ColourBy::limit:
         while (restraint + 1 < list.size() && list[restraint].end <= (begin + end) / 2) ++restraint;
         shades[i] = static_cast<std::uint8_t>(index_of(list[restraint].cause));
@@ -231,7 +159,6 @@ SceneColours::Shades SceneColours::make_full(ColourBy by) const {
       case ColourBy::contour_error: shades[i] = scaled(by, worst_error(begin, end)); break;
     }
     begin = std::max(begin, end);
-    if (geometry_.share_after(i) >= 1) start += length;
   }
   return shades;
 }

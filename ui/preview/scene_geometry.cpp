@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "preview/motion_state.h"
-#include "toolpace/path/path.h"
+#include "toolpace/sample/motion.h"
 
 namespace toolpace::ui {
 namespace {
@@ -15,7 +14,8 @@ constexpr double kFinest = 32768, kCoarsest = 256;  // levels of detail, as part
 
 class GeometryBuilder {
  public:
-  explicit GeometryBuilder(const Outcome& outcome) : outcome_(outcome), path_(*outcome.path) {
+  explicit GeometryBuilder(const Outcome& outcome)
+      : outcome_(outcome), path_(*outcome.path), motion_(path_, outcome.plan) {
     geometry_.path = outcome.path;
     measure();
     mark_styles();
@@ -85,14 +85,13 @@ class GeometryBuilder {
   void follow_motion() {
     geometry_.time.push_back(outcome_.node_time.front());
     const auto& phases = outcome_.plan.phases;
-    std::size_t phase = 0;
     for (std::size_t i = 0; i < path_.size(); ++i) {
       const double arrival = outcome_.node_time[i + 1];
       double time = outcome_.node_time[i];
       while (time < arrival) {
-        while (phase + 1 < phases.size() && phases[phase + 1].begin <= time) ++phase;
+        const std::size_t phase = motion_.at(time).phase();
         const double until = phase + 1 < phases.size() ? std::min(phases[phase + 1].begin, arrival) : arrival;
-        const int count = spline_at(outcome_.plan, (time + until) / 2) ? 1 : chords(i);
+        const int count = motion_.at((time + until) / 2).leaves_path() ? 1 : chords(i);
         for (int k = 1; k <= count; ++k) add_moment(i, k == count ? until : time + (until - time) * k / count);
         time = until;
       }
@@ -100,20 +99,9 @@ class GeometryBuilder {
   }
 
   void add_moment(std::size_t block, double time) {
-    const auto place = place_of(block, time);
-    add_piece(block, place.first, place.second);
+    motion_.at(time, block);
+    add_piece(block, motion_.on_segment() / path_.length[block], motion_.position().head<3>());
     geometry_.time.push_back(time);
-  }
-
-  std::pair<double, Eigen::Vector3d> place_of(std::size_t block, double time) const {
-    const MotionPlan& plan = outcome_.plan;
-    const double length = path_.length[block];
-    const double along = motion_at(plan, time).distance - motion_at(plan, outcome_.node_time[block]).distance;
-    const double share = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 1.0;
-    if (const TimeSpline* spline = spline_at(plan, time)) {
-      return {share, evaluate(*spline, std::clamp(time - spline->begin, 0.0, spline->duration())).position.head<3>()};
-    }
-    return {share, point_at(path_, block, share * length).head<3>()};
   }
 
   void add_piece(std::size_t block, double share, const Eigen::Vector3d& to) {
@@ -130,6 +118,7 @@ class GeometryBuilder {
 
   const Outcome& outcome_;
   const Path& path_;
+  Motion motion_;
   SceneGeometry geometry_;
   std::vector<std::uint8_t> style_of_block_;
   double size_ = 0;  // of the whole, roughly [mm]

@@ -20,6 +20,14 @@ inline constexpr double kPerMinute = 1.0 / 60.0;  ///< of a rate a minute to one
 /// One value an axis: X Y Z in mm (mm/s, …), A B C in rad (rad/s, …). Not initialised: write AxisVector::Zero().
 using AxisVector = Eigen::Matrix<double, static_cast<int>(kAxisCount), 1>;
 
+/// Where the axes are and how they move: the first three derivatives by time.
+struct AxisMotion {
+  AxisVector position;      ///< [mm, rad]
+  AxisVector speed;         ///< [mm/s, rad/s]
+  AxisVector acceleration;  ///< [mm/s², rad/s²]
+  AxisVector jerk;          ///< [mm/s³, rad/s³]
+};
+
 constexpr bool is_rotary(std::size_t axis) { return axis >= 3; }
 
 }  // namespace toolpace

@@ -2,6 +2,7 @@
 /// Least and greatest speed, acceleration and jerk inside a phase, exact and with sign.
 
 #include <algorithm>
+#include <limits>
 
 #include "toolpace/law/phase.h"
 
@@ -14,12 +15,35 @@ struct Interval {
     low = std::min(low, value);
     high = std::max(high, value);
   }
+  void add(const Interval& other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
 };
 
 struct PhaseBounds {
   Interval speed;         ///< [mm/s]
   Interval acceleration;  ///< [mm/s²]
   Interval jerk;          ///< [mm/s³]
+
+  /// Of no instant yet: low above high.
+  static PhaseBounds nothing() {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    constexpr Interval kNone{kInfinity, -kInfinity};
+    return {kNone, kNone, kNone};
+  }
+  bool is_empty() const { return speed.low > speed.high; }
+
+  void add(const PhaseBounds& other) {
+    speed.add(other.speed);
+    acceleration.add(other.acceleration);
+    jerk.add(other.jerk);
+  }
+  void add(const PhaseState& state) {
+    speed.add(state.speed);
+    acceleration.add(state.acceleration);
+    jerk.add(state.jerk);
+  }
 
   /// Of what is in proportion to it.
   PhaseBounds scaled(double factor) const {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "toolpace/path/node_positions.h"
+
 namespace toolpace {
 namespace {
 
@@ -35,7 +37,10 @@ class Builder {
     }
   }
 
-  Path finish() { return std::move(path_); }
+  Path finish() {
+    path_.position = node_positions(path_.length);
+    return std::move(path_);
+  }
 
  private:
   void add_segment(SegmentKind kind, std::size_t row, double length, std::uint32_t detail, const AxisVector& end) {

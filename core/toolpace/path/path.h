@@ -24,6 +24,7 @@ struct Path {
   std::vector<std::uint32_t> move;    ///< row of Moves that it comes from, whose feed holds (see handovers)
   std::vector<std::uint32_t> detail;  ///< index into arcs, spline_pieces or blends; kNoDetail for lines
   std::vector<AxisVector> node;       ///< size() + 1 points where segments meet [mm, rad]
+  std::vector<double> position;       ///< path position of each node: what lies before it, see node_positions()
 
   std::vector<ArcCurve> arcs;
   std::vector<SplineCurve> splines;

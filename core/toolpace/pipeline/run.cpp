@@ -104,7 +104,7 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<S
   outcome.commands = std::move(speeds->commands);
   outcome.limits = std::move(speeds->limits);
   outcome.node_time = delayed_times(std::move(planned->node_time), outcome.path->pauses);
-  outcome.plan = insert_pauses(std::move(planned->plan), outcome.path->pauses, node_positions(outcome.limits));
+  outcome.plan = insert_pauses(std::move(planned->plan), outcome.path->pauses, outcome.path->position);
   if (const auto hold = outcome.job->options.hold_at; hold && !is_through_tube(*outcome.job)) {
     auto held = insert_hold(outcome.limits, outcome.plan, outcome.job->options, {*hold}, part_of(monitor, 0.9, 0.95));
     if (!held) return tl::unexpected(held.error());

@@ -5,9 +5,6 @@
 #include "toolpace/plan/plan.h"
 
 namespace toolpace {
-namespace {
-
-/// Time inside the phase at which it has covered `way` more mm; the phase covers at least that much.
 double time_to_cover(const Phase& p, double way) {
   if (!(way > 0)) return 0.0;
   const auto missing = [&](double t) { return evaluate(p, t).distance - p.distance - way; };
@@ -16,8 +13,6 @@ double time_to_cover(const Phase& p, double way) {
   if (p.acceleration == 0 && p.rate == 0) return std::min(p.duration, way / p.speed);
   return detail::increasing_root(0.0, p.duration, -way, at_end, missing);
 }
-
-}  // namespace
 
 std::vector<double> node_times(const SpeedLimits& limits, const MotionPlan& plan) {
   const std::vector<double> position = node_positions(limits);
@@ -37,6 +32,11 @@ std::vector<double> node_times(const SpeedLimits& limits, const MotionPlan& plan
   }
   if (!phases.empty()) time.back() = std::max(time[time.size() - 2], plan.cycle_time());
   return time;
+}
+
+std::size_t segment_at(const std::vector<double>& node_time, double time) {
+  const auto after = std::upper_bound(node_time.begin(), node_time.end(), time) - node_time.begin();
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - 1, 0, std::ssize(node_time) - 2));
 }
 
 }  // namespace toolpace

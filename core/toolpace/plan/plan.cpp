@@ -7,6 +7,7 @@
 #include <string>
 
 #include "toolpace/law/law_table.h"
+#include "toolpace/path/node_positions.h"
 #include "toolpace/plan/block/block_plan.h"
 #include "toolpace/plan/span/dispatch.h"
 
@@ -90,16 +91,6 @@ Result<MotionPlan> plan_motion(const SpeedLimits& limits, const PlanOptions& opt
   return plan;
 }
 
-std::vector<double> node_positions(const SpeedLimits& limits) {
-  std::vector<double> position(limits.size() + 1, 0.0);
-  double sum = 0.0, carry = 0.0;
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    const double next = sum + limits.length[i];
-    carry += sum >= limits.length[i] ? (sum - next) + limits.length[i] : (limits.length[i] - next) + sum;
-    sum = next;
-    position[i + 1] = sum + carry;
-  }
-  return position;
-}
+std::vector<double> node_positions(const SpeedLimits& limits) { return node_positions(limits.length); }
 
 }  // namespace toolpace

@@ -28,11 +28,19 @@ namespace toolpace {
 /// @source Ning et al. 2014, section 2 (block); the sources of plan/span are named there
 Result<MotionPlan> plan_motion(const SpeedLimits& limits, const PlanOptions& options, const Monitor& monitor = {});
 
+/// Time after a phase's start at which it has covered `way` [s]: 0 where that is not above 0, its duration where it does not
+/// come that far.
+double time_to_cover(const Phase& phase, double way);
+
 /// Time at which the plan arrives at each node [s], size() + 1 values, not falling. Where it rests at a node this is
 /// the beginning of the rest.
 std::vector<double> node_times(const SpeedLimits& limits, const MotionPlan& plan);
 
-/// Path position of each node [mm]: sums of the lengths, compensated, the first one 0.
+/// Segment under the tool at a time, by the arrivals at the nodes: from an arrival on it is the next one.
+/// @pre node_time.size() ≥ 2
+std::size_t segment_at(const std::vector<double>& node_time, double time);
+
+/// Path position of each node of a chain of its own [mm], the first one 0.
 std::vector<double> node_positions(const SpeedLimits& limits);
 
 }  // namespace toolpace

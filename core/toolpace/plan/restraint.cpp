@@ -159,6 +159,12 @@ std::vector<Restraint> explain(const SpeedLimits& limits, const MotionPlan& plan
   return Explainer(limits, plan, node_time, options).run();
 }
 
+const Restraint* restraint_at(const std::vector<Restraint>& restraints, double time) {
+  const auto after = std::upper_bound(restraints.begin(), restraints.end(), time,
+                                      [](double t, const Restraint& r) { return t < r.begin; });
+  return after == restraints.begin() ? nullptr : &*std::prev(after);
+}
+
 std::array<double, kCauseCount> time_by_cause(const std::vector<Restraint>& restraints) {
   std::array<double, kCauseCount> sum{};
   for (const Restraint& r : restraints) sum[static_cast<std::size_t>(r.cause)] += r.end - r.begin;

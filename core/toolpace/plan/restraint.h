@@ -23,6 +23,9 @@ namespace toolpace {
 std::vector<Restraint> explain(const SpeedLimits& limits, const MotionPlan& plan, const std::vector<double>& node_time,
                                const PlanOptions& options);
 
+/// The one at a time; null before the first and where there is none. From a seam on it is the later one.
+const Restraint* restraint_at(const std::vector<Restraint>& restraints, double time);
+
 /// Time under each cause [s], indexed by Cause; sums up to the cycle time.
 std::array<double, kCauseCount> time_by_cause(const std::vector<Restraint>& restraints);
 

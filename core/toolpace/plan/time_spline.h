@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "toolpace/base/axes.h"
+#include "toolpace/law/phase_bounds.h"
 
 namespace toolpace {
 
@@ -23,14 +24,19 @@ struct TimeSpline {
   double duration() const { return (static_cast<double>(points()) - 3) * step; }
 };
 
-struct SplineState {
-  AxisVector position;  ///< [mm, rad]
-  double speed;         ///< along the path, X Y Z; where they stand still, rotary [mm/s, deg/s]
-  double acceleration;  ///< the part of the acceleration vector along the path
-  double jerk;          ///< the part of the jerk vector along the path
-};
+/// Motion `time` seconds after the spline's begin, 0 ≤ time ≤ duration.
+AxisMotion evaluate(const TimeSpline& spline, double time);
 
-/// State `time` seconds after the spline's begin, 0 ≤ time ≤ duration.
-SplineState evaluate(const TimeSpline& spline, double time);
+/// How a motion goes along its own way.
+struct Rates {
+  double speed;         ///< [mm/s; deg/s where X Y Z have no share in it]
+  double acceleration;  ///< the part of the acceleration vector in the direction of motion; at rest the whole
+  double jerk;          ///< the same of the jerk vector
+};
+/// @param motion  of this spline
+Rates along(const TimeSpline& spline, const AxisMotion& motion);
+
+/// Exact least and greatest values of one axis between two times after the spline's begin, 0 ≤ from ≤ to ≤ duration [mm, rad].
+PhaseBounds bounds(const TimeSpline& spline, double from, double to, std::size_t axis);
 
 }  // namespace toolpace

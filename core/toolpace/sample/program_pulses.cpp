@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "toolpace/base/numbers.h"
-#include "toolpace/sample/motion_cursor.h"
+#include "toolpace/sample/motion.h"
 
 namespace toolpace {
 namespace {
@@ -25,8 +25,8 @@ Error pulse_error(const char* code, std::string what, std::string remedy) {
 class PulseMaker {
  public:
   PulseMaker(const TimedMotion& motion, const Machine& machine, double timer_hz)
-      : cursor_(motion.path, motion.plan), timer_hz_(timer_hz) {
-    const AxisVector start = cursor_.at(0);
+      : motion_(motion.path, motion.plan), timer_hz_(timer_hz) {
+    const AxisVector start = motion_.at(0).position();
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       steps_[axis] = machine.axes[axis].steps_per_unit;
       count_[axis] = start_[axis] = std::llround(start[static_cast<Eigen::Index>(axis)] * steps_[axis]);
@@ -60,7 +60,7 @@ class PulseMaker {
  private:
   /// Position of an axis in steps.
   double in_steps(std::size_t axis, double time) {
-    return cursor_.at(time)[static_cast<Eigen::Index>(axis)] * steps_[axis];
+    return motion_.at(time).position()[static_cast<Eigen::Index>(axis)] * steps_[axis];
   }
 
   void add_axis(std::size_t axis, double t0, double t1) {
@@ -122,7 +122,7 @@ class PulseMaker {
     return {a.time + (b.time - a.time) / 2, level};
   }
 
-  MotionCursor cursor_;
+  Motion motion_;
   double timer_hz_;
   std::array<double, kAxisCount> steps_ = {};
   std::array<std::int64_t, kAxisCount> count_ = {}, start_ = {};

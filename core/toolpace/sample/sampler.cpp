@@ -30,10 +30,12 @@ std::size_t row_count(double duration, double period) {
 }
 
 Sampler::Sampler(const Path& path, const MotionPlan& plan, const Moves& moves, double period)
-    : path_(path), plan_(plan), moves_(moves), period_(period), rotary_(moves_rotary(path)) {
-  rows_ = row_count(plan.cycle_time(), period);
-  if (path_.size() > 0) load_segment();
-}
+    : path_(path),
+      moves_(moves),
+      motion_(path, plan),
+      period_(period),
+      rows_(row_count(plan.cycle_time(), period)),
+      rotary_(moves_rotary(path)) {}
 
 bool Sampler::next(Setpoints& chunk, std::size_t limit) {
   const std::size_t count = std::min(limit, rows_ - next_row_);
@@ -45,97 +47,20 @@ bool Sampler::next(Setpoints& chunk, std::size_t limit) {
   return count > 0;
 }
 
-void Sampler::seek(std::size_t row) {
-  next_row_ = std::min(row, rows_);
-  const double time = static_cast<double>(next_row_) * period_;
-  const auto after = std::upper_bound(plan_.phases.begin(), plan_.phases.end(), time,
-                                      [](double t, const Phase& p) { return t < p.begin; });
-  phase_ = after == plan_.phases.begin() ? 0 : static_cast<std::size_t>(after - plan_.phases.begin()) - 1;
-  spline_ = 0;
-  segment_ = 0;
-  handover_ = 0;
-  segment_begin_ = 0.0;
-  if (path_.size() > 0) load_segment();
-}
-
-PhaseState Sampler::state_at(double time) {
-  while (phase_ + 1 < plan_.phases.size() && plan_.phases[phase_ + 1].begin <= time) ++phase_;
-  const Phase& phase = plan_.phases[phase_];
-  return evaluate(phase, std::min(time - phase.begin, phase.duration));
-}
-
-/// The spline that is run at this time, if any. Times may only rise between calls.
-const TimeSpline* Sampler::spline_at(double time) {
-  const auto& splines = plan_.splines;
-  while (spline_ < splines.size() && splines[spline_].begin + splines[spline_].duration() < time) ++spline_;
-  return spline_ < splines.size() && splines[spline_].begin <= time ? &splines[spline_] : nullptr;
-}
-
-void Sampler::load_segment() {
-  line_ = moves_.line[path_.move[segment_]];
-  direction_ = (path_.node[segment_ + 1] - path_.node[segment_]) / path_.length[segment_];
-}
-
-void Sampler::enter_segment(double distance) {
-  const std::size_t before = segment_;
-  while (segment_ + 1 < path_.size() && distance >= segment_begin_ + path_.length[segment_]) {
-    segment_begin_ += path_.length[segment_];
-    ++segment_;
-  }
-  if (segment_ != before) load_segment();
-  hand_over(distance - segment_begin_);
-}
-
-void Sampler::hand_over(double s) {
-  const auto& handovers = path_.handovers;
-  while (handover_ < handovers.size() && handovers[handover_].segment < segment_) ++handover_;
-  for (; handover_ < handovers.size(); ++handover_) {
-    const Path::Handover& h = handovers[handover_];
-    if (h.segment != segment_ || h.at > s) return;
-    line_ = moves_.line[h.move];
-  }
-}
-
 void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
-  AxisVector point;
-  PhaseState state{0, 0, 0, 0};
-  if (row + 1 == rows_) {
-    point = path_.node.back();
-    if (path_.size() > 0) {
-      line_ = moves_.line[move_at(path_, path_.size() - 1, path_.length.back())];
-      if (chords_) chords_->add(path_.size() - 1, path_.length.back(), point);
-    }
-  } else {
-    state = state_at(static_cast<double>(row) * period_);
-    if (path_.size() > 0) {
-      enter_segment(state.distance);
-      const double time = static_cast<double>(row) * period_;
-      if (const TimeSpline* spline = spline_at(time)) {
-        const SplineState run = evaluate(*spline, time - spline->begin);
-        write(chunk, at, run.position, {state.distance, run.speed, run.acceleration, run.jerk});
-        return;
-      }
-      const double s = std::clamp(state.distance - segment_begin_, 0.0, path_.length[segment_]);
-      if (path_.kind[segment_] == SegmentKind::line) {
-        point = path_.node[segment_] + s * direction_;
-      } else {
-        point = point_at(path_, segment_, s);
-      }
-      if (chords_) chords_->add(segment_, s, point);
-    } else {
-      point = path_.node.front();
-    }
+  const bool is_last = row + 1 == rows_;
+  motion_.at(is_last ? motion_.duration() : static_cast<double>(row) * period_);
+  const AxisVector point = motion_.position();
+  const PhaseState state = is_last ? PhaseState{} : motion_.along();
+  if (chords_ && path_.size() > 0 && !motion_.leaves_path()) {
+    chords_->add(motion_.segment(), motion_.on_segment(), point);
   }
-  write(chunk, at, point, state);
-}
-
-void Sampler::write(Setpoints& chunk, std::size_t at, const AxisVector& point, const PhaseState& state) const {
   const std::size_t axes = rotary_ ? kAxisCount : 3;
   for (std::size_t k = 0; k < axes; ++k) chunk.position[k][at] = point[static_cast<Eigen::Index>(k)];
   chunk.speed[at] = state.speed;
   chunk.acceleration[at] = state.acceleration;
   chunk.jerk[at] = state.jerk;
-  chunk.line[at] = line_;
+  chunk.line[at] = path_.size() > 0 ? moves_.line[motion_.move()] : 0;
 }
 
 }  // namespace toolpace

@@ -3,7 +3,7 @@
 #include "toolpace/sample/program_pulses.h"
 
 #include "planned_program.h"
-#include "toolpace/sample/motion_cursor.h"
+#include "toolpace/sample/motion.h"
 
 namespace toolpace {
 namespace {
@@ -34,15 +34,15 @@ std::vector<Pulse> pulses_of(const Outcome& outcome, double timer_hz, PulseCount
 void expect_within_half_a_step(const Outcome& outcome, double timer_hz) {
   const auto pulses = pulses_of(outcome, timer_hz);
   const Machine& machine = outcome.job->machine;
-  MotionCursor cursor(*outcome.path, outcome.plan);
-  const AxisVector start = cursor.at(0);
+  Motion motion(*outcome.path, outcome.plan);
+  const AxisVector start = motion.at(0).position();
   std::array<double, 3> count;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     count[axis] = std::round(start[static_cast<Eigen::Index>(axis)] * machine.axes[axis].steps_per_unit);
   }
   // Half a step, what an axis covers in half a tick at 100 mm/s, and the thousandth at turns.
   const auto check = [&](double time) {
-    const AxisVector p = cursor.at(time);
+    const AxisVector p = motion.at(time).position();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double steps = machine.axes[axis].steps_per_unit;
       const double off = std::abs(p[static_cast<Eigen::Index>(axis)] * steps - count[axis]);

@@ -153,13 +153,13 @@ class SmoothPlanner {
   void sketch(const Run& run, const TubeProgress& progress) {
     const TimeSpline& spline = result_.plan.splines.back();
     const std::size_t cells = spline.points() - 3;
-    SplineState state = evaluate(spline, 0.0);
+    double speed = along(spline, evaluate(spline, 0.0)).speed;
     for (std::size_t i = 0; i < cells; ++i) {
       const double t = static_cast<double>(i) * spline.step;
-      const SplineState next = evaluate(spline, t + spline.step);
-      result_.plan.phases.push_back({time_ + t, spline.step, position_[run.begin] + progress.at_knot(i), state.speed,
-                                     (next.speed - state.speed) / spline.step, 0.0, PhaseShape::constant_jerk});
-      state = next;
+      const double next = along(spline, evaluate(spline, t + spline.step)).speed;
+      result_.plan.phases.push_back({time_ + t, spline.step, position_[run.begin] + progress.at_knot(i), speed,
+                                     (next - speed) / spline.step, 0.0, PhaseShape::constant_jerk});
+      speed = next;
     }
   }
 
