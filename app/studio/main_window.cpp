@@ -74,39 +74,20 @@ void MainWindow::showDocument(bool another) {
 }
 
 void MainWindow::showPlan() {
-  const ui::Planned& plan = workspace_.plan();
   nc_->view().setColourMap(contour_->colourMap());
-  nc_->view().setTimeline(plan.timeline, plan ? plan.scene->range(ui::ColourBy::speed).high : 0);
-  contour_->setScene(plan.proof ? plan.proof->scene : plan.scene);
-  contour_->setTube(plan.proof ? plan.proof->tube : nullptr);
-  profile_->setSeries(plan.series);
-  profile_->setErrorTrace(plan.proof ? plan.proof->scene->trace : nullptr);
-  results_->setPlans(plan, workspace_.pinned());
-  what_if_->setTimeline(plan.timeline);
-  loss_->setTimeline(plan.timeline);
-  sweep_->setTimeline(plan.timeline);
-  circle_->setPlan(plan);
-  if (plan) {
-    tuning_->setBlockCount(plan.timeline->outcome()->summary.blocks);
-    const auto& corner = plan.timeline->outcome()->job->options.corner;
-    tuning_->setIgnored(plan.timeline->outcome()->ignored, corner.rule);
-    const bool rounds = corner.rule == CornerRule::blend || corner.rule == CornerRule::smooth;
-    contour_->setTolerance(rounds ? corner.tolerance : 0);
-  }
-  actions_->pin->setEnabled(static_cast<bool>(plan));
-  actions_->hold->setEnabled(static_cast<bool>(plan));
+  showPlans();
+  const bool has_plan = static_cast<bool>(workspace_.plan());
+  actions_->pin->setEnabled(has_plan);
+  actions_->hold->setEnabled(has_plan);
   actions_->no_hold->setEnabled(workspace_.tuning().value().options.hold_at.has_value());
-  showPinned();
   showCursor(workspace_.cursorTime());
 }
 
-void MainWindow::showPinned() {
-  const ui::Planned& pinned = workspace_.pinned();
-  contour_->setGhost(pinned.scene);
-  profile_->setGhost(pinned.series);
-  results_->setPlans(workspace_.plan(), pinned);
-  actions_->unpin->setEnabled(static_cast<bool>(pinned));
-  actions_->swap->setEnabled(static_cast<bool>(pinned));
+void MainWindow::showPlans() {
+  for (ui::PlanView* view : plan_views_) view->showPlans(workspace_.plan(), workspace_.pinned());
+  const bool has_pinned = static_cast<bool>(workspace_.pinned());
+  actions_->unpin->setEnabled(has_pinned);
+  actions_->swap->setEnabled(has_pinned);
 }
 
 void MainWindow::showProblems() {
@@ -133,21 +114,9 @@ void MainWindow::forgetFailure() {
 
 void MainWindow::showCursor(double time) {
   const auto& timeline = workspace_.timeline();
-  if (!timeline) {
-    transport_->setInstant(std::nullopt);
-    contour_->setCursorTime(std::nullopt);
-    profile_->setCursorTime(std::nullopt);
-    return;
-  }
-  const ui::Instant instant = timeline->at(time);
-  transport_->setInstant(instant);
-  contour_->setCursorTime(time);
-  profile_->setCursorTime(time);
-  circle_->setCursorTime(time);
-  if (instant.line > 0) {
-    contour_->setHighlightedLine(instant.line);
-    if (following_) nc_->view().setCurrentLine(static_cast<int>(instant.line));
-  }
+  const std::optional<ui::Instant> instant = timeline ? std::optional(timeline->at(time)) : std::nullopt;
+  for (ui::PlanView* view : plan_views_) view->showInstant(instant);
+  if (instant && instant->line > 0 && following_) nc_->view().setCurrentLine(static_cast<int>(instant->line));
 }
 
 void MainWindow::showState() {

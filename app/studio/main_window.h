@@ -10,8 +10,10 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "actions.h"
+#include "drawing/plan_view.h"
 #include "jobs/export_service.h"
 #include "jobs/workspace.h"
 #include "machine_file.h"
@@ -93,7 +95,7 @@ class MainWindow : public QMainWindow {
  private:
   // main_window.cpp
   void showPlan();
-  void showPinned();
+  void showPlans();
   void showDocument(bool another);
   void showProblems();
   void showCursor(double time);
@@ -185,6 +187,7 @@ class MainWindow : public QMainWindow {
   ui::SingleMovePage* single_move_ = nullptr;
   ui::StepperPage* stepper_ = nullptr;
   ui::TransportBar* transport_ = nullptr;
+  std::vector<ui::PlanView*> plan_views_;  // all of them that show a plan
   std::map<QString, QDockWidget*> docks_;
   std::map<QString, ui::DockTitle*> titles_;
   QToolBar* tool_bar_ = nullptr;

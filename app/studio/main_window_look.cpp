@@ -44,17 +44,10 @@ void MainWindow::applyAppearance() {
   for (auto* button : {machine_button_, export_button_}) {
     button->setIcon(ui::icon(button == machine_button_ ? "machine" : "export", theme_));
   }
-  nc_->setTheme(theme_);
-  contour_->setTheme(theme_);
-  profile_->setTheme(theme_);
-  results_->setTheme(theme_);
-  what_if_->setTheme(theme_);
-  sweep_->setTheme(theme_);
-  circle_->setTheme(theme_);
+  for (ui::PlanView* view : plan_views_) view->setTheme(theme_);
   problems_->setTheme(theme_);
   single_move_->setTheme(theme_);
   stepper_->setTheme(theme_);
-  transport_->setTheme(theme_);
   constexpr int kRow = 20, kTouchRow = 48;
   for (auto* table : findChildren<QTableView*>()) {
     table->verticalHeader()->setDefaultSectionSize(preferences_.touch ? kTouchRow : kRow);
@@ -65,14 +58,7 @@ void MainWindow::setInch(bool inch) {
   preferences_.inch = inch;
   actions_->inch->setChecked(inch);
   const auto unit = inch ? ui::LengthUnit::inch : ui::LengthUnit::mm;
-  nc_->view().setUnit(unit);
-  contour_->setUnit(unit);
-  profile_->setUnit(unit);
-  tuning_->setLengthUnit(unit);
-  results_->setLengthUnit(unit);
-  loss_->setLengthUnit(unit);
-  circle_->setLengthUnit(unit);
-  transport_->setLengthUnit(unit);
+  for (ui::PlanView* view : plan_views_) view->setLengthUnit(unit);
   unit_button_->setText(inch ? "in" : "mm");
 }
 

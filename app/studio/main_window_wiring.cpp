@@ -26,14 +26,8 @@ void MainWindow::connectWorkspace() {
   connectProgram();
   connectMachine();
   connect(&workspace_, &Workspace::planChanged, this, &MainWindow::showPlan);
-  connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPinned);
-  connect(&workspace_, &Workspace::proofChanged, this, [this] {
-    contour_->setScene(workspace_.plan().proof->scene);
-    contour_->setTube(workspace_.plan().proof->tube);
-    profile_->setErrorTrace(workspace_.plan().proof->scene->trace);
-    results_->setPlans(workspace_.plan(), workspace_.pinned());
-    circle_->setPlan(workspace_.plan());
-  });
+  connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPlans);
+  connect(&workspace_, &Workspace::proofChanged, this, &MainWindow::showPlans);
   connect(&workspace_, &Workspace::problemsChanged, this, &MainWindow::showProblems);
   connect(&workspace_.tuning().undoStack(), &QUndoStack::indexChanged, this, &MainWindow::forgetFailure);
   connect(&workspace_, &Workspace::cursorChanged, this, &MainWindow::showCursor);

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "models/result_model.h"
+#include "panels/result_model.h"
 #include "toolpace/machine/setup.h"
 
 namespace toolpace::studio {

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "jobs/planned.h"
+#include "drawing/planned.h"
 #include "models/units.h"
 
 namespace toolpace::studio {

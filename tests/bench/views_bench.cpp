@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "application.h"
+#include "drawing/pyramid.h"
 #include "models/timeline.h"
 #include "plots/profile_plot.h"
 #include "plots/profile_view.h"
-#include "plots/pyramid.h"
 #include "preview/contour_view.h"
 #include "smooth_moves.h"
 #include "toolpace/machine/setup.h"

@@ -3,6 +3,7 @@
 
 A header or source of a room includes only its own room or an earlier one; core knows no Qt, no clock, no locale, no
 logging; threads stand in tune/ and pipeline/ alone; verify/ reaches neither law/ nor plan/, not even through others.
+The rooms of ui keep an order, too; only app/studio knows them all, and nothing knows app.
 """
 
 import pathlib
@@ -11,6 +12,8 @@ import sys
 
 ROOMS = ["base", "nc", "path", "limits", "law", "plan", "sample", "servo", "verify", "io", "machine", "pipeline", "bound",
          "report", "tune"]
+UI_ROOMS = ["theme", "models", "drawing", "jobs", "plots", "preview", "panels"]
+UI_STRANGERS = {("preview", "plots")}  # side by side: neither knows the other
 THREADED_ROOMS = {"tune", "pipeline"}
 THREADS = {"thread", "future", "mutex", "shared_mutex", "condition_variable", "semaphore", "latch", "barrier", "execution",
            "pthread.h"}
@@ -54,6 +57,34 @@ def check_include(room, name):
     return None
 
 
+def check_ui_include(room, name):
+    """Why a room of ui may not include `name`, or None."""
+    other = name.split("/")[0]
+    if "/" not in name or name.startswith("toolpace/"):
+        return None
+    if other not in UI_ROOMS:
+        return f"{name} is in no room of ui"
+    if UI_ROOMS.index(other) > UI_ROOMS.index(room) or (room, other) in UI_STRANGERS:
+        return f"{room}/ may not include {name}"
+    return None
+
+
+def quoted_includes_of(path):
+    return [name for mark, name in INCLUDE.findall(path.read_text(encoding="utf-8")) if mark == '"']
+
+
+def ui_problems_of(root):
+    problems = []
+    for path in files_under(root / "ui"):
+        room = path.relative_to(root / "ui").parts[0]
+        where = path.relative_to(root)
+        if room not in UI_ROOMS:
+            problems.append(f"{where}: {room}/ is no known room of ui")
+            continue
+        problems += [f"{where}: {why}" for name in quoted_includes_of(path) if (why := check_ui_include(room, name))]
+    return problems
+
+
 def reached_from(core, room):
     """All project headers that the files of a room include, directly or through others."""
     seen, todo = {}, [(name, path.relative_to(core)) for path in files_under(core / "toolpace" / room)
@@ -71,7 +102,7 @@ def reached_from(core, room):
 
 def problems_of(root):
     core = root / "core"
-    problems = []
+    problems = ui_problems_of(root)
     for path in files_under(core / "toolpace"):
         room = path.relative_to(core / "toolpace").parts[0]
         where = path.relative_to(root)

@@ -39,6 +39,20 @@ class LayeringCheck(unittest.TestCase):
     def test_the_command_line_knows_no_qt(self):
         self.assertEqual(len(self.problems({"app/cli/a.cpp": "#include <QString>\n"})), 1)
 
+    def test_rooms_of_ui_include_earlier_ones_and_the_core(self):
+        self.assertEqual(self.problems({"ui/panels/a.cpp": '#include "panels/a.h"\n#include "models/m.h"\n'
+                                                           '#include "toolpace/plan/plan.h"\n#include <QWidget>\n'}), [])
+
+    def test_a_model_may_not_include_a_panel(self):
+        self.assertEqual(len(self.problems({"ui/models/a.h": '#include "panels/p.h"\n'})), 1)
+
+    def test_the_preview_knows_nothing_of_the_plots(self):
+        self.assertEqual(len(self.problems({"ui/preview/a.h": '#include "plots/p.h"\n'})), 1)
+
+    def test_ui_knows_nothing_of_the_window_that_holds_it(self):
+        self.assertEqual(len(self.problems({"ui/panels/a.h": '#include "studio/main_window.h"\n'})), 1)
+        self.assertEqual(len(self.problems({"ui/windows/a.h": "#include <QWidget>\n"})), 1)
+
 
 if __name__ == "__main__":
     unittest.main()

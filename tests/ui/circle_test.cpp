@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "models/circularity.h"
+#include "drawing/circularity.h"
 #include "opened.h"
 #include "panels/circle_panel.h"
 #include "panels/nc_view.h"

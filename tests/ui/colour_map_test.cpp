@@ -1,8 +1,8 @@
-#include "preview/colour_map.h"
+#include "drawing/colour_map.h"
 
 #include <QTest>
 
-#include "preview/cause_style.h"
+#include "drawing/cause_style.h"
 #include "support/ui_test.h"
 #include "theme/theme.h"
 

@@ -1,4 +1,4 @@
-#include "preview/contour_scene.h"
+#include "drawing/contour_scene.h"
 
 #include <QTest>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "preview/lod.h"
+#include "drawing/lod.h"
 
 #include <QImage>
 #include <QTest>

@@ -1,4 +1,4 @@
-#include "plots/profile_curves.h"
+#include "drawing/profile_curves.h"
 
 #include <QTest>
 #include <cmath>
@@ -30,11 +30,11 @@ class ProfileCurvesTest : public QObject {
     const TimeWindow window{1.10, 1.16, 1000};
     QVERIFY(!is_dense(*series, window));
     const MotionCurves curves = motion_curves(*series, window);
-    check_curve(curves.speed);
-    QCOMPARE(curves.speed.time.front(), window.begin);
-    QCOMPARE(curves.speed.time.back(), window.end);
-    for (qsizetype i = 0; i < curves.speed.time.size(); ++i) {
-      QVERIFY(std::abs(curves.speed.value[i] - state(*outcome, curves.speed.time[i]).speed) < 1e-6);
+    check_curve(curves[kSpeedTrack]);
+    QCOMPARE(curves[kSpeedTrack].time.front(), window.begin);
+    QCOMPARE(curves[kSpeedTrack].time.back(), window.end);
+    for (qsizetype i = 0; i < curves[kSpeedTrack].time.size(); ++i) {
+      QVERIFY(std::abs(curves[kSpeedTrack].value[i] - state(*outcome, curves[kSpeedTrack].time[i]).speed) < 1e-6);
     }
   }
 
@@ -44,10 +44,10 @@ class ProfileCurvesTest : public QObject {
     const TimeWindow window{0, series->duration(), 400};
     QVERIFY(is_dense(*series, window));
     const MotionCurves curves = motion_curves(*series, window);
-    QVERIFY(curves.speed.time.size() <= 2 * 400);
+    QVERIFY(curves[kSpeedTrack].time.size() <= 2 * 400);
     for (std::size_t row = 0; row < 3; ++row) {
-      const Curve& c = row == 0 ? curves.speed : row == 1 ? curves.acceleration : curves.jerk;
-      const Extent& e = row == 0 ? series->whole.speed : row == 1 ? series->whole.acceleration : series->whole.jerk;
+      const Curve& c = curves[static_cast<std::size_t>(row)];
+      const Extent& e = series->whole[static_cast<std::size_t>(row)];
       check_curve(c);
       const auto [low, high] = std::minmax_element(c.value.begin(), c.value.end());
       QVERIFY(std::abs(*low - e.low) <= 1e-6 * std::abs(e.low) + 1e-9);
@@ -64,7 +64,8 @@ class ProfileCurvesTest : public QObject {
     QVERIFY(is_dense(*series, window));
     const MotionCurves curves = motion_curves(*series, window);
     int flat = 0;
-    for (qsizetype i = 0; i < curves.acceleration.time.size(); ++i) flat += curves.acceleration.value[i] == 0.0;
+    for (qsizetype i = 0; i < curves[kAccelerationTrack].time.size(); ++i)
+      flat += curves[kAccelerationTrack].value[i] == 0.0;
     QVERIFY(flat > 0);
   }
 
@@ -104,9 +105,9 @@ class ProfileCurvesTest : public QObject {
     QVERIFY(std::abs(caps.feed.value[2] - 60) < 1e-4);
     QVERIFY(std::abs(caps.feed.value.back() - 30) < 1e-4);
     QCOMPARE(caps.feed.time[2], outcome->node_time[1]);
-    QVERIFY(std::abs(caps.acceleration_high.value.front() - 3000) < 1e-2);
-    QVERIFY(std::abs(caps.acceleration_low.value.front() + 3000) < 1e-2);
-    QVERIFY(std::abs(caps.speed.value.front() - 100) < 1e-4);
+    QVERIFY(std::abs(caps.high[kAccelerationTrack].value.front() - 3000) < 1e-2);
+    QVERIFY(std::abs(caps.low[kAccelerationTrack].value.front() + 3000) < 1e-2);
+    QVERIFY(std::abs(caps.high[kSpeedTrack].value.front() - 100) < 1e-4);
   }
 
   void the_override_scales_the_programmed_feed() {
@@ -122,10 +123,11 @@ class ProfileCurvesTest : public QObject {
     const auto series = make_profile_series(planned(Program().arc(0, 0, 0, 20, 0, 8 * std::numbers::pi, 40)));
     const double total = series->duration();
     const MotionCurves x = axis_curves(*series, {total * 0.3, total * 0.7, 2000}, 0);
-    check_curve(x.speed);
-    const auto [slow, fast] = std::minmax_element(x.speed.value.begin(), x.speed.value.end());
+    check_curve(x[kSpeedTrack]);
+    const auto [slow, fast] = std::minmax_element(x[kSpeedTrack].value.begin(), x[kSpeedTrack].value.end());
     QVERIFY(std::abs(*fast - 40) < 0.01 && std::abs(*slow + 40) < 0.01);
-    const auto [brake, push] = std::minmax_element(x.acceleration.value.begin(), x.acceleration.value.end());
+    const auto [brake, push] =
+        std::minmax_element(x[kAccelerationTrack].value.begin(), x[kAccelerationTrack].value.end());
     QVERIFY(std::abs(*push - 80) < 0.01 && std::abs(*brake + 80) < 0.01);
   }
 
@@ -146,10 +148,10 @@ class ProfileCurvesTest : public QObject {
     QVERIFY(wanted > 100);
     for (const int columns : {1, 7, 40, 1000}) {
       const MotionCurves y = axis_curves(*series, {0, series->duration(), columns}, 1);
-      check_curve(y.acceleration);
-      const double peak = *std::max_element(y.acceleration.value.begin(), y.acceleration.value.end());
+      check_curve(y[kAccelerationTrack]);
+      const double peak = *std::max_element(y[kAccelerationTrack].value.begin(), y[kAccelerationTrack].value.end());
       QVERIFY2(peak >= wanted * 0.999, qPrintable(QString("%1 columns: %2 of %3").arg(columns).arg(peak).arg(wanted)));
-      QVERIFY(peak <= axis_whole(*series, 1).acceleration.high * 1.0001);
+      QVERIFY(peak <= axis_whole(*series, 1)[kAccelerationTrack].high * 1.0001);
     }
   }
 
@@ -163,30 +165,31 @@ class ProfileCurvesTest : public QObject {
     QVERIFY(!outcome->plan.splines.empty());
     const auto series = make_profile_series(outcome);
     const MotionCurves curves = motion_curves(*series, {0, series->duration(), 4000});
-    check_curve(curves.speed);
+    check_curve(curves[kSpeedTrack]);
     const TimeSpline& spline = outcome->plan.splines.front();
-    for (qsizetype i = 0; i < curves.speed.time.size(); i += 11) {
-      const double t = curves.speed.time[i] - spline.begin;
+    for (qsizetype i = 0; i < curves[kSpeedTrack].time.size(); i += 11) {
+      const double t = curves[kSpeedTrack].time[i] - spline.begin;
       if (t <= 0 || t >= spline.duration()) continue;
-      QVERIFY(std::abs(curves.speed.value[i] - along(spline, evaluate(spline, t)).speed) < 1e-9);
+      QVERIFY(std::abs(curves[kSpeedTrack].value[i] - along(spline, evaluate(spline, t)).speed) < 1e-9);
     }
     // Along one axis: the integral of its speed is the way it goes.
     const MotionCurves x = axis_curves(*series, {0, series->duration(), 8000}, 0);
     double way = 0;
-    for (qsizetype i = 1; i < x.speed.time.size(); ++i) {
-      way += (x.speed.time[i] - x.speed.time[i - 1]) * (x.speed.value[i] + x.speed.value[i - 1]) / 2;
+    for (qsizetype i = 1; i < x[kSpeedTrack].time.size(); ++i) {
+      way += (x[kSpeedTrack].time[i] - x[kSpeedTrack].time[i - 1]) *
+             (x[kSpeedTrack].value[i] + x[kSpeedTrack].value[i - 1]) / 2;
     }
     QVERIFY2(std::abs(way - 120) < 0.5, qPrintable(QString::number(way)));
   }
 
   void windows_beside_the_plan_and_empty_plans_are_empty() {
     const auto series = make_profile_series(planned(Program().feed(10, 0, 0, 60)));
-    QVERIFY(motion_curves(*series, {50, 60, 100}).speed.time.isEmpty());
-    QVERIFY(motion_curves(*series, {-9, -5, 100}).speed.time.isEmpty());
+    QVERIFY(motion_curves(*series, {50, 60, 100})[kSpeedTrack].time.isEmpty());
+    QVERIFY(motion_curves(*series, {-9, -5, 100})[kSpeedTrack].time.isEmpty());
     QVERIFY(cap_curves(*series, {50, 60, 100}).feed.time.isEmpty());
     QVERIFY(make_profile_series(nullptr)->is_empty());
     QVERIFY(make_profile_series(std::make_shared<Outcome>())->is_empty());
-    QVERIFY(motion_curves(*make_profile_series(nullptr), {0, 1, 10}).speed.time.isEmpty());
+    QVERIFY(motion_curves(*make_profile_series(nullptr), {0, 1, 10})[kSpeedTrack].time.isEmpty());
   }
 };
 

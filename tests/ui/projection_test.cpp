@@ -1,4 +1,4 @@
-#include "preview/projection.h"
+#include "drawing/projection.h"
 #include "support/ui_test.h"
 
 #include <QTest>

@@ -1,9 +1,9 @@
-#include "plots/pyramid.h"
+#include "drawing/pyramid.h"
 
 #include <QTest>
 #include <random>
 
-#include "plots/cause_times.h"
+#include "drawing/cause_times.h"
 #include "support/ui_test.h"
 
 using namespace toolpace;

@@ -4,11 +4,11 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "drawing/tube_trace.h"
 #include "jobs/refiner.h"
 #include "opened.h"
 #include "panels/number_field.h"
 #include "preview/contour_view.h"
-#include "preview/tube_trace.h"
 #include "support/planned.h"
 #include "support/screenshot.h"
 #include "support/ui_test.h"

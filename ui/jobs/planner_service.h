@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "drawing/planned.h"
 #include "jobs/background.h"
-#include "jobs/planned.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {

@@ -6,23 +6,10 @@
 #include <memory>
 #include <optional>
 
+#include "drawing/planned.h"
 #include "jobs/background.h"
-#include "preview/contour_scene.h"
-#include "preview/tube_trace.h"
-#include "toolpace/servo/servo_simulation.h"
-#include "toolpace/verify/report.h"
 
 namespace toolpace::ui {
-
-/// What an independent look at the setpoints found.
-struct Proof {
-  std::shared_ptr<const Outcome> outcome;
-  VerifyReport report;                        ///< of the setpoints, written to a file and read back
-  ServoSummary servo;                         ///< of the machine's drives
-  double bound = 0;                           ///< no plan of the job is faster [s]
-  std::shared_ptr<const ContourScene> scene;  ///< the preview with the contour errors in it, along the same geometry
-  std::shared_ptr<const TubeTrace> tube;      ///< null for plans that stay on the programmed path
-};
 
 /// A plan of at most this many setpoints is proven without being asked; longer ones would keep a core busy for long.
 inline constexpr std::size_t kProvenUnasked = 2'000'000;

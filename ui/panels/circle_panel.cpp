@@ -63,15 +63,17 @@ CirclePanel::CirclePanel(QWidget* parent)
   retranslate();
 }
 
-void CirclePanel::setPlan(const Planned& plan) {
+void CirclePanel::showPlans(const Planned& plan, const Planned&) {
+  if (plan.timeline == plan_.timeline && plan.proof == plan_.proof) return;
   plan_ = plan;
   stale_ = true;
   look();
 }
 
-void CirclePanel::setCursorTime(double time) {
-  cursor_ = time;
-  plot_->setCursorTime(time);
+void CirclePanel::showInstant(const std::optional<Instant>& instant) {
+  if (!instant) return;
+  cursor_ = instant->time;
+  plot_->setCursorTime(cursor_);
   look();
 }
 

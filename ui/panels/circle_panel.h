@@ -6,22 +6,23 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "jobs/planned.h"
+#include "drawing/plan_view.h"
+#include "drawing/planned.h"
 #include "panels/polar_plot.h"
 
 namespace toolpace::ui {
 
-class CirclePanel : public QWidget {
+class CirclePanel : public QWidget, public PlanView {
   Q_OBJECT
 
  public:
   explicit CirclePanel(QWidget* parent = nullptr);
 
-  void setPlan(const Planned& plan);
-  /// Shows the circle that is cut at this time, if there is one.
-  void setCursorTime(double time);
-  void setLengthUnit(LengthUnit unit);
-  void setTheme(const Theme& theme);
+  void showPlans(const Planned& plan, const Planned& pinned) override;
+  /// Shows the circle that is cut at this instant, if there is one.
+  void showInstant(const std::optional<Instant>& instant) override;
+  void setLengthUnit(LengthUnit unit) override;
+  void setTheme(const Theme& theme) override;
   const Roundness& roundness() const { return *roundness_; }
 
  signals:

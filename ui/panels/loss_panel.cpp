@@ -43,8 +43,8 @@ LossPanel::LossPanel(QWidget* parent)
   showTotal();
 }
 
-void LossPanel::setTimeline(std::shared_ptr<const Timeline> timeline) {
-  timeline_ = std::move(timeline);
+void LossPanel::showPlans(const Planned& plan, const Planned&) {
+  timeline_ = plan.timeline;
   update();
 }
 

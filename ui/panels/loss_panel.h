@@ -6,18 +6,19 @@
 #include <QTableView>
 #include <QWidget>
 
+#include "drawing/plan_view.h"
 #include "models/loss_model.h"
 
 namespace toolpace::ui {
 
-class LossPanel : public QWidget {
+class LossPanel : public QWidget, public PlanView {
   Q_OBJECT
 
  public:
   explicit LossPanel(QWidget* parent = nullptr);
 
-  void setTimeline(std::shared_ptr<const Timeline> timeline);
-  void setLengthUnit(LengthUnit unit);
+  void showPlans(const Planned& plan, const Planned& pinned) override;
+  void setLengthUnit(LengthUnit unit) override;
 
  signals:
   void lineRequested(int line);

@@ -47,6 +47,14 @@ NcPanel::NcPanel(QWidget* parent)
   retranslate();
 }
 
+void NcPanel::showPlans(const Planned& plan, const Planned&) {
+  if (plan.timeline == timeline_) return;
+  timeline_ = plan.timeline;
+  view_->setTimeline(plan.timeline, plan ? plan.scene->range(ColourBy::speed).high : 0);
+}
+
+void NcPanel::setLengthUnit(LengthUnit unit) { view_->setUnit(unit); }
+
 void NcPanel::setTheme(const Theme& theme) {
   view_->setTheme(theme);
   modal_->setTheme(theme);

@@ -5,13 +5,14 @@
 #include <QLineEdit>
 #include <QWidget>
 
+#include "drawing/plan_view.h"
 #include "panels/change_bar.h"
 #include "panels/modal_strip.h"
 #include "panels/nc_view.h"
 
 namespace toolpace::ui {
 
-class NcPanel : public QWidget {
+class NcPanel : public QWidget, public PlanView {
   Q_OBJECT
 
  public:
@@ -19,7 +20,9 @@ class NcPanel : public QWidget {
 
   NcView& view() { return *view_; }
   ChangeBar& changeBar() { return *change_bar_; }
-  void setTheme(const Theme& theme);
+  void showPlans(const Planned& plan, const Planned& pinned) override;
+  void setTheme(const Theme& theme) override;
+  void setLengthUnit(LengthUnit unit) override;
   void openFindBar();
   /// Shows below the text that a program can be dropped here.
   void setHintVisible(bool visible);
@@ -33,6 +36,7 @@ class NcPanel : public QWidget {
   void retranslate();
 
   void showModal(int line);
+  std::shared_ptr<const Timeline> timeline_;
   ChangeBar* change_bar_;
   NcView* view_;
   ModalStrip* modal_;

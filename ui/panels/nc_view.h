@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
+#include "drawing/colour_map.h"
 #include "models/document.h"
 #include "models/timeline.h"
 #include "models/units.h"
-#include "preview/colour_map.h"
 #include "theme/theme.h"
 
 class QLineEdit;

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "models/circularity.h"
+#include "drawing/circularity.h"
 #include "models/units.h"
 #include "theme/theme.h"
 

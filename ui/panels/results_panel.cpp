@@ -86,10 +86,10 @@ ResultsPanel::ResultsPanel(QWidget* parent)
   connect(unpin_, &QToolButton::clicked, this, &ResultsPanel::unpinRequested);
   setTheme(theme_);
   retranslate();
-  setPlans({}, {});
+  showPlans({}, {});
 }
 
-void ResultsPanel::setPlans(const Planned& a, const Planned& b) {
+void ResultsPanel::showPlans(const Planned& a, const Planned& b) {
   a_ = a;
   b_ = b;
   model_->setPlans(a, b);

@@ -6,21 +6,22 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "models/result_model.h"
+#include "drawing/plan_view.h"
+#include "panels/result_model.h"
 
 namespace toolpace::ui {
 
 class UnitDelegate;
 
-class ResultsPanel : public QWidget {
+class ResultsPanel : public QWidget, public PlanView {
   Q_OBJECT
 
  public:
   explicit ResultsPanel(QWidget* parent = nullptr);
 
-  void setPlans(const Planned& a, const Planned& b);
-  void setLengthUnit(LengthUnit unit);
-  void setTheme(const Theme& theme);
+  void showPlans(const Planned& a, const Planned& b) override;
+  void setLengthUnit(LengthUnit unit) override;
+  void setTheme(const Theme& theme) override;
 
  signals:
   void pinRequested();

@@ -35,6 +35,7 @@ SweepPanel::SweepPanel(QWidget* parent)
   verdict_->setWordWrap(true);
   verdict_->setObjectName("sweepVerdict");
   button_->setObjectName("sweepButton");
+  button_->setEnabled(false);
   column->addLayout(row);
   plot_->setObjectName("sweepPlot");
   plot_->setMinimumHeight(120);
@@ -63,11 +64,12 @@ SweepPanel::SweepPanel(QWidget* parent)
   retranslate();
 }
 
-void SweepPanel::setTimeline(std::shared_ptr<const Timeline> timeline) {
+void SweepPanel::showPlans(const Planned& plan, const Planned&) {
+  if (plan.timeline == timeline_) return;
   // A move of the depth alone leaves the curve as it is.
   const auto key = [](const Timeline& t) { return t.outcome()->job->program; };
-  const bool other_program = !timeline || !timeline_ || key(*timeline) != key(*timeline_);
-  timeline_ = std::move(timeline);
+  const bool other_program = !plan.timeline || !timeline_ || key(*plan.timeline) != key(*timeline_);
+  timeline_ = plan.timeline;
   button_->setEnabled(timeline_ != nullptr);
   if (!other_program) return;
   service_.cancel();

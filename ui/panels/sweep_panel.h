@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "drawing/plan_view.h"
 #include "jobs/tune_service.h"
 #include "models/timeline.h"
 #include "theme/theme.h"
@@ -18,14 +19,14 @@ class QCPGraph;
 
 namespace toolpace::ui {
 
-class SweepPanel : public QWidget {
+class SweepPanel : public QWidget, public PlanView {
   Q_OBJECT
 
  public:
   explicit SweepPanel(QWidget* parent = nullptr);
 
-  void setTimeline(std::shared_ptr<const Timeline> timeline);
-  void setTheme(const Theme& theme);
+  void showPlans(const Planned& plan, const Planned& pinned) override;
+  void setTheme(const Theme& theme) override;
   void compute();
   bool isComputing() const { return service_.isRunning(); }
   const LookaheadSweep& lastSweep() const { return sweep_; }

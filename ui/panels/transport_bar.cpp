@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
-#include "preview/cause_style.h"
+#include "drawing/cause_style.h"
 #include "theme/icons.h"
 
 namespace toolpace::ui {
@@ -76,9 +76,9 @@ QToolButton* TransportBar::addButton(const char* name, const char* icon_name, vo
   return button;
 }
 
-void TransportBar::setInstant(const std::optional<Instant>& instant) {
+void TransportBar::showInstant(const std::optional<Instant>& instant) {
   instant_ = instant;
-  showInstant();
+  refresh();
 }
 
 QString TransportBar::steady(Number number, double value, int decimals) {
@@ -87,7 +87,7 @@ QString TransportBar::steady(Number number, double value, int decimals) {
   return text.rightJustified(widths_[number], QChar(0x2007));  // a space as wide as a digit
 }
 
-void TransportBar::showInstant() {
+void TransportBar::refresh() {
   if (!instant_) {
     widths_ = {};
     for (auto* label : {time_, place_, motion_}) label->clear();
@@ -155,7 +155,7 @@ void TransportBar::setMessage(const QString& text) {
 void TransportBar::setLengthUnit(LengthUnit unit) {
   unit_ = unit;
   widths_ = {};
-  showInstant();
+  refresh();
 }
 
 void TransportBar::setTheme(const Theme& theme) {
@@ -168,7 +168,7 @@ void TransportBar::setTheme(const Theme& theme) {
 void TransportBar::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) {
     retranslate();
-    showInstant();
+    refresh();
   }
   QWidget::changeEvent(event);
 }

@@ -10,26 +10,27 @@
 #include <array>
 #include <optional>
 
+#include "drawing/plan_view.h"
 #include "models/timeline.h"
 #include "models/units.h"
 #include "theme/theme.h"
 
 namespace toolpace::ui {
 
-class TransportBar : public QWidget {
+class TransportBar : public QWidget, public PlanView {
   Q_OBJECT
 
  public:
   explicit TransportBar(QWidget* parent = nullptr);
 
-  void setInstant(const std::optional<Instant>& instant);
+  void showInstant(const std::optional<Instant>& instant) override;
   void setPlaying(bool playing);
   void setBusy(bool busy);
   void setTask(const QString& text);  ///< what it is busy with
   void setProgress(double fraction);
   void setMessage(const QString& text);
-  void setLengthUnit(LengthUnit unit);
-  void setTheme(const Theme& theme);
+  void setLengthUnit(LengthUnit unit) override;
+  void setTheme(const Theme& theme) override;
 
  signals:
   void firstRequested();
@@ -48,7 +49,7 @@ class TransportBar : public QWidget {
 
   QToolButton* addButton(const char* name, const char* icon_name, void (TransportBar::*signal)());
   void retranslate();
-  void showInstant();
+  void refresh();
   void showBusy(bool busy);
   QString steady(Number number, double value, int decimals);
   void showCause(Cause cause);

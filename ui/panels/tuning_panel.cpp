@@ -220,11 +220,12 @@ void TuningPanel::setLengthUnit(LengthUnit unit) {
   axes_->setLengthUnit(unit);
 }
 
-void TuningPanel::setBlockCount(std::size_t blocks) { lookahead_->setBlockCount(blocks); }
-
-void TuningPanel::setIgnored(const Settings& ignored, CornerRule rule) {
-  ignored_ = ignored;
-  ignored_rule_ = rule;
+void TuningPanel::showPlans(const Planned& plan, const Planned&) {
+  if (!plan) return;
+  const Outcome& outcome = *plan.timeline->outcome();
+  lookahead_->setBlockCount(outcome.summary.blocks);
+  ignored_ = outcome.ignored;
+  ignored_rule_ = outcome.job->options.corner.rule;
   showRelevant();
 }
 

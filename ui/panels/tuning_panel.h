@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "drawing/plan_view.h"
 #include "models/tuning_model.h"
 #include "panels/axes_grid.h"
 #include "panels/form_grid.h"
@@ -16,16 +17,15 @@
 
 namespace toolpace::ui {
 
-class TuningPanel : public QScrollArea {
+class TuningPanel : public QScrollArea, public PlanView {
   Q_OBJECT
 
  public:
   explicit TuningPanel(TuningModel& model, QWidget* parent = nullptr);
 
-  void setLengthUnit(LengthUnit unit);
-  void setBlockCount(std::size_t blocks);
-  /// What the plan of the present tuning had no use for: shown, but not to be edited, with the reason.
-  void setIgnored(const Settings& ignored, CornerRule rule);
+  /// What the plan had no use for is shown, but not to be edited, with the reason.
+  void showPlans(const Planned& plan, const Planned& pinned) override;
+  void setLengthUnit(LengthUnit unit) override;
   void setRotaryAxes(const std::array<bool, 3>& shown);
 
   /// With which nothing has to be scrolled [px].

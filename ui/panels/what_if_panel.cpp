@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "drawing/cause_style.h"
 #include "models/parameter_names.h"
 #include "models/problem_model.h"
 #include "models/units.h"
 #include "panels/results_panel.h"
-#include "preview/cause_style.h"
 
 namespace toolpace::ui {
 namespace {
@@ -79,6 +79,7 @@ WhatIfPanel::WhatIfPanel(QWidget* parent)
   row->addWidget(button_);
   hint_->setProperty("role", "secondary");
   button_->setObjectName("whatIfButton");
+  button_->setEnabled(false);
   column->addLayout(row);
   column->addWidget(levers_table_, 1);
   levers_table_->hide();
@@ -95,8 +96,9 @@ WhatIfPanel::WhatIfPanel(QWidget* parent)
   retranslate();
 }
 
-void WhatIfPanel::setTimeline(std::shared_ptr<const Timeline> timeline) {
-  timeline_ = std::move(timeline);
+void WhatIfPanel::showPlans(const Planned& plan, const Planned&) {
+  if (plan.timeline == timeline_) return;
+  timeline_ = plan.timeline;
   service_.cancel();
   levers_table_->setRowCount(0);
   levers_table_->hide();

@@ -8,20 +8,21 @@
 #include <memory>
 #include <vector>
 
+#include "drawing/plan_view.h"
 #include "jobs/tune_service.h"
 #include "models/timeline.h"
 #include "theme/theme.h"
 
 namespace toolpace::ui {
 
-class WhatIfPanel : public QWidget {
+class WhatIfPanel : public QWidget, public PlanView {
   Q_OBJECT
 
  public:
   explicit WhatIfPanel(QWidget* parent = nullptr);
 
-  void setTimeline(std::shared_ptr<const Timeline> timeline);
-  void setTheme(const Theme& theme);
+  void showPlans(const Planned& plan, const Planned& pinned) override;
+  void setTheme(const Theme& theme) override;
   void compute();
   bool isComputing() const { return service_.isRunning(); }
 

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "plots/profile_curves.h"
+#include "drawing/profile_curves.h"
 
 namespace toolpace::ui {
 namespace {
@@ -45,7 +45,7 @@ void OverviewStrip::drawMiniature() {
   miniature_.setDevicePixelRatio(ratio);
   miniature_.fill(theme_.surface);
   if (!series_ || series_->is_empty()) return;
-  const double top = series_->whole.speed.high, floor = height() - 4.0;
+  const double top = series_->whole[kSpeedTrack].high, floor = height() - 4.0;
   if (!(top > 0)) return;
   const double pixel = 1 / ratio, wide = right_ - left_;
   const int columns = std::max(static_cast<int>(wide * ratio), 1);

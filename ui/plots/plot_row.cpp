@@ -5,8 +5,6 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr std::array kQuantities = {Quantity::speed, Quantity::acceleration, Quantity::jerk};
-constexpr std::array<const char*, MotionRow::kinds> kSymbols = {"v", "a", "j"};
 constexpr float kDenseInk = 0.7f;  // of the strokes that stand for many phases: whole blocks of them stay calm
 constexpr double kMargin = 0.09, kFloorMargin = 0.03;  // of the height
 
@@ -65,13 +63,14 @@ void dress_rect(QCPAxisRect* rect, const Theme& theme, const QFont& font) {
 
 }  // namespace
 
-MotionRow::MotionRow(QCustomPlot* plot, Kind kind) : kind_(kind), rect_(new_rect(plot, static_cast<int>(kind))) {
+MotionRow::MotionRow(QCustomPlot* plot, std::size_t track)
+    : track_(track), rect_(new_rect(plot, static_cast<int>(track))) {
   value()->ticker()->setTickCount(4);
   value()->setNumberFormat("gb");
   value()->setNumberPrecision(6);
   const auto graph = [&](const char* name) {
     auto* g = plot->addGraph(time(), value());
-    g->setName(QString("%1.%2").arg(kSymbols[kind]).arg(name));
+    g->setName(QString("%1.%2").arg(kMotionTracks[track].symbol).arg(name));
     g->setSelectable(QCP::stNone);
     return g;
   };
@@ -100,7 +99,7 @@ void MotionRow::dress(const Theme& theme, const QFont& font) {
 }
 
 void MotionRow::scale(Extent extent, bool both_ways, LengthUnit length_unit) {
-  const DisplayUnit unit = display_unit(kQuantities[kind_], length_unit);
+  const DisplayUnit unit = display_unit(kMotionTracks[track_].quantity, length_unit);
   if (both_ways) extent.low = std::min(extent.low, -extent.high);
   if (both_ways) extent.high = std::max(extent.high, -extent.low);
   double low = extent.low * unit.factor, high = extent.high * unit.factor;
@@ -108,17 +107,13 @@ void MotionRow::scale(Extent extent, bool both_ways, LengthUnit length_unit) {
   const double power = power_of_thousand(std::max(-low, high)), height = high - low;
   factor_ = unit.factor / power;
   value()->setRange((low - (low < 0 ? kMargin : kFloorMargin) * height) / power, (high + kMargin * height) / power);
-  value()->setLabel(QString("%1\n%2%3").arg(kSymbols[kind_], power_text(power), unit.text));
-}
-
-const Curve& MotionRow::mine(const MotionCurves& c) const {
-  return kind_ == speed ? c.speed : kind_ == acceleration ? c.acceleration : c.jerk;
+  value()->setLabel(QString("%1\n%2%3").arg(kMotionTracks[track_].symbol, power_text(power), unit.text));
 }
 
 void MotionRow::fill(QCPGraph* graph, const Curve& curve) const { fill_graph(graph, curve, factor_); }
 
 void MotionRow::showOwn(const MotionCurves& curves, bool dense) {
-  fill(curve_, mine(curves));
+  fill(curve_, curves[track_]);
   QPen pen = curve_->pen();
   pen.setWidthF(dense ? 1.0 : 1.6);
   QColor colour = pen.color();
@@ -128,20 +123,20 @@ void MotionRow::showOwn(const MotionCurves& curves, bool dense) {
 }
 
 void MotionRow::showOther(const MotionEnvelope& sides) {
-  fill(ghost_, mine(sides.high));
-  fill(ghost_low_, mine(sides.low));
+  fill(ghost_, sides.high[track_]);
+  fill(ghost_low_, sides.low[track_]);
 }
 
 void MotionRow::showCaps(const CapCurves& caps) {
-  if (kind_ == speed) fill(feed_, caps.feed);
-  fill(cap_high_, kind_ == speed ? caps.speed : kind_ == acceleration ? caps.acceleration_high : caps.jerk_high);
-  if (kind_ != speed) fill(cap_low_, kind_ == acceleration ? caps.acceleration_low : caps.jerk_low);
+  if (kMotionTracks[track_].has_feed) fill(feed_, caps.feed);
+  fill(cap_high_, caps.high[track_]);
+  fill(cap_low_, caps.low[track_]);
 }
 
-void MotionRow::showAxis(std::size_t axis, const MotionCurves& curves) { fill(axis_.at(axis), mine(curves)); }
+void MotionRow::showAxis(std::size_t axis, const MotionCurves& curves) { fill(axis_.at(axis), curves[track_]); }
 
 ErrorRow::ErrorRow(QCustomPlot* plot)
-    : rect_(new_rect(plot, static_cast<int>(MotionRow::kinds))), curve_(plot->addGraph(time(), value())) {
+    : rect_(new_rect(plot, static_cast<int>(kMotionTrackCount))), curve_(plot->addGraph(time(), value())) {
   curve_->setName("e.curve");
   curve_->setSelectable(QCP::stNone);
   setShown(false);
@@ -149,12 +144,12 @@ ErrorRow::ErrorRow(QCustomPlot* plot)
 
 void ErrorRow::setShown(bool shown) {
   auto* layout = rect_->parentPlot()->plotLayout();
-  const bool was = layout->elementCount() > static_cast<int>(MotionRow::kinds);
+  const bool was = layout->elementCount() > static_cast<int>(kMotionTrackCount);
   if (was && !shown) {
     layout->take(rect_);
     layout->simplify();
   } else if (!was && shown) {
-    layout->addElement(static_cast<int>(MotionRow::kinds), 0, rect_);
+    layout->addElement(static_cast<int>(kMotionTrackCount), 0, rect_);
   }
   rect_->setVisible(shown);
   curve_->setVisible(shown);

@@ -5,22 +5,20 @@
 
 #include <array>
 
+#include "drawing/profile_curves.h"
+#include "drawing/sample_series.h"
 #include "models/units.h"
-#include "plots/profile_curves.h"
-#include "plots/sample_series.h"
 #include "theme/theme.h"
 
 namespace toolpace::ui {
 
 inline constexpr std::size_t kPlottedAxes = 3;  // X, Y, Z
 
-/// Speed, acceleration or jerk along the path, with its caps, plan B behind it and axes on demand.
+/// One of kMotionTracks along the path, with its caps, plan B behind it and axes on demand.
 class MotionRow {
  public:
-  enum Kind : std::size_t { speed, acceleration, jerk, kinds };
-
   /// Adds a rectangle and its graphs to the plot; the plot owns them.
-  MotionRow(QCustomPlot* plot, Kind kind);
+  MotionRow(QCustomPlot* plot, std::size_t track);
 
   QCPAxisRect* rect() const { return rect_; }
   QCPAxis* value() const { return rect_->axis(QCPAxis::atLeft); }
@@ -37,9 +35,8 @@ class MotionRow {
 
  private:
   void fill(QCPGraph* graph, const Curve& curve) const;
-  const Curve& mine(const MotionCurves& curves) const;
 
-  Kind kind_;
+  std::size_t track_;
   QCPAxisRect* rect_;
   QCPGraph *feed_, *cap_high_, *cap_low_, *ghost_, *ghost_low_, *curve_;
   std::array<QCPGraph*, kPlottedAxes> axis_ = {};

@@ -8,10 +8,6 @@ namespace {
 constexpr double kLeastSpan = 1e-7;                // of the plan
 constexpr std::size_t kMostBlocksAtOnce = 20'000;  // whose axes are looked through while a picture is made
 
-const Extent& extent_of(const MotionExtent& e, std::size_t row) {
-  return row == MotionRow::speed ? e.speed : row == MotionRow::acceleration ? e.acceleration : e.jerk;
-}
-
 }  // namespace
 
 ProfilePlot::ProfilePlot(QWidget* parent) : QCustomPlot(parent) {
@@ -25,7 +21,7 @@ ProfilePlot::ProfilePlot(QWidget* parent) : QCustomPlot(parent) {
   plotLayout()->clear();
   plotLayout()->setRowSpacing(0);
   plotLayout()->setMargins(QMargins(0, 4, 0, 0));
-  for (std::size_t i = 0; i < MotionRow::kinds; ++i) rows_.emplace_back(this, static_cast<MotionRow::Kind>(i));
+  for (std::size_t i = 0; i < kMotionTrackCount; ++i) rows_.emplace_back(this, i);
   time_title_ = new QCPItemText(this);
   time_title_->position->setType(QCPItemPosition::ptAbsolute);
   time_title_->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -123,10 +119,10 @@ void ProfilePlot::updateScales() {
     Extent extent;
     extent.add(0.0f);
     for (const auto* s : {series_.get(), ghost_.get()}) {
-      if (s && !s->is_empty()) extent.add(extent_of(s->whole, i));
+      if (s && !s->is_empty()) extent.add(s->whole[i]);
     }
     for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
-      if (isAxisDrawn(axis)) extent.add(extent_of(axis_whole(*series_, axis), i));
+      if (isAxisDrawn(axis)) extent.add(axis_whole(*series_, axis)[i]);
     }
     rows_[i].scale(extent, any_axis, unit_);
   }
@@ -188,9 +184,8 @@ void ProfilePlot::updateMarks() {
   cursor_->marks.clear();
   if (!cursor_->time || !series_ || series_->is_empty()) return;
   const PhaseState s = series_->state_at(*cursor_->time);
-  const std::array values = {s.speed, s.acceleration, s.jerk};
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    cursor_->marks.push_back({rows_[i].value(), values[i] * rows_[i].factor(), theme_.accent});
+    cursor_->marks.push_back({rows_[i].value(), kMotionTracks[i].value(s) * rows_[i].factor(), theme_.accent});
   }
   if (const auto height = error_->heightAt(*cursor_->time)) {
     cursor_->marks.push_back({error_->value(), *height, theme_.error});

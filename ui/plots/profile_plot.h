@@ -1,5 +1,5 @@
 #pragma once
-/// Three stacked plots of speed, acceleration and jerk over one time axis.
+/// Stacked plots of speed, acceleration and jerk over one time axis.
 
 #include <qcustomplot.h>
 
@@ -71,7 +71,7 @@ class ProfilePlot : public QCustomPlot {
   std::optional<std::size_t> measureAt(double x) const;
   double duration() const;
 
-  std::vector<MotionRow> rows_;  // speed, acceleration, jerk
+  std::vector<MotionRow> rows_;  // of kMotionTracks
   std::unique_ptr<ErrorRow> error_;
   QCPItemText* time_title_ = nullptr;
   std::vector<QCPAxis*> time_axes_;  // of the rows, then of the error

@@ -179,7 +179,17 @@ void ProfileView::setTheme(const Theme& theme) {
   overview_->setTheme(theme);
 }
 
-void ProfileView::setUnit(LengthUnit unit) {
+void ProfileView::showPlans(const Planned& plan, const Planned& pinned) {
+  if (plan.series != series_) setSeries(plan.series);
+  setErrorTrace(plan.proof ? plan.proof->scene->trace : nullptr);
+  setGhost(pinned.series);
+}
+
+void ProfileView::showInstant(const std::optional<Instant>& instant) {
+  setCursorTime(instant ? std::optional(instant->time) : std::nullopt);
+}
+
+void ProfileView::setLengthUnit(LengthUnit unit) {
   unit_ = unit;
   plot_->setUnit(unit);
   values_->setUnit(unit);
@@ -244,9 +254,10 @@ void ProfileView::updateReadout() {
   QString text = measureText();
   if (text.isEmpty() && cursor_ && series_ && !series_->is_empty()) {
     const PhaseState s = series_->state_at(*cursor_);
-    text = QString("t %1   v %2   a %3   j %4")
-               .arg(steadyText(*cursor_, Quantity::time, 3), steadyText(s.speed, Quantity::speed, 2),
-                    steadyText(s.acceleration, Quantity::acceleration, 0), steadyText(s.jerk, Quantity::jerk, 0));
+    text = "t " + steadyText(*cursor_, Quantity::time, 3);
+    for (const MotionTrack& track : kMotionTracks) {
+      text += QString("   %1 %2").arg(track.symbol, steadyText(track.value(s), track.quantity, track.read_decimals));
+    }
   }
   readout_->setText(text);
 }

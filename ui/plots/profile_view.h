@@ -7,9 +7,10 @@
 #include <memory>
 #include <optional>
 
+#include "drawing/contour_scene.h"
+#include "drawing/plan_view.h"
+#include "drawing/profile_series.h"
 #include "models/units.h"
-#include "plots/profile_series.h"
-#include "preview/contour_scene.h"
 #include "theme/theme.h"
 #include "toolpace/base/result.h"
 
@@ -25,7 +26,7 @@ class OverviewStrip;
 class ProfilePlot;
 class ValueTable;
 
-class ProfileView : public QWidget {
+class ProfileView : public QWidget, public PlanView {
   Q_OBJECT
 
  public:
@@ -40,8 +41,10 @@ class ProfileView : public QWidget {
   void setErrorTrace(std::shared_ptr<const ErrorTrace> trace);
   void setErrorShown(bool shown);
 
-  void setTheme(const Theme& theme);
-  void setUnit(LengthUnit unit);
+  void showPlans(const Planned& plan, const Planned& pinned) override;
+  void showInstant(const std::optional<Instant>& instant) override;
+  void setTheme(const Theme& theme) override;
+  void setLengthUnit(LengthUnit unit) override;
   void setCursorTime(std::optional<double> time);  ///< [s]
   void setVisibleRange(double begin, double end);  ///< [s]
   void setMeasuring(bool on);

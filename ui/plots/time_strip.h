@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "plots/profile_series.h"
+#include "drawing/profile_series.h"
 #include "theme/theme.h"
 
 namespace toolpace::ui {

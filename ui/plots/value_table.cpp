@@ -10,11 +10,18 @@ struct ColumnStyle {
   Quantity quantity;
   int decimals;
 };
-constexpr std::array<ColumnStyle, ValueTable::kColumns> kColumnStyles = {{{"t", Quantity::time, 4},
-                                                                          {"s", Quantity::length, 3},
-                                                                          {"v", Quantity::speed, 3},
-                                                                          {"a", Quantity::acceleration, 1},
-                                                                          {"j", Quantity::jerk, 0}}};
+ColumnStyle style_of(int column) {
+  if (column == ValueTable::kTime) return {"t", Quantity::time, 4};
+  if (column == ValueTable::kDistance) return {"s", Quantity::length, 3};
+  const MotionTrack& track = kMotionTracks[static_cast<std::size_t>(column - ValueTable::kFirstTrack)];
+  return {track.symbol, track.quantity, track.decimals};
+}
+
+double value_of(int column, double time, const PhaseState& state) {
+  if (column == ValueTable::kTime) return time;
+  if (column == ValueTable::kDistance) return state.distance;
+  return kMotionTracks[static_cast<std::size_t>(column - ValueTable::kFirstTrack)].value(state);
+}
 
 }  // namespace
 
@@ -52,17 +59,16 @@ QVariant ValueTable::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole || !series_ || series_->is_empty()) return {};
   const double time = timeOf(index.row());
-  const PhaseState s = series_->state_at(time);
-  const std::array values = {time, s.distance, s.speed, s.acceleration, s.jerk};
-  const auto column = static_cast<std::size_t>(index.column());
-  const ColumnStyle& style = kColumnStyles[column];
+  const ColumnStyle style = style_of(index.column());
   const int extra = unit_ == LengthUnit::inch && index.column() != kTime ? 1 : 0;
-  return QString::number(values[column] * display_unit(style.quantity, unit_).factor, 'f', style.decimals + extra);
+  return QString::number(
+      value_of(index.column(), time, series_->state_at(time)) * display_unit(style.quantity, unit_).factor, 'f',
+      style.decimals + extra);
 }
 
 QVariant ValueTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const ColumnStyle& style = kColumnStyles[static_cast<std::size_t>(section)];
+  const ColumnStyle style = style_of(section);
   return QString("%1  %2").arg(style.title, display_unit(style.quantity, unit_).text);
 }
 

@@ -3,8 +3,8 @@
 
 #include <QAbstractTableModel>
 
+#include "drawing/profile_series.h"
 #include "models/units.h"
-#include "plots/profile_series.h"
 
 namespace toolpace::ui {
 
@@ -12,7 +12,7 @@ class ValueTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kTime, kDistance, kSpeed, kAcceleration, kJerk, kColumns };
+  enum Column { kTime, kDistance, kFirstTrack, kColumns = kFirstTrack + static_cast<int>(kMotionTrackCount) };
   static constexpr int kRows = 101;  ///< evenly over the visible time
 
   using QAbstractTableModel::QAbstractTableModel;

@@ -4,7 +4,7 @@
 #include <QResizeEvent>
 #include <cmath>
 
-#include "preview/cause_style.h"
+#include "drawing/cause_style.h"
 
 namespace toolpace::ui {
 namespace {

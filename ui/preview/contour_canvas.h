@@ -8,10 +8,10 @@
 #include <memory>
 #include <optional>
 
+#include "drawing/colour_map.h"
+#include "drawing/contour_scene.h"
 #include "models/instant.h"
 #include "models/units.h"
-#include "preview/colour_map.h"
-#include "preview/contour_scene.h"
 #include "preview/scene_draw.h"
 #include "preview/scene_pick.h"
 #include "preview/tube_draw.h"

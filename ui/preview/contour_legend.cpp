@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "preview/cause_style.h"
+#include "drawing/cause_style.h"
 
 namespace toolpace::ui {
 namespace {

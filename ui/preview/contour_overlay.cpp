@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "preview/cause_style.h"
+#include "drawing/cause_style.h"
 #include "preview/contour_canvas.h"
 #include "toolpace/plan/plan.h"
 

@@ -167,7 +167,26 @@ void ContourView::setTheme(const Theme& theme) {
   legend_->refresh();
 }
 
-void ContourView::setUnit(LengthUnit unit) {
+void ContourView::showPlans(const Planned& plan, const Planned& pinned) {
+  const auto& scene = plan.proof ? plan.proof->scene : plan.scene;
+  if (scene != canvas_->scene()) {
+    setScene(scene);
+    setTube(plan.proof ? plan.proof->tube : nullptr);
+  }
+  if (plan) {
+    const CornerOptions& corner = plan.timeline->outcome()->job->options.corner;
+    const bool rounds = corner.rule == CornerRule::blend || corner.rule == CornerRule::smooth;
+    setTolerance(rounds ? corner.tolerance : 0);
+  }
+  setGhost(pinned.scene);
+}
+
+void ContourView::showInstant(const std::optional<Instant>& instant) {
+  setCursorTime(instant ? std::optional(instant->time) : std::nullopt);
+  if (instant && instant->line > 0) setHighlightedLine(instant->line);
+}
+
+void ContourView::setLengthUnit(LengthUnit unit) {
   canvas_->setUnit(unit);
   legend_->refresh();
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "drawing/plan_view.h"
 #include "models/units.h"
 #include "preview/contour_canvas.h"
 #include "toolpace/base/result.h"
@@ -17,7 +18,7 @@ namespace toolpace::ui {
 
 class ContourLegend;
 
-class ContourView : public QWidget {
+class ContourView : public QWidget, public PlanView {
   Q_OBJECT
 
  public:
@@ -29,8 +30,10 @@ class ContourView : public QWidget {
   /// Plan B, drawn dashed beneath; null = none.
   void setGhost(std::shared_ptr<const ContourScene> scene);
 
-  void setTheme(const Theme& theme);
-  void setUnit(LengthUnit unit);
+  void showPlans(const Planned& plan, const Planned& pinned) override;
+  void showInstant(const std::optional<Instant>& instant) override;
+  void setTheme(const Theme& theme) override;
+  void setLengthUnit(LengthUnit unit) override;
   void setTolerance(double tolerance);                  ///< [mm] half width of the band round the path; 0 = no band
   void setTube(std::shared_ptr<const TubeTrace> tube);  ///< see ContourCanvas
   void setBandShown(bool shown);

@@ -6,8 +6,8 @@
 
 class QPainter;
 
-#include "preview/colour_map.h"
-#include "preview/contour_scene.h"
+#include "drawing/colour_map.h"
+#include "drawing/contour_scene.h"
 #include "preview/strokes.h"
 
 namespace toolpace::ui {

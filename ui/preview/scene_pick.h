@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "preview/contour_scene.h"
+#include "drawing/contour_scene.h"
 
 namespace toolpace::ui {
 

@@ -5,8 +5,8 @@
 #include <QRectF>
 #include <utility>
 
-#include "preview/lod.h"
-#include "preview/projection.h"
+#include "drawing/lod.h"
+#include "drawing/projection.h"
 
 namespace toolpace::ui {
 

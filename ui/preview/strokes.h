@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "preview/contour_scene.h"
+#include "drawing/contour_scene.h"
 #include "preview/screen.h"
 
 namespace toolpace::ui {

@@ -4,9 +4,9 @@
 #include <QImage>
 #include <QString>
 
+#include "drawing/projection.h"
+#include "drawing/tube_trace.h"
 #include "models/units.h"
-#include "preview/projection.h"
-#include "preview/tube_trace.h"
 #include "theme/theme.h"
 
 namespace toolpace::ui {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "preview/cause_style.h"
+#include "drawing/cause_style.h"
 #include "toolpace/plan/motion_plan.h"
 
 namespace toolpace::ui {

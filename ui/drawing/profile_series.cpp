@@ -1,4 +1,4 @@
-#include "plots/profile_series.h"
+#include "drawing/profile_series.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,13 +29,11 @@ CapExtent cap_extent(const Outcome& outcome, std::size_t first, std::size_t last
   for (std::size_t i = first; i < last; ++i) {
     if (outcome.commands) add_finite(extent.feed, (*outcome.commands)[i].feed);
     if (i >= outcome.limits.size()) continue;
-    add_finite(extent.speed, outcome.limits.block_cap[i]);
-    const Dynamics& dynamics = outcome.limits.dynamics_of(i);
-    add_finite(extent.acceleration, dynamics.up.acceleration);
-    add_finite(extent.acceleration, -dynamics.down.acceleration);
-    const double jerk = std::max(dynamics.up.jerk, dynamics.down.jerk);
-    add_finite(extent.jerk, jerk);
-    add_finite(extent.jerk, -jerk);
+    for (std::size_t k = 0; k < kMotionTrackCount; ++k) {
+      const Interval cap = kMotionTracks[k].cap(outcome.limits, i);
+      add_finite(extent[k], cap.low);
+      add_finite(extent[k], cap.high);
+    }
   }
   return extent;
 }

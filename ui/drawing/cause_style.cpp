@@ -1,4 +1,4 @@
-#include "preview/cause_style.h"
+#include "drawing/cause_style.h"
 
 #include <QCoreApplication>
 

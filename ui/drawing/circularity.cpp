@@ -1,4 +1,4 @@
-#include "models/circularity.h"
+#include "drawing/circularity.h"
 
 #include <algorithm>
 #include <cmath>

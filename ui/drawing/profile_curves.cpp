@@ -1,4 +1,4 @@
-#include "plots/profile_curves.h"
+#include "drawing/profile_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +31,14 @@ void add_stroke(Curve& curve, double time, const Extent& extent) {
   curve.add(time, upwards ? extent.high : extent.low);
 }
 
+void add_strokes(MotionCurves& curves, double time, const MotionExtent& extent) {
+  for (std::size_t i = 0; i < kMotionTrackCount; ++i) add_stroke(curves[i], time, extent[i]);
+}
+
+void add_values(MotionCurves& curves, double time, const PhaseState& state) {
+  for (std::size_t i = 0; i < kMotionTrackCount; ++i) curves[i].add(time, kMotionTracks[i].value(state));
+}
+
 /// A part of one phase.
 void add_exact(MotionCurves& curves, Motion& motion, const Phase& p, const TimeWindow& part, double pixel) {
   const double from = part.begin, to = part.end;
@@ -41,9 +49,7 @@ void add_exact(MotionCurves& curves, Motion& motion, const Phase& p, const TimeW
     const double time = k == parts ? to : from + (to - from) * k / parts;
     const PhaseState state =
         motion.leaves_path() ? motion.at(time).along() : evaluate(p, std::clamp(time - p.begin, 0.0, p.duration));
-    curves.speed.add(time, state.speed);
-    curves.acceleration.add(time, state.acceleration);
-    curves.jerk.add(time, state.jerk);
+    add_values(curves, time, state);
   }
 }
 
@@ -84,15 +90,12 @@ struct StepCurve {
 
 void add_caps(CapCurves& curves, double begin, double end, const CapExtent& extent) {
   StepCurve{curves.feed}.add(begin, end, extent.feed, true);
-  StepCurve{curves.speed}.add(begin, end, extent.speed, true);
-  const auto signed_part = [](const Extent& e, bool upper) {
-    const bool has = !e.is_empty() && (upper ? e.high > 0 : e.low < 0);
-    return has ? e : Extent{};
-  };
-  StepCurve{curves.acceleration_high}.add(begin, end, signed_part(extent.acceleration, true), true);
-  StepCurve{curves.acceleration_low}.add(begin, end, signed_part(extent.acceleration, false), false);
-  StepCurve{curves.jerk_high}.add(begin, end, signed_part(extent.jerk, true), true);
-  StepCurve{curves.jerk_low}.add(begin, end, signed_part(extent.jerk, false), false);
+  for (std::size_t i = 0; i < kMotionTrackCount; ++i) {
+    const bool has_high = !extent[i].is_empty() && extent[i].high > 0,
+               has_low = !extent[i].is_empty() && extent[i].low < 0;
+    StepCurve{curves.high[i]}.add(begin, end, has_high ? extent[i] : Extent{}, true);
+    StepCurve{curves.low[i]}.add(begin, end, has_low ? extent[i] : Extent{}, false);
+  }
 }
 
 }  // namespace
@@ -112,7 +115,7 @@ std::vector<Extent> speed_extents(const ProfileSeries& series, const TimeWindow&
   for (std::size_t column = 0; column < extents.size(); ++column) {
     const double begin = window.begin + static_cast<double>(column) * pixel, end = begin + pixel;
     if (end < 0 || begin > total) continue;
-    extents[column] = extent_between(series, std::max(begin, 0.0), std::min(end, total)).speed;
+    extents[column] = extent_between(series, std::max(begin, 0.0), std::min(end, total))[kSpeedTrack];
   }
   return extents;
 }
@@ -127,9 +130,7 @@ MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& whole)
     for (int column = 0; column < window.columns; ++column) {
       const double begin = window.begin + column * pixel, middle = begin + pixel / 2;
       const MotionExtent extent = extent_between(series, begin, begin + pixel);
-      add_stroke(curves.speed, middle, extent.speed);
-      add_stroke(curves.acceleration, middle, extent.acceleration);
-      add_stroke(curves.jerk, middle, extent.jerk);
+      add_strokes(curves, middle, extent);
     }
     return curves;
   }
@@ -159,11 +160,14 @@ MotionEnvelope motion_envelope(const ProfileSeries& series, const TimeWindow& wh
   for (int column = 0; column < window.columns; ++column) {
     const double begin = window.begin + column * pixel, middle = begin + pixel / 2;
     const MotionExtent extent = extent_between(series, begin, begin + pixel);
-    sides.high.speed.add(middle, (extent.speed.low + extent.speed.high) / 2.0);
-    sides.high.acceleration.add(middle, extent.acceleration.high);
-    sides.low.acceleration.add(middle, extent.acceleration.low);
-    sides.high.jerk.add(middle, extent.jerk.high);
-    sides.low.jerk.add(middle, extent.jerk.low);
+    for (std::size_t i = 0; i < kMotionTrackCount; ++i) {
+      if (i == kSpeedTrack) {
+        sides.high[i].add(middle, (extent[i].low + extent[i].high) / 2.0);
+        continue;
+      }
+      sides.high[i].add(middle, extent[i].high);
+      sides.low[i].add(middle, extent[i].low);
+    }
   }
   return sides;
 }
@@ -203,10 +207,8 @@ void add_axis_block(MotionCurves& curves, Motion& motion, std::size_t block, con
     // A hair inside the block, so that a corner is a step and not a slope.
     const double share = std::clamp(static_cast<double>(k) / parts, 1e-6, 1 - 1e-6);
     const double time = part.begin + (part.end - part.begin) * share;
-    const AxisMotion state = motion.at(time, block).axes();
-    curves.speed.add(time, state.speed[i]);
-    curves.acceleration.add(time, state.acceleration[i]);
-    curves.jerk.add(time, state.jerk[i]);
+    const AxisMotion m = motion.at(time, block).axes();
+    add_values(curves, time, {m.position[i], m.speed[i], m.acceleration[i], m.jerk[i]});
   }
 }
 
@@ -253,9 +255,7 @@ MotionCurves axis_curves(const ProfileSeries& series, const TimeWindow& whole, s
   for (int column = 0; column < window.columns; ++column) {
     const double begin = window.begin + column * pixel;
     const MotionExtent extent = axis_extent_between(series, begin, begin + pixel, axis);
-    add_stroke(curves.speed, begin + pixel / 2, extent.speed);
-    add_stroke(curves.acceleration, begin + pixel / 2, extent.acceleration);
-    add_stroke(curves.jerk, begin + pixel / 2, extent.jerk);
+    add_strokes(curves, begin + pixel / 2, extent);
   }
   return curves;
 }

@@ -1,4 +1,4 @@
-#include "preview/scene_geometry.h"
+#include "drawing/scene_geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "preview/lod.h"
-#include "preview/projection.h"
+#include "drawing/lod.h"
+#include "drawing/projection.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {

@@ -5,7 +5,7 @@
 #include <QString>
 #include <array>
 
-#include "preview/colour_map.h"
+#include "drawing/colour_map.h"
 #include "toolpace/limits/speed_limits.h"
 
 namespace toolpace::ui {

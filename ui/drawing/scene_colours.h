@@ -6,7 +6,7 @@
 #include <mutex>
 #include <optional>
 
-#include "preview/scene_geometry.h"
+#include "drawing/scene_geometry.h"
 
 #include "toolpace/law/phase_bounds.h"
 

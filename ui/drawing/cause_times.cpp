@@ -1,4 +1,4 @@
-#include "plots/cause_times.h"
+#include "drawing/cause_times.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "plots/sample_series.h"
+#include "drawing/sample_series.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "preview/tube_trace.h"
+#include "drawing/tube_trace.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "preview/colour_map.h"
+#include "drawing/colour_map.h"
 
 #include <algorithm>
 #include <cmath>

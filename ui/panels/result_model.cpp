@@ -1,4 +1,4 @@
-#include "models/result_model.h"
+#include "panels/result_model.h"
 
 #include <QFont>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "preview/projection.h"
+#include "drawing/projection.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -7,41 +7,42 @@
 #include <memory>
 #include <mutex>
 
-#include "plots/cause_times.h"
-#include "plots/pyramid.h"
-#include "toolpace/law/phase_bounds.h"
+#include "drawing/cause_times.h"
+#include "drawing/motion_tracks.h"
+#include "drawing/pyramid.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {
 
-/// Of a run of phases, along the path [mm, s].
-struct MotionExtent {
-  Extent speed, acceleration, jerk;
+/// One value a track.
+template <class Value>
+struct OfTracks {
+  std::array<Value, kMotionTrackCount> track;
 
+  Value& operator[](std::size_t i) { return track[i]; }
+  const Value& operator[](std::size_t i) const { return track[i]; }
+};
+
+/// Of a run of phases, along the path or of one axis [mm, rad, s].
+struct MotionExtent : OfTracks<Extent> {
   void add(const MotionExtent& other) {
-    speed.add(other.speed);
-    acceleration.add(other.acceleration);
-    jerk.add(other.jerk);
+    for (std::size_t i = 0; i < kMotionTrackCount; ++i) track[i].add(other[i]);
   }
-  void add(const PhaseBounds& b) {
-    speed.add({static_cast<float>(b.speed.low), static_cast<float>(b.speed.high)});
-    acceleration.add({static_cast<float>(b.acceleration.low), static_cast<float>(b.acceleration.high)});
-    jerk.add({static_cast<float>(b.jerk.low), static_cast<float>(b.jerk.high)});
+  void add(const PhaseBounds& bounds) {
+    for (std::size_t i = 0; i < kMotionTrackCount; ++i) {
+      const Interval range = kMotionTracks[i].range(bounds);
+      track[i].add({static_cast<float>(range.low), static_cast<float>(range.high)});
+    }
   }
 };
 
-/// What a run of blocks allows [mm, s]; entries that are unlimited stay empty.
-struct CapExtent {
-  Extent feed;          ///< programmed, with the override; rapids left out
-  Extent speed;         ///< cap
-  Extent acceleration;  ///< low: braking, negative; high: speeding up
-  Extent jerk;          ///< both signs
+/// What a run of blocks allows [mm, s]; what is unlimited stays empty.
+struct CapExtent : OfTracks<Extent> {
+  Extent feed;  ///< programmed, with the override; rapids left out
 
   void add(const CapExtent& other) {
     feed.add(other.feed);
-    speed.add(other.speed);
-    acceleration.add(other.acceleration);
-    jerk.add(other.jerk);
+    for (std::size_t i = 0; i < kMotionTrackCount; ++i) track[i].add(other[i]);
   }
 };
 

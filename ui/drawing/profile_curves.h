@@ -5,7 +5,7 @@
 #include <QVector>
 #include <vector>
 
-#include "plots/profile_series.h"
+#include "drawing/profile_series.h"
 
 namespace toolpace::ui {
 
@@ -26,9 +26,7 @@ struct TimeWindow {
   int columns;        ///< ≥ 1
 };
 
-struct MotionCurves {
-  Curve speed, acceleration, jerk;
-};
+using MotionCurves = OfTracks<Curve>;
 
 MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& window);
 
@@ -46,7 +44,8 @@ struct MotionEnvelope {
 MotionEnvelope motion_envelope(const ProfileSeries& series, const TimeWindow& window);
 
 struct CapCurves {
-  Curve feed, speed, acceleration_high, acceleration_low, jerk_high, jerk_low;
+  Curve feed;
+  MotionCurves high, low;  ///< of values that turn round a cap on either side
 };
 
 CapCurves cap_curves(const ProfileSeries& series, const TimeWindow& window);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "preview/scene_colours.h"
+#include "drawing/scene_colours.h"
 #include "toolpace/pipeline/job.h"
 
 namespace toolpace::ui {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "jobs/planned.h"
+#include "drawing/planned.h"
 #include "models/units.h"
 #include "theme/theme.h"
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "plots/profile_curves.h"
-#include "preview/contour_scene.h"
+#include "drawing/contour_scene.h"
+#include "drawing/profile_curves.h"
 
 namespace toolpace::ui {
 

@@ -1,9 +1,9 @@
-#include "preview/scene_colours.h"
+#include "drawing/scene_colours.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "preview/cause_style.h"
+#include "drawing/cause_style.h"
 #include "toolpace/plan/restraint.h"
 #include "toolpace/sample/motion.h"
 

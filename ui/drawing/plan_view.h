@@ -1,0 +1,27 @@
+#pragma once
+/// What the window tells those of its parts that show a plan.
+
+#include <optional>
+
+#include "drawing/planned.h"
+#include "models/instant.h"
+#include "models/units.h"
+#include "theme/theme.h"
+
+namespace toolpace::ui {
+
+/// A part takes of each call what it shows; what it has no use for does nothing.
+class PlanView {
+ public:
+  virtual ~PlanView() = default;
+
+  /// A plan, and the one pinned beside it; either may be none. Told whenever one of them, or a proof, is another: most of it
+  /// is what is shown already.
+  virtual void showPlans(const Planned& /*plan*/, const Planned& /*pinned*/) {}
+  /// Where the cursor stands; nothing = there is no plan.
+  virtual void showInstant(const std::optional<Instant>& /*instant*/) {}
+  virtual void setTheme(const Theme& /*theme*/) {}
+  virtual void setLengthUnit(LengthUnit /*unit*/) {}
+};
+
+}  // namespace toolpace::ui
