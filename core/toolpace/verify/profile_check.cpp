@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "toolpace/base/metric.h"
+
 namespace toolpace {
 namespace {
 
@@ -12,27 +14,26 @@ constexpr double kStraight = 1e-6;  // [rad] below it three chords lie on one li
 constexpr double kKernel = 0.0321;  // ∫|½u(u−1) + 1/12| du over [0, 1]
 
 struct Chord {
-  double x = 0, y = 0, z = 0;
-  bool only_rotary = false;
-  double length() const { return std::sqrt(x * x + y * y + z * z); }
+  AxisVector way;
+  Metric metric;
+  double length() const { return metric.norm(way); }
 };
 
 Chord chord(const RowStream& stream, std::size_t i) {
   const auto& p = stream.rows().position;
-  const auto step = [&](std::size_t axis) { return p[axis].empty() ? 0.0 : p[axis][i] - p[axis][i - 1]; };
-  Chord c{step(0), step(1), step(2)};
-  if (c.x != 0 || c.y != 0 || c.z != 0) return c;
-  // Where only rotary axes move the path is measured in degrees.
-  c = {step(3) / kRadiansPerDegree, step(4) / kRadiansPerDegree, step(5) / kRadiansPerDegree, true};
-  return c;
+  AxisVector way;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    way[static_cast<Eigen::Index>(axis)] = p[axis].empty() ? 0.0 : p[axis][i] - p[axis][i - 1];
+  }
+  return {way, Metric::along(way.head<3>().isZero(0.0))};
 }
 
-/// Angle between two chords [rad]; π where one of them has no length.
+/// Angle between two chords [rad]; π where one of them has no length. Exact for small ones, too (Kahan).
 double turn(const Chord& a, const Chord& b) {
-  const double cx = a.y * b.z - a.z * b.y, cy = a.z * b.x - a.x * b.z, cz = a.x * b.y - a.y * b.x;
-  const double dot = a.x * b.x + a.y * b.y + a.z * b.z;
-  if (a.only_rotary != b.only_rotary || a.length() == 0 || b.length() == 0) return std::numbers::pi;
-  return std::atan2(std::sqrt(cx * cx + cy * cy + cz * cz), dot);
+  const double la = a.length(), lb = b.length();
+  if (!(a.metric == b.metric) || la == 0 || lb == 0) return std::numbers::pi;
+  const AxisVector u = a.way / la, w = b.way / lb;
+  return 2 * std::atan2(a.metric.norm(u - w), a.metric.norm(u + w));
 }
 
 /// How the direction changes around an interval, and the acceleration vector there.
@@ -43,7 +44,9 @@ struct Turning {
 
 Turning turning_at(const RowStream& stream, std::size_t i, double period) {
   const Chord before = chord(stream, i - 1), here = chord(stream, i), after = chord(stream, i + 1);
-  const auto change = [](const Chord& a, const Chord& b) { return Chord{b.x - a.x, b.y - a.y, b.z - a.z}.length(); };
+  const auto change = [](const Chord& a, const Chord& b) {
+    return a.metric == b.metric ? a.metric.norm(b.way - a.way) : std::hypot(a.length(), b.length());
+  };
   const double angle = turn(before, here) + turn(here, after);
   return {std::min(std::numbers::pi, angle), std::max(change(before, here), change(here, after)) / (period * period)};
 }
