@@ -51,7 +51,7 @@ Result<void> check_regular_file(const QString& path) {
   return check_kind(info, path);
 }
 
-Result<FileContent> read_regular_file(const QString& path, const Monitor& monitor) {
+Result<StampedBytes> read_regular_file(const QString& path, const Monitor& monitor) {
   // Looked at before it is opened, too: opening some devices alone does something.
   if (auto regular = check_regular_file(path); !regular) return tl::unexpected(regular.error());
   const auto descriptor = open_for_reading(QFileInfo(path).absoluteFilePath().toStdString());
@@ -59,7 +59,7 @@ Result<FileContent> read_regular_file(const QString& path, const Monitor& monito
   struct stat info {};
   if (::fstat(descriptor->value(), &info) != 0) return tl::unexpected(trouble(errno, path, "read"));
   if (auto regular = check_kind(info, path); !regular) return tl::unexpected(regular.error());
-  FileContent content{{}, stamp(info)};
+  StampedBytes content{{}, stamp(info)};
   content.bytes.reserve(content.stamp.bytes + 1);  // one more, to see the end
   for (qsizetype size = 0;;) {
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());

@@ -16,7 +16,8 @@ struct FileStamp {
   bool operator==(const FileStamp&) const = default;
 };
 
-struct FileContent {
+/// A whole file as it was read, and which file that was.
+struct StampedBytes {
   QByteArray bytes;
   FileStamp stamp;  ///< taken before reading: of a file that changes meanwhile it is out of date
 };
@@ -28,6 +29,6 @@ std::optional<FileStamp> stamp_of(const QString& path);
 Result<void> check_regular_file(const QString& path);
 
 /// The whole file, without ever waiting for a writer. Errors (io): those of check_regular_file, and cancelled.
-Result<FileContent> read_regular_file(const QString& path, const Monitor& monitor = {});
+Result<StampedBytes> read_regular_file(const QString& path, const Monitor& monitor = {});
 
 }  // namespace toolpace::ui
