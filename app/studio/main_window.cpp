@@ -31,6 +31,7 @@ MainWindow::MainWindow(bool remember)
     : remember_(remember), preferences_(remember ? load_preferences() : Preferences{}), actions_(new Actions(this)) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
+  dressApplication();  // what is built from here on is dressed once, when it is shown
   buildPanels();
   buildMenus();
   buildToolBar();

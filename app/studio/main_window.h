@@ -108,6 +108,7 @@ class MainWindow : public QMainWindow {
   void connectPanels();
   void connectActions();
   // main_window_look.cpp
+  void dressApplication();
   void applyAppearance();
   void retranslate();
   // main_window_layout.cpp

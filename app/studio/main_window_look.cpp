@@ -26,20 +26,26 @@
 namespace toolpace::studio {
 
 void MainWindow::setDark(bool dark) {
+  if (preferences_.dark == dark) return;
   preferences_.dark = dark;
   actions_->dark->setChecked(dark);
   applyAppearance();
 }
 
 void MainWindow::setTouch(bool touch) {
+  if (preferences_.touch == touch) return;
   preferences_.touch = touch;
   actions_->touch->setChecked(touch);
   applyAppearance();
 }
 
-void MainWindow::applyAppearance() {
+void MainWindow::dressApplication() {
   theme_ = preferences_.dark ? ui::dark_theme() : ui::light_theme();
   ui::apply_theme(*qApp, theme_, preferences_.touch);
+}
+
+void MainWindow::applyAppearance() {
+  dressApplication();
   actions_->setTheme(theme_);
   for (auto* button : {machine_button_, export_button_}) {
     button->setIcon(ui::icon(button == machine_button_ ? "machine" : "export", theme_));

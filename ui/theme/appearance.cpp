@@ -52,10 +52,17 @@ QFont monospace_font(qreal points) {
   return font;
 }
 
+// Each of the three goes through all widgets that there are, so what is as it should be is left alone.
 void apply_theme(QApplication& application, const Theme& tokens, bool touch) {
-  QApplication::setStyle("Fusion");
-  application.setPalette(palette_of(tokens));
-  application.setStyleSheet(style_sheet(tokens, touch));
+  constexpr char kStyle[] = "Fusion", kStyled[] = "toolpaceStyle";
+  if (application.property(kStyled) != QVariant(kStyle)) {
+    QApplication::setStyle(kStyle);
+    application.setProperty(kStyled, kStyle);
+  }
+  const QPalette palette = palette_of(tokens);
+  if (QApplication::palette() != palette) QApplication::setPalette(palette);
+  const QString sheet = style_sheet(tokens, touch);
+  if (application.styleSheet() != sheet) application.setStyleSheet(sheet);
 }
 
 }  // namespace toolpace::ui

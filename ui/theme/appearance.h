@@ -16,7 +16,7 @@ QColor mixed(const QColor& a, const QColor& b, double share);
 /// Monospace font of NC text, `points` high.
 QFont monospace_font(qreal points);
 
-/// Sets palette and style sheet of the application. `touch`: every control at least 48 px high.
+/// Sets palette and style sheet of the application; before there are widgets this costs least. `touch`: every control at least 48 px high.
 void apply_theme(QApplication& application, const Theme& tokens, bool touch);
 
 }  // namespace toolpace::ui
