@@ -13,23 +13,15 @@
 #include "preferences.h"
 #include "preview/contour_view.h"
 #include "screenshot.h"
+#include "support/files.h"
 #include "support/patience.h"
 #include "support/screenshot.h"
 #include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::studio;
-
-namespace {
-
-constexpr auto kSquare = "G21 G90 G94\nG1 F1200 X10\nY10\nX0\nY0\nM2\n";
-
-void write(const QString& path, const QByteArray& text) {
-  QFile file(path);
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("cannot write %s", qPrintable(path));
-}
-
-}  // namespace
+using ui::kSquare;
+using ui::write;
 
 class FilesTest : public QObject {
   Q_OBJECT

@@ -1,10 +1,5 @@
 /// The machine and its file: saved in place, and nothing lost without being asked.
 
-#include <sys/stat.h>
-
-#include <QFile>
-#include <QFileDialog>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -17,6 +12,7 @@
 #include "opened.h"
 #include "panels/change_bar.h"
 #include "support/dialogs.h"
+#include "support/files.h"
 #include "support/screenshot.h"
 #include "support/ui_test.h"
 
@@ -28,17 +24,6 @@ namespace {
 constexpr auto kMill =
     "# The old mill.\n[machine]\nname = 'Mill' # as on its plate\n\n[path]\nmax_speed_mm_s = 120.0 # carefully\n"
     "max_acceleration_mm_s2 = 900\nmax_jerk_mm_s3 = 3e4\n";
-
-void write(const QString& path, const QByteArray& text) {
-  QFile file(path);
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("cannot write %s", qPrintable(path));
-}
-
-QByteArray content(const QString& path) {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) qFatal("cannot read %s", qPrintable(path));
-  return file.readAll();
-}
 
 QByteArray with_speed(const char* speed) { return QByteArray(kMill).replace("120.0", speed); }
 
@@ -52,17 +37,6 @@ class Tuned : public Opened {
   ChangeBar& bar() { return the<ChangeBar>("machineBar"); }
   void save() { actions().save_machine->trigger(); }
 };
-
-/// Types a name into the next file dialog and presses its button.
-NextDialog named(const QString& name) {
-  return NextDialog([name](QWidget& dialog) {
-    auto& files = dynamic_cast<QFileDialog&>(dialog);
-    auto* field = files.findChild<QLineEdit*>("fileNameEdit");
-    field->setText(name);
-    field->setFocus();
-    QTest::keyClick(field, Qt::Key_Return);
-  });
-}
 
 }  // namespace
 
@@ -242,7 +216,7 @@ class MachineTest : public QObject {
     Tuned window;
     QVERIFY(window.openMachine(in("lathe.ini")));
     QVERIFY(window.hasStar());
-    auto name = named(in("turning.ini"));
+    auto name = file_named(in("turning.ini"));
     window.save();
     QVERIFY(!window.hasStar());
     QCOMPARE(content(in("lathe.ini")), ini);
@@ -285,7 +259,7 @@ class MachineTest : public QObject {
     Tuned window;
     QVERIFY(window.openMachine(studio::built_in_machines().front().path));
     window.setSpeed(99);
-    auto name = named(in("own.toml"));
+    auto name = file_named(in("own.toml"));
     window.save();
     QVERIFY(content(in("own.toml")).startsWith("# "));
     QVERIFY(content(in("own.toml")).contains("max_speed_mm_s = 99\n"));

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "opened.h"
+#include "support/files.h"
 #include "support/ui_test.h"
 #include "theme/picture_file.h"
 
@@ -29,11 +30,6 @@ Drawing drawing() {
             return image;
           },
           [](QPainter& painter) { painter.drawLine(0, 0, 200, 100); }};
-}
-
-QByteArray content(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 /// Files cannot grow beyond this, as on a full disk.

@@ -11,7 +11,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "support/files.h"
 #include "support/ui_test.h"
+
+using toolpace::ui::write;
 
 namespace {
 
@@ -19,11 +22,6 @@ struct Ended {
   int code;
   QString out, errors;
 };
-
-void write(const QString& path, const QByteArray& text) {
-  QFile file(path);
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("cannot write %s", qPrintable(path));
-}
 
 }  // namespace
 

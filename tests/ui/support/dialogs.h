@@ -3,6 +3,8 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QTest>
 #include <QTimer>
 #include <functional>
@@ -38,5 +40,16 @@ class NextDialog {
   QTimer timer_;
   QString shown_;
 };
+
+/// Types a name into the next file dialog and accepts it.
+inline NextDialog file_named(const QString& name) {
+  return NextDialog([name](QWidget& dialog) {
+    auto& files = dynamic_cast<QFileDialog&>(dialog);
+    auto* field = files.findChild<QLineEdit*>("fileNameEdit");
+    field->setText(name);
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Return);
+  });
+}
 
 }  // namespace toolpace::ui
