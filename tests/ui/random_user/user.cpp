@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QTest>
 #include <QUndoStack>
+#include <ctime>
 
 #include "random_user/hands.h"
 #include "screenshot.h"
@@ -12,7 +13,12 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr int kPatience = 120000;  // ms; what is not done by then hangs
+// What is not done by then hangs. It counts what this process gets of the machine, which may have much else to do.
+constexpr double kPatience = 120;   // s of CPU
+constexpr int kLook = 10'000;       // ms
+constexpr int kMostLooks = 6 * 60;  // of a process that waits for nothing
+
+double used_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::string text_of(const Setup& setup) {
   const auto text = format_setup(setup);
@@ -139,7 +145,12 @@ QString RandomUser::trouble() {
 
 bool RandomUser::comes_to_rest() {
   window_->workspace().playback().pause();
-  return QTest::qWaitFor([this] { return window_->isSettled() && !window_->workspace().isProving(); }, kPatience);
+  const auto rests = [this] { return window_->isSettled() && !window_->workspace().isProving(); };
+  const double begin = used_seconds();
+  for (int look = 0; look < kMostLooks && used_seconds() - begin < kPatience; ++look) {
+    if (QTest::qWaitFor(rests, kLook)) return true;
+  }
+  return false;
 }
 
 QString RandomUser::deep_trouble() {
