@@ -56,7 +56,11 @@ Result<Target> open_target(const PlanFlags& flags) {
   Target target;
   if (flags.setpoints.empty()) return target;
   if (is_pulse_file(flags.setpoints)) {
-    if (auto fine = check_timer(flags.timer_hz.value_or(0)); !fine) return tl::unexpected(std::move(fine.error()));
+    if (!flags.timer_hz) {
+      return tl::unexpected(usage_error("timer-value", "--timer-hz is not given, and step pulses are told in its ticks",
+                                        "give a clock between 1 Hz and 1e12 Hz, such as --timer-hz 1000000"));
+    }
+    if (auto fine = check_timer(*flags.timer_hz); !fine) return tl::unexpected(std::move(fine.error()));
     auto pulses = ProgramPulseWriter::create(flags.setpoints, terminal_monitor("writing"));
     if (!pulses) return tl::unexpected(pulses.error());
     target.pulses.emplace(std::move(*pulses));
@@ -72,11 +76,14 @@ Result<Target> open_target(const PlanFlags& flags) {
   return target;
 }
 
-/// Samples the plan once: measures, and writes the file where one is wanted.
-Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, SetpointWriter* writer, const Monitor& monitor) {
+/// Samples the plan once: measures, and writes the file where one is wanted. Without either nothing but their number is
+/// found out, as a slow program has millions.
+Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, SetpointWriter* writer, bool measures,
+                                         const Monitor& monitor) {
   SetpointPass pass;
   Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
   pass.rows = sampler.rows();
+  if (!writer && !measures) return pass;
   sampler.measure_chords();
   for (Setpoints chunk; sampler.next(chunk);) {
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
@@ -204,7 +211,7 @@ Done run_plan(const PlanFlags& flags) {
     bound = *found;
   }
 
-  const auto pass = pass_over_setpoints(*outcome, target->setpoints.get(), terminal_monitor("setpoints"));
+  const auto pass = pass_over_setpoints(*outcome, target->setpoints.get(), flags.json, terminal_monitor("setpoints"));
   end_progress();
   if (!pass) return tl::unexpected(pass.error());
   if (target->pulses) {

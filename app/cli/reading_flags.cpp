@@ -58,6 +58,9 @@ tl::expected<Reading, Failure> ReadingFlags::read() const {
                                                "give one of auto, linuxcnc, fanuc, grbl"));
   }
   for (const std::string& folder : sub_paths) {
+    if (folder.empty()) {
+      return tl::unexpected<Failure>(usage_error("bad-flag", "--sub-path is empty", "give the name of a folder"));
+    }
     std::error_code trouble;
     if (!std::filesystem::is_directory(folder, trouble)) {
       return tl::unexpected<Failure>(file_error(trouble ? trouble.value() : ENOTDIR, folder, "search"));

@@ -42,7 +42,12 @@ Done run_steps(const StepsFlags& flags) {
   if (!table) {
     constexpr FlagName kFlags[] = {
         {"the number of steps", "--steps"}, {"the top speed", "--speed"}, {"the timer clock", "--timer-hz"}};
-    return tl::unexpected(with_flag(table.error(), kFlags));
+    Error error = with_flag(table.error(), kFlags);
+    if (error.code.starts_with("timer-too-")) {  // any of the flags may be the one that is wrong
+      error.message += fmt::format(" (--steps {}, --speed {}, --tacc-ms {}, --tdec-ms {})", move.steps, move.speed,
+                                   flags.tacc_ms, flags.tdec_ms);
+    }
+    return tl::unexpected(std::move(error));
   }
   const PulseFormat format = flags.format == "c" ? PulseFormat::c_header : PulseFormat::csv;
   const auto written = write_pulses(flags.output, *table, format, terminal_monitor("writing"));

@@ -27,8 +27,8 @@ struct VerifyFlags {
 /// The tolerance is checked first: a proof may take minutes.
 tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
   if (flags.tolerance_mm && !(*flags.tolerance_mm >= 0)) {
-    return tl::unexpected<Failure>(
-        usage_error("bad-flag", "--tolerance-mm is no distance of 0 or more", "give a distance in mm"));
+    return tl::unexpected<Failure>(usage_error(
+        "bad-limit", fmt::format("--tolerance-mm is {}, but must be 0 mm or more", *flags.tolerance_mm), ""));
   }
   auto setup = read_machine(flags.machine, terminal_monitor("reading"));
   end_progress();

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "toolpace/limits/curve_budget.h"
 
@@ -142,13 +145,32 @@ class Limiter {
   SpeedLimits limits_;
 };
 
-Error unbounded(const char* code, const char* what, const char* flag) {
+/// A limit along the path that is none, in a block that has no other.
+Error unbounded(const std::string& flag, const char* key, const char* what, std::uint32_t line, const char* code) {
   return {ErrorKind::usage,
           code,
-          std::string("nothing bounds the ") + what,
-          std::string("give ") + flag + ", or a limit for each axis that moves",
+          flag + " (" + key + " in [path]) is inf, and nothing else bounds the " + what + " in line " +
+              std::to_string(line),
+          "give " + flag + ", or a limit for each axis that moves",
           {},
           {}};
+}
+
+std::optional<Error> find_unbounded(const SpeedLimits& limits, const Commands& commands) {
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const std::uint32_t line = commands[i].line;
+    const Dynamics& d = limits.dynamics_of(i);
+    if (!(limits.block_cap[i] < kUnlimited)) {
+      return unbounded("--vmax", "max_speed_mm_s", "speed", line, "no-speed-limit");
+    }
+    if (!(d.up.acceleration < kUnlimited)) {
+      return unbounded("--am", "max_acceleration_mm_s2", "acceleration", line, "no-acceleration-limit");
+    }
+    if (!(d.down.acceleration < kUnlimited)) {
+      return unbounded("--dm", "max_deceleration_mm_s2", "deceleration", line, "no-acceleration-limit");
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -174,13 +196,7 @@ Result<SpeedLimits> limit_speed(const Path& path, const Commands& commands, cons
     if (i > 0) limiter.add_node(i);
   }
   SpeedLimits limits = limiter.finish();
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    if (!(limits.block_cap[i] < kUnlimited)) return tl::unexpected(unbounded("no-speed-limit", "speed", "--vmax"));
-    const Dynamics& d = limits.dynamics_of(i);
-    if (!(d.up.acceleration < kUnlimited) || !(d.down.acceleration < kUnlimited)) {
-      return tl::unexpected(unbounded("no-acceleration-limit", "acceleration", "--am"));
-    }
-  }
+  if (auto error = find_unbounded(limits, commands)) return tl::unexpected(std::move(*error));
   return limits;
 }
 

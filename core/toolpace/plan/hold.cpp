@@ -236,10 +236,11 @@ Result<void> check_hold(const Hold& hold) {
       Error{ErrorKind::usage, "hold-time", "a hold needs a time and a pause of 0 s or more", "", {}, {}});
 }
 
-Error hold_after_end(double cycle_time) {
+Error hold_after_end(const Hold& hold, double cycle_time) {
   return {ErrorKind::infeasible,
           "hold-after-end",
-          "the hold comes after the end of the program, which is at " + to_text(cycle_time) + " s",
+          "the hold at " + to_text(hold.time) + " s (--hold-at-s) comes after the end of the program, which is at " +
+              to_text(cycle_time) + " s",
           "choose a time before the end",
           {},
           cycle_time};
@@ -248,7 +249,7 @@ Error hold_after_end(double cycle_time) {
 Result<MotionPlan> insert_hold(const SpeedLimits& limits, const MotionPlan& plan, const PlanOptions& options,
                                const Hold& hold, const Monitor& monitor) {
   if (auto checked = check_hold(hold); !checked) return tl::make_unexpected(checked.error());
-  if (hold.time >= plan.cycle_time()) return tl::make_unexpected(hold_after_end(plan.cycle_time()));
+  if (hold.time >= plan.cycle_time()) return tl::make_unexpected(hold_after_end(hold, plan.cycle_time()));
   return HoldInserter(limits, plan, options, hold).run(monitor);
 }
 

@@ -31,6 +31,6 @@ Result<MotionPlan> insert_hold(const SpeedLimits& limits, const MotionPlan& plan
 Result<void> check_hold(const Hold& hold);
 
 /// Infeasible "hold-after-end", with the cycle time as attainable value.
-Error hold_after_end(double cycle_time);
+Error hold_after_end(const Hold& hold, double cycle_time);
 
 }  // namespace toolpace

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "toolpace/law/law_table.h"
 #include "toolpace/path/node_positions.h"
@@ -29,21 +30,28 @@ void check_shape(const SpeedLimits& limits) {
   }
 }
 
-Error unbounded(const char* what, const char* remedy) {
-  return {ErrorKind::usage, "limits-unbounded", what, remedy, {}, {}};
+Error unbounded(std::string what, const char* remedy) {
+  return {ErrorKind::usage, "limits-unbounded", std::move(what), remedy, {}, {}};
 }
 
-std::optional<Error> check_ramps(const Dynamics& dynamics, const LawRow& law) {
-  for (const RampLimits& r : {dynamics.up, dynamics.down}) {
-    require(r.acceleration > 0 && r.jerk > 0 && r.time >= 0, "ramp limits are positive");
-    if (law.needs_acceleration && std::isinf(r.acceleration)) {
-      return unbounded("the acceleration has no limit anywhere",
-                       "give --am, or an acceleration for each axis that moves");
-    }
-    if (law.needs_jerk && std::isinf(r.jerk)) {
-      return unbounded("this law needs a jerk limit, and there is none",
-                       "give --jm, or a jerk for each axis that moves, or choose another law");
-    }
+/// What bounds a ramp along the path, as people know it.
+struct RampSettings {
+  const char *acceleration, *jerk;
+};
+constexpr RampSettings kUpSettings{"--am (max_acceleration_mm_s2 in [path])", "--jm (max_jerk_mm_s3 in [path])"};
+constexpr RampSettings kDownSettings{"--dm (max_deceleration_mm_s2 in [path])",
+                                     "--jd (max_jerk_deceleration_mm_s3 in [path])"};
+
+std::optional<Error> check_ramp(const RampLimits& r, const LawRow& law, const RampSettings& settings) {
+  require(r.acceleration > 0 && r.jerk > 0 && r.time >= 0, "ramp limits are positive");
+  if (law.needs_acceleration && std::isinf(r.acceleration)) {
+    return unbounded(std::string(settings.acceleration) + " is inf, and nothing else bounds the acceleration",
+                     "give --am, or an acceleration for each axis that moves");
+  }
+  if (law.needs_jerk && std::isinf(r.jerk)) {
+    return unbounded(std::string(settings.jerk) + " is inf, and nothing else bounds the jerk, which " +
+                         std::string(law.id) + " needs",
+                     "give --jm, or a jerk for each axis that moves, or choose another law");
   }
   return std::nullopt;
 }
@@ -51,7 +59,8 @@ std::optional<Error> check_ramps(const Dynamics& dynamics, const LawRow& law) {
 std::optional<Error> check_limits(const SpeedLimits& limits, const LawRow& law) {
   check_shape(limits);
   for (const Dynamics& d : limits.dynamics) {
-    if (auto error = check_ramps(d, law)) return error;
+    if (auto error = check_ramp(d.up, law, kUpSettings)) return error;
+    if (auto error = check_ramp(d.down, law, kDownSettings)) return error;
   }
   for (const double cap : limits.block_cap) {
     if (cap == 0) {
@@ -63,7 +72,7 @@ std::optional<Error> check_limits(const SpeedLimits& limits, const LawRow& law) 
                    {}};
     }
     if (std::isinf(cap)) {
-      return unbounded("the speed has no limit anywhere",
+      return unbounded("--vmax (max_speed_mm_s in [path]) is inf, and nothing else bounds the speed",
                        "give --vmax, a feedrate, or a speed for each axis that moves");
     }
   }

@@ -1,8 +1,11 @@
 #include "toolpace/sample/program_pulses.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "toolpace/base/numbers.h"
 #include "toolpace/sample/motion.h"
@@ -40,9 +43,13 @@ class PulseMaker {
       if (steps_[axis] <= 0) continue;
       add_axis(axis, t0, t1);
       if (too_slow_) {
-        return tl::unexpected(pulse_error("timer-too-slow",
-                                          std::string("two pulses of axis ") + kAxisNames[axis] + " fall on one tick",
-                                          "give a faster timer or fewer steps per mm"));
+        const auto [unit, size] = is_rotary(axis) ? std::pair("deg", kRadiansPerDegree) : std::pair("mm", 1.0);
+        return tl::unexpected(pulse_error(
+            "timer-too-slow",
+            fmt::format(
+                "--timer-hz is {} Hz and steps_per_{} in [axes.{}] is {:.9g}: two pulses of {} fall on one tick",
+                to_text(timer_hz_), unit, kAxisNames[axis], steps_[axis] * size, kAxisNames[axis]),
+            "give a faster timer or fewer steps per mm"));
       }
     }
     std::stable_sort(pulses_.begin() + static_cast<std::ptrdiff_t>(first), pulses_.end(),
@@ -140,8 +147,12 @@ Result<void> check_plan(const TimedMotion& motion, const Machine& machine, doubl
                                       "put steps_per_mm into [axes.X] of the machine file"));
   }
   if (motion.plan.cycle_time() * timer_hz >= kMostTicks) {
-    return tl::unexpected(
-        pulse_error("timer-too-fast", "the program takes more ticks than the counter holds", "give a slower timer"));
+    return tl::unexpected(pulse_error(
+        "timer-too-fast",
+        fmt::format("--timer-hz is {} Hz: the program of {} s takes more ticks than 2^53, which is what the "
+                    "counter holds",
+                    to_text(timer_hz), to_text(motion.plan.cycle_time())),
+        "give a slower timer"));
   }
   return {};
 }

@@ -125,21 +125,24 @@ Result<void> PulseTable::check_timer() const {
   const auto refuse = [](std::string code, std::string message, std::string remedy) -> Result<void> {
     return tl::make_unexpected(Error{ErrorKind::usage, std::move(code), std::move(message), std::move(remedy), {}, {}});
   };
+  const std::string clock = "the timer clock is " + to_text(move_.timer_hz) + " Hz";
   // At exactly one tick a pulse, rounding would put two pulses on the same tick here and there.
   if (peak_ > move_.timer_hz * (1 - 1e-9)) {
     return refuse("timer-too-slow",
-                  "pulses at " + to_text(peak_) + " step/s are no more than one tick apart with a timer of " +
-                      to_text(move_.timer_hz) + " Hz",
+                  clock + ", so pulses at " + to_text(peak_) + " step/s are no more than one tick apart",
                   "take a faster timer clock or a lower top speed");
   }
   if (total_ * move_.timer_hz > kMostMoveTicks) {
-    return refuse("timer-too-fast", "the move takes " + to_text(total_ * move_.timer_hz) + " ticks, more than 2^45",
+    return refuse("timer-too-fast",
+                  clock + ", so the move of " + to_text(total_) + " s takes " + to_text(total_ * move_.timer_hz) +
+                      " ticks, more than 2^45",
                   "take a slower timer clock or a shorter move");
   }
   // The speed rises and then falls, so the first interval or the last one is the longest.
   const std::uint64_t longest = std::max(ticks_at(1), ticks_at(move_.steps) - ticks_at(move_.steps - 1));
   if (longest > kLongestInterval) {
-    return refuse("timer-too-fast", "an interval takes " + std::to_string(longest) + " ticks, more than 32 bits hold",
+    return refuse("timer-too-fast",
+                  clock + ", so an interval takes " + std::to_string(longest) + " ticks, more than 32 bits hold",
                   "take a slower timer clock or shorter ramps");
   }
   return {};

@@ -149,6 +149,25 @@ class Usage(CommandLineTest):
             with self.subTest(flag=flag, value=value):
                 self.expect_failure(self.run_toolpace("plan", program, f"{flag}={value}"), BAD_USAGE, flag)
 
+    def test_a_refused_value_is_told_with_its_flag_whatever_it_clashes_with(self):
+        program = self.file("a.ngc", LINE.replace("M2", "G0 Y5\nM2"))  # a rapid has no feed to bound it
+        machine = self.file("steps.toml", "[path]\nmax_speed_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 1e5\n"
+                            "[axes.X]\nsteps_per_mm = 100\n")
+        steps = {"--steps": "1000", "--speed": "1000", "--tacc-ms": "100", "--tdec-ms": "100", "--timer-hz": "1e6"}
+        pulses = ["plan", program, "--machine", machine, "--setpoints", "a.pulses.csv"]
+        clashes = [(["plan", program], flag, "inf", BAD_USAGE) for flag in ("--vmax", "--am", "--dm", "--jm", "--jd")]
+        clashes += [(["plan", program], "--hold-at-s", "12345", BAD_INPUT),
+                    (["plan", program, "--corner", "smooth"], "--hold-at-s", "12345", BAD_INPUT),
+                    (pulses, "--timer-hz", "10", BAD_USAGE), (pulses, "--timer-hz", "0", BAD_USAGE)]
+        clashes += [(["steps"], flag, value, BAD_USAGE) for flag, value in
+                    (("--timer-hz", "10"), ("--timer-hz", "1e+17"), ("--speed", "1e-07"), ("--tacc-ms", "1e+20"), ("--tdec-ms", "1e+20"))]
+        clashes += [(["verify", "a.csv", "--machine", machine], "--tolerance-mm", value, BAD_USAGE) for value in ("-1", "nan", "-inf")]
+        for command, flag, value, code in clashes:
+            given = {**steps, flag: value} if command == ["steps"] else {flag: value}
+            with self.subTest(command=command[:1], flag=flag, value=value):
+                run = self.run_toolpace(*command, *(f"{f}={v}" for f, v in given.items()))
+                self.expect_failure(run, code, flag, value)
+
 
 if __name__ == "__main__":
     unittest.main()

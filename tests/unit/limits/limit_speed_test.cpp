@@ -170,6 +170,21 @@ TEST(LimitSpeed, NothingThatBoundsTheSpeedIsAUsageError) {
   ASSERT_FALSE(limits);
   EXPECT_EQ(limits.error().kind, ErrorKind::usage);
   EXPECT_EQ(limits.error().code, "no-speed-limit");
+  EXPECT_EQ(limits.error().message,
+            "--vmax (max_speed_mm_s in [path]) is inf, and nothing else bounds the speed in line 1");
+}
+
+TEST(LimitSpeed, TheDirectionThatNothingBoundsIsNamed) {
+  Moves moves;
+  add(moves, MoveKind::feed, at(1, 0), 10);
+  const auto path = build_path(moves, 0);
+  Machine machine;
+  machine.path.speed = machine.path.acceleration = 100;
+  const auto limits = limit_speed(*path, command_path(*path, moves, command_options(machine)), machine, {});
+  ASSERT_FALSE(limits);
+  EXPECT_EQ(limits.error().code, "no-acceleration-limit");
+  EXPECT_EQ(limits.error().message,
+            "--dm (max_deceleration_mm_s2 in [path]) is inf, and nothing else bounds the deceleration in line 1");
 }
 
 }  // namespace

@@ -113,6 +113,10 @@ TEST(BlockPlan, SaysWhatIsUnboundedOrCannotMove) {
   PlanOptions options;
   options.law = LawKind::seven_phase;
   EXPECT_EQ(plan_motion(limits, options).error().code, "limits-unbounded");
+  limits = test::line_of({1}, {10}, {{100, 1e6, 0}, {100, INFINITY, 0}});
+  EXPECT_EQ(
+      plan_motion(limits, options).error().message,
+      "--jd (max_jerk_deceleration_mm_s3 in [path]) is inf, and nothing else bounds the jerk, which seven-phase needs");
   limits = test::line_of({1}, {0}, symmetric(100, 1e6));
   EXPECT_EQ(plan_motion(limits, options).error().code, "feed-zero");
   limits = test::line_of({1}, {INFINITY}, symmetric(100, 1e6));

@@ -117,6 +117,7 @@ TEST(FeedHold, RefusesATimeBehindTheEnd) {
   ASSERT_FALSE(held);
   EXPECT_EQ(held.error().code, "hold-after-end");
   EXPECT_EQ(held.error().attainable, plan->cycle_time());
+  EXPECT_NE(held.error().message.find("1000 s (--hold-at-s)"), std::string::npos) << held.error().message;
   EXPECT_FALSE(insert_hold(limits, *plan, PlanOptions{}, {-1.0, 1.0}));
 }
 

@@ -57,7 +57,7 @@ class SmoothPlanner {
       if (!added) return tl::unexpected(added.error());
     }
     hold_in_pause(path_.size());
-    if (hold_) return tl::unexpected(hold_after_end(time_ + paused_));
+    if (hold_) return tl::unexpected(hold_after_end(*hold_, time_ + paused_));
     return std::move(result_);
   }
 
