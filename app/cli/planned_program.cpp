@@ -16,6 +16,7 @@ tl::expected<Outcome, Failure> plan_program(const ReadingFlags& flags, const Set
   auto outcome = run(job, terminal_monitor("planning"));
   end_progress();
   if (!outcome) return tl::unexpected<Failure>(std::move(outcome.error()));
+  outcome->warnings.insert(outcome->warnings.begin(), setup.warnings.begin(), setup.warnings.end());
   report(outcome->warnings);
   return std::move(*outcome);
 }

@@ -33,6 +33,7 @@ tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
   auto setup = read_machine(flags.machine, terminal_monitor("reading"));
   end_progress();
   if (!setup) return tl::unexpected<Failure>(setup.error());
+  report(setup->warnings);
   if (auto set = set_flag(*setup, "--period-ms", flags.period_ms, "machine", "period_ms"); !set)
     return tl::unexpected<Failure>(set.error());
   if (auto fine = check_setup(setup->machine, setup->options); !fine) return tl::unexpected<Failure>(fine.error());

@@ -103,7 +103,9 @@ Result<void> MachineFile::save(const QString& path) {
   name_ = QFileInfo(target).completeBaseName();
   source_ = target;
   input_ = target;
-  settle(target, {*text, tuning_.value(), ui::stamp_of(target)});
+  Setup saved = tuning_.value();
+  saved.warnings.clear();
+  settle(target, {*text, std::move(saved), ui::stamp_of(target)});
   return {};
 }
 

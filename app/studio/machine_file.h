@@ -36,6 +36,8 @@ class MachineFile : public QObject {
   const QString& name() const { return name_; }  ///< shown to people; empty: the default limits
   /// Saving would write something that is nowhere yet. Overrides and holds are of a job, not of the machine.
   bool isModified() const { return modified_; }
+  /// What the settings of another controller left open, until the machine is saved as one of ours.
+  const Diagnostics& warnings() const { return held_.setup.warnings; }
   /// False where another program wrote to the file since it was read or written here.
   bool isFileKnown() const;
 

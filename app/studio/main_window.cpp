@@ -95,6 +95,11 @@ void MainWindow::showProblems() {
   const auto& all = workspace_.problems();
   nc_->view().setProblems(all);
   Diagnostics shown = all;
+  for (Diagnostic warning : machine_.warnings()) {
+    warning.message = fileName(QString::fromStdString(warning.where.file)).toStdString() + ": " + warning.message;
+    warning.where.line = 0;  // of another file than the one shown
+    shown.push_back(std::move(warning));
+  }
   if (failure_) shown.insert(shown.begin(), *failure_);
   problems_->setProblems(shown);
   const auto first_error =

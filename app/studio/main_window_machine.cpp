@@ -68,6 +68,7 @@ void MainWindow::takeMachine() {
   if (!imported) preferences_.last_machine = machine_.source();
   if (!machine_.path().isEmpty()) studio::remember(preferences_.recent_machines, machine_.path());
   showTitle();
+  showProblems();
 }
 
 /// True when nothing would be lost or a person does not mind.

@@ -751,6 +751,14 @@
             <translation>进给保持时刻在程序结束之后</translation>
         </message>
         <message>
+            <source>joint-axis-guessed</source>
+            <translation>关节对应的轴是推测的</translation>
+        </message>
+        <message>
+            <source>joint-axis-unknown</source>
+            <translation>关节不对应任何轴</translation>
+        </message>
+        <message>
             <source>hold-needs-path</source>
             <translation>平滑拐角下不能插入进给保持</translation>
         </message>
@@ -1552,6 +1560,14 @@
         <message>
             <source>give --am, or an acceleration for each axis that moves</source>
             <translation>给出路径加速度，或每个运动轴的加速度</translation>
+        </message>
+        <message>
+            <source>add [KINS] KINEMATICS, or give each axis its own limits in [AXIS_X] and so on</source>
+            <translation>添加 [KINS] KINEMATICS，或在 [AXIS_X] 等节中给出每个轴的限值</translation>
+        </message>
+        <message>
+            <source>give each axis its own limits in [AXIS_X] and so on</source>
+            <translation>在 [AXIS_X] 等节中给出每个轴的限值</translation>
         </message>
         <message>
             <source>give --jm, or a jerk for each axis that moves, or choose another law</source>

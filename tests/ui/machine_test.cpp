@@ -226,6 +226,18 @@ class MachineTest : public QObject {
     QVERIFY(!again.hasStar());
   }
 
+  void what_an_imported_machine_leaves_open_is_told_until_it_is_saved() {
+    write(in("joints.ini"), "[JOINT_0]\nMAX_VELOCITY = 50\n");
+    Tuned window;
+    QVERIFY(window.openMachine(in("joints.ini")));
+    const auto& problems = *window.the<QTableView>("problemTable").model();
+    QCOMPARE(problems.rowCount(), 1);
+    const auto name = file_named(in("joints.toml"));
+    window.save();
+    QVERIFY(!window.hasStar());
+    QCOMPARE(problems.rowCount(), 0);
+  }
+
   void travel_out_of_order_is_refused_at_import() {
     write(in("odd.ini"), "[AXIS_X]\nMIN_LIMIT = 100\nMAX_LIMIT = -100\n");
     Tuned window;

@@ -102,6 +102,8 @@ constexpr std::array kCodes = {QT_TRANSLATE_NOOP("codes", "arc-centre-incomplete
                                QT_TRANSLATE_NOOP("codes", "internal"),
                                QT_TRANSLATE_NOOP("codes", "inverse-time-without-feed"),
                                QT_TRANSLATE_NOOP("codes", "is-directory"),
+                               QT_TRANSLATE_NOOP("codes", "joint-axis-guessed"),
+                               QT_TRANSLATE_NOOP("codes", "joint-axis-unknown"),
                                QT_TRANSLATE_NOOP("codes", "lathe-allowance"),
                                QT_TRANSLATE_NOOP("codes", "lathe-compensation"),
                                QT_TRANSLATE_NOOP("codes", "lathe-contour-empty"),

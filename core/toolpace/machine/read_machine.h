@@ -23,8 +23,10 @@ Result<Setup> parse_machine(std::string_view text, const std::string& name);
 Result<Setup> read_machine(const std::filesystem::path& file, const Monitor& monitor = {});
 
 /// A LinuxCNC .ini: [TRAJ] MAX_LINEAR_VELOCITY, MAX_LINEAR_ACCELERATION, MAX_LINEAR_JERK, [EMCMOT] SERVO_PERIOD (ns), and
-/// of each [AXIS_X] (else its [JOINT_n]) MAX_VELOCITY, MAX_ACCELERATION, MAX_JERK, MIN_LIMIT, MAX_LIMIT. LINEAR_UNITS
-/// inch is converted; limits of 1e9 and more are none, a jerk of 0 is none. Without any jerk limit the law is the
+/// of each [AXIS_X] MAX_VELOCITY, MAX_ACCELERATION, MAX_JERK, MIN_LIMIT, MAX_LIMIT; what an axis lacks is that of the
+/// [JOINT_n] that moves it (joint_axes.h), of several the strictest. Which joint that is may not be told: the setup
+/// then has the warning "joint-axis-guessed" or, where joints are no axes and so are left out, "joint-axis-unknown".
+/// LINEAR_UNITS inch is converted; limits of 1e9 and more are none, a jerk of 0 is none. Without any jerk limit the law is the
 /// trapezoid, as LinuxCNC plans. Errors (usage), with file and line: "import-value" for what is no number, out of the
 /// range of a machine file or, as travel, out of order; (input) "import-empty" where no known key stands in it.
 Result<Setup> import_linuxcnc_ini(std::string_view text, const std::string& name);

@@ -16,6 +16,7 @@ namespace toolpace {
 struct Setup {
   Machine machine;
   PlanOptions options;
+  Diagnostics warnings = {};  ///< what settings of another controller left open
 };
 
 /// What holds without a machine file: path limits 100 mm/s, 3000 mm/s², 1e6 mm/s³, axes unlimited, 1 ms.

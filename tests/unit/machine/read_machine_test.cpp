@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 namespace toolpace {
 namespace {
@@ -30,6 +31,81 @@ TEST(ReadMachine, ALinuxcncConfigurationIsConvertedToMillimetres) {
   EXPECT_EQ(setup->machine.axes[1].jerk, kUnlimited);
   EXPECT_EQ(setup->machine.period, 0.002);
   EXPECT_EQ(setup->options.law, LawKind::trapezoid) << "no jerk limit stands in it";
+}
+
+/// Limits of joints alone, of JOINT_0 on.
+std::string joints(std::initializer_list<const char*> limits) {
+  std::string text;
+  int joint = 0;
+  for (const char* limit : limits) text += "[JOINT_" + std::to_string(joint++) + "]\n" + limit + "\n";
+  return text;
+}
+
+TEST(ReadMachine, JointsAreTheAxesThatTheirKinematicsSay) {
+  const std::string two = joints({"MAX_VELOCITY = 10", "MAX_VELOCITY = 20"});
+  const auto lathe = import_linuxcnc_ini("[KINS]\nKINEMATICS = trivkins coordinates=xz kinstype=BOTH\n" + two, "l.ini");
+  ASSERT_TRUE(lathe) << lathe.error().message;
+  EXPECT_EQ(lathe->machine.axes[0].speed, 10);
+  EXPECT_EQ(lathe->machine.axes[1].speed, kUnlimited);
+  EXPECT_EQ(lathe->machine.axes[2].speed, 20);
+  EXPECT_TRUE(lathe->warnings.empty());
+
+  // Without letters those of all axes, whatever [TRAJ] COORDINATES are: kins(9).
+  const auto plain = import_linuxcnc_ini("[KINS]\nKINEMATICS = trivkins\n[TRAJ]\nCOORDINATES = X Z\n" + two, "p.ini");
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->machine.axes[1].speed, 20);
+  EXPECT_EQ(plain->machine.axes[2].speed, kUnlimited);
+
+  const auto by_order = import_linuxcnc_ini("[TRAJ]\nCOORDINATES = Z X # turned round\n" + two, "o.ini");
+  ASSERT_TRUE(by_order);
+  EXPECT_EQ(by_order->machine.axes[0].speed, 20);
+  EXPECT_EQ(by_order->machine.axes[2].speed, 10);
+  EXPECT_TRUE(by_order->warnings.empty());
+}
+
+TEST(ReadMachine, OfTheJointsOfAGantryTheStrictestCounts) {
+  const auto setup = import_linuxcnc_ini(
+      "[KINS]\nKINEMATICS = trivkins coordinates=XYYZ\n" +
+          joints({"MAX_VELOCITY = 10", "MAX_VELOCITY = 30\nMAX_JERK = 0\nMIN_LIMIT = -5\nMAX_LIMIT = 90",
+                  "MAX_VELOCITY = 20\nMAX_JERK = 700\nMIN_LIMIT = -1\nMAX_LIMIT = 100", "MAX_VELOCITY = 40"}),
+      "gantry.ini");
+  ASSERT_TRUE(setup) << setup.error().message;
+  EXPECT_EQ(setup->machine.axes[1].speed, 20);
+  EXPECT_EQ(setup->machine.axes[1].jerk, 700) << "0 is no limit";
+  EXPECT_EQ(setup->machine.axes[1].travel_min, -1);
+  EXPECT_EQ(setup->machine.axes[1].travel_max, 90);
+  EXPECT_EQ(setup->machine.axes[2].speed, 40);
+}
+
+TEST(ReadMachine, AWrongLimitOfAGantryIsToldByTheJointThatHasIt) {
+  const auto setup = import_linuxcnc_ini(
+      "[KINS]\nKINEMATICS = trivkins coordinates=XX\n" + joints({"MAX_VELOCITY = -3", "MAX_VELOCITY = 5"}),
+      "gantry.ini");
+  ASSERT_FALSE(setup);
+  EXPECT_EQ(setup.error().message, "JOINT_0.MAX_VELOCITY makes max_speed_mm_s -3, but it must be 1e-6 to 1e9 mm/s");
+  EXPECT_EQ(setup.error().where.line, 4u);
+}
+
+TEST(ReadMachine, AnAxisThatNoFileNamesIsGuessedWithAWarning) {
+  const auto setup = import_linuxcnc_ini(joints({"MAX_VELOCITY = 10", "MAX_VELOCITY = 20"}), "m.ini");
+  ASSERT_TRUE(setup);
+  EXPECT_EQ(setup->machine.axes[1].speed, 20);
+  ASSERT_EQ(setup->warnings.size(), 1u);
+  EXPECT_EQ(setup->warnings.front().code, "joint-axis-guessed");
+  EXPECT_EQ(setup->warnings.front().severity, Severity::warning);
+  EXPECT_TRUE(import_linuxcnc_ini("[AXIS_X]\nMAX_VELOCITY = 10\n", "m.ini")->warnings.empty()) << "nothing to guess";
+}
+
+TEST(ReadMachine, JointsThatAreNoAxesAreLeftOutWithAWarning) {
+  const auto setup = import_linuxcnc_ini("[KINS]\nKINEMATICS = scarakins\n[AXIS_Y]\nMAX_VELOCITY = 7\n" +
+                                             joints({"MAX_VELOCITY = 10", "MAX_VELOCITY = 20"}),
+                                         "scara.ini");
+  ASSERT_TRUE(setup);
+  EXPECT_EQ(setup->machine.axes[0].speed, kUnlimited);
+  EXPECT_EQ(setup->machine.axes[1].speed, 7);
+  ASSERT_EQ(setup->warnings.size(), 1u);
+  EXPECT_EQ(setup->warnings.front().code, "joint-axis-unknown");
+  EXPECT_EQ(setup->warnings.front().where.line, 2u);
 }
 
 TEST(ReadMachine, GrblsSettingsAreTakenOver) {
