@@ -9,6 +9,7 @@
 #include "places.h"
 #include "temporary_directory.h"
 #include "toolpace/io/block_writer.h"
+#include "toolpace/nc/reader.h"
 
 namespace toolpace {
 namespace {

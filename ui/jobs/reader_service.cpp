@@ -2,6 +2,8 @@
 
 #include <QFileInfo>
 
+#include "toolpace/nc/reader.h"
+
 namespace toolpace::ui {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "models/program_text.h"
-#include "toolpace/nc/reader.h"
+#include "toolpace/nc/reading.h"
 
 namespace toolpace::ui {
 

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
-#include "toolpace/nc/reader.h"
+#include "toolpace/nc/reading.h"
 
 namespace toolpace {
 

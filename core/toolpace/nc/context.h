@@ -1,9 +1,9 @@
 #pragma once
 /// What every part of the interpreter works on, passed down by reference.
 
+#include "toolpace/nc/dialect.h"
 #include "toolpace/nc/fault.h"
 #include "toolpace/nc/move_writer.h"
-#include "toolpace/nc/reader.h"
 #include "toolpace/nc/state.h"
 #include "toolpace/nc/text/parameters.h"
 
@@ -15,6 +15,7 @@ struct Context {
   MoveWriter& out;
   FaultSink& faults;
   Dialect dialect = Dialect::linuxcnc;
+  bool dwells_in_milliseconds = false;  ///< P of G4
 };
 
 /// Stores lengths of `position` (mm) in parameters first … first+5 (machine units, which are mm and degrees).

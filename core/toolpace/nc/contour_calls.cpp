@@ -1,8 +1,4 @@
-/// Lathe cycles call a sub-program that describes a contour: its blocks are read, and not executed.
-
-#include <utility>
-
-#include "toolpace/nc/interpreter.h"
+#include "toolpace/nc/contour_calls.h"
 
 namespace toolpace::nc {
 namespace {
@@ -12,8 +8,8 @@ constexpr std::size_t kStepsOfALine = 8;        // counted as one line run again
 
 }  // namespace
 
-bool Interpreter::turn_contour(const Block& called, Code code) {
-  const Block block = called;  // reading the contour needs the interpreter's own
+bool ContourCalls::turn(const Block& called, Code code) {
+  const Block block = called;  // reading the contour overwrites the interpreter's own
   const Place place = flow_.place_of_fault();
   LatheCycle cycle;
   std::vector<ContourElement> contour;
@@ -27,23 +23,23 @@ bool Interpreter::turn_contour(const Block& called, Code code) {
   return turned;
 }
 
-bool Interpreter::read_contour(const Block& block, const LatheCycle& cycle, std::vector<ContourElement>& contour) {
-  if (contour_ != nullptr) {
-    return faults_.fail("lathe-contour-motion", "a lathe cycle in the contour of another", "call it outside",
-                        block.column_of(GGroup::motion));
+bool ContourCalls::read_contour(const Block& block, const LatheCycle& cycle, std::vector<ContourElement>& contour) {
+  if (reader_ != nullptr) {
+    return context_.faults.fail("lathe-contour-motion", "a lathe cycle in the contour of another", "call it outside",
+                                block.column_of(GGroup::motion));
   }
   const std::size_t depth = flow_.depth(), errors = log_.errors();
-  const Position position = state_.position, programmed = state_.compensation.programmed;
+  const Position position = context_.state.position, programmed = context_.state.compensation.programmed;
   if (!flow_.call_sub(cycle.contour, block.column_of('q'))) return false;
   LatheContourReader reader(context_, cycle.start);
-  contour_ = &reader;
-  while (flow_.depth() > depth && run_next_line()) {
+  reader_ = &reader;
+  while (flow_.depth() > depth && run_next_line_()) {
   }
-  contour_ = nullptr;
-  state_.position = position;
-  state_.compensation.programmed = programmed;
+  reader_ = nullptr;
+  context_.state.position = position;
+  context_.state.compensation.programmed = programmed;
   flow_.take_jumped();
-  state_.modal.motion = reader.motion();
+  context_.state.modal.motion = reader.motion();
   return log_.errors() == errors && flow_.depth() == depth && reader.finish(contour);
 }
 

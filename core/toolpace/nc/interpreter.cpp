@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "toolpace/nc/coordinates.h"
+#include "toolpace/nc/settings.h"
 
 namespace toolpace::nc {
 namespace {
@@ -20,20 +20,25 @@ Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, Dialec
       reader_(parameters_, faults_, dialect),
       flow_(files, parameters_, faults_, reader_, options.limits),
       log_(reading.diagnostics, options.strict),
+      recorder_(reading.modal),
+      values_(state_, flow_, dialect),
+      contours_(context_, flow_, log_, [this] { return run_next_line(); }),
+      executor_(context_, flow_, contours_),
       files_(files),
       options_(options),
       dialect_(dialect),
       reading_(reading) {
-  parameters_.numbered_state = [this](int index) { return numbered_value(index); };
-  parameters_.named_state = [this](std::string_view name) { return named_value(name); };
+  parameters_.numbered_state = [this](int index) { return values_.numbered(index); };
+  parameters_.named_state = [this](std::string_view name) { return values_.named(name); };
   if (dialect == Dialect::fanuc) parameters_.set_dialect(kFanucLocals, true);
-  if (dialect == Dialect::grbl) is_for_printers_ = looks_like_printing(files.at(0).text);
+  context_.dwells_in_milliseconds =
+      dialect == Dialect::fanuc || (dialect == Dialect::grbl && looks_like_printing(files.at(0).text));
   if (dialect != Dialect::linuxcnc) state_.modal.motion = 0;
 }
 
 bool Interpreter::run(const Monitor& monitor) {
   monitor_ = &monitor;
-  log_modal();
+  recorder_.record(state_, flow_);
   while (run_next_line()) {
   }
   if (end_ == End::cancelled) return false;
@@ -172,7 +177,7 @@ bool Interpreter::run_line(std::string_view line) {
   if (c == 'o' || (c == ':' && dialect_ == Dialect::fanuc)) {
     text.take();
     const bool good = flow_.run_o_word(text);
-    if (const auto modal = flow_.take_restored()) restore(*modal);
+    if (const auto modal = flow_.take_restored()) restore_modal(context_, *modal);
     return good;
   }
   if (dialect_ == Dialect::fanuc && (c == 'i' || c == 'w' || c == 'd' || c == 'e' || c == 'g')) {
@@ -183,48 +188,19 @@ bool Interpreter::run_line(std::string_view line) {
 }
 
 bool Interpreter::run_block(Scanner& text) {
-  if (contour_ != nullptr) {
-    return reader_.read(text, block_) && contour_->add(block_, static_cast<std::uint32_t>(flow_.line_number()));
+  if (LatheContourReader* const contour = contours_.reader()) {
+    return reader_.read(text, block_) && contour->add(block_, static_cast<std::uint32_t>(flow_.line_number()));
   }
   out_.set_place(flow_.line_number(), flow_.file());
   const bool read = reader_.read(text, block_);
-  if (!read || !execute(block_)) return false;
+  if (!read) return false;
+  const bool executed = executor_.run(block_);
+  if (executor_.has_ended()) end_ = End::ended;
+  if (!executed) return false;
   constexpr std::uint32_t kModalWords = word_bit('f') | word_bit('s') | word_bit('t');
-  if ((block_.g_groups | block_.m_groups | (block_.words & kModalWords)) != 0 || flow_.take_jumped()) log_modal();
+  if ((block_.g_groups | block_.m_groups | (block_.words & kModalWords)) != 0 || flow_.take_jumped())
+    recorder_.record(state_, flow_);
   return true;
-}
-
-void Interpreter::log_modal() {
-  const Modal& m = state_.modal;
-  const bool in_order = flow_.turns() == 0 && flow_.depth() == 0;
-  if (in_order && logged_modal_ == m && logged_tool_ == state_.loaded.number && logged_.empty()) return;
-  logged_modal_ = m;
-  logged_tool_ = state_.loaded.number;
-  ModalSnapshot s;
-  s.motion = m.motion;
-  s.plane = m.plane;
-  s.units = m.units;
-  s.distance = m.distance;
-  s.arc_distance = m.arc_distance;
-  s.feed_mode = m.feed_mode;
-  s.compensation = m.compensation;
-  s.tool_length = m.tool_length;
-  s.retract = m.retract;
-  s.path_control = m.path_control;
-  s.spindle_mode = m.spindle_mode;
-  s.lathe_diameter = m.lathe_diameter;
-  s.system = static_cast<std::int16_t>(m.system);
-  s.tool = state_.loaded.number;
-  s.spindle_direction = static_cast<std::int8_t>(m.spindle_direction);
-  s.mist = m.mist;
-  s.flood = m.flood;
-  s.spindle_speed = m.spindle_speed;
-  s.feed = m.feed;
-  // Loops and calls come by often: each line is listed once.
-  if (!in_order) {
-    if (!logged_.insert((static_cast<std::uint64_t>(flow_.file()) << 32) | flow_.line_number()).second) return;
-  }
-  reading_.modal.record(flow_.file(), flow_.line_number(), s);
 }
 
 }  // namespace toolpace::nc

@@ -1,6 +1,5 @@
-#include <cmath>
+#include "toolpace/nc/machine_values.h"
 
-#include "toolpace/nc/interpreter.h"
 #include "toolpace/nc/motion/motion.h"
 
 namespace toolpace::nc {
@@ -52,7 +51,7 @@ std::optional<double> fanuc_value(const State& state, int index) {
 
 }  // namespace
 
-std::optional<double> Interpreter::numbered_value(int index) const {
+std::optional<double> MachineValues::numbered(int index) const {
   if (dialect_ == Dialect::fanuc) {
     if (const auto value = fanuc_value(state_, index)) return value;
   }
@@ -71,7 +70,7 @@ std::optional<double> Interpreter::numbered_value(int index) const {
   }
 }
 
-std::optional<double> Interpreter::named_value(std::string_view name) const {
+std::optional<double> MachineValues::named(std::string_view name) const {
   if (name.empty() || name.front() != '_') return std::nullopt;
   const Modal& m = state_.modal;
   const auto flag = [](bool value) { return std::optional(value ? 1.0 : 0.0); };

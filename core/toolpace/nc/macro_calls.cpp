@@ -1,8 +1,7 @@
+#include "toolpace/nc/macro_calls.h"
+
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "toolpace/nc/interpreter.h"
 #include "toolpace/nc/text/whole_number.h"
 
 namespace toolpace::nc {
@@ -36,16 +35,16 @@ std::vector<double> locals_of(const std::vector<MacroArgument>& arguments) {
 
 }  // namespace
 
-bool Interpreter::run_macro_code(const Block& block) {
+bool MacroCalls::run(const Block& block) {
   if (!block.has(GGroup::macro)) {
     // A modal macro runs after every block that moves.
-    if (!modal_call_.active || !block.has_any(kAxisBits)) return true;
-    return flow_.call_number(modal_call_.program, 1, 0, modal_call_.arguments);
+    if (!modal_.active || !block.has_any(kAxisBits)) return true;
+    return flow_.call_number(modal_.program, 1, 0, modal_.arguments);
   }
   const Code code = block.code(GGroup::macro);
   const std::size_t column = block.column_of(GGroup::macro);
   if (code == 670) {
-    modal_call_.active = false;
+    modal_.active = false;
     return true;
   }
   if (!block.has('p'))
@@ -53,7 +52,7 @@ bool Interpreter::run_macro_code(const Block& block) {
                         column);
   const std::vector<double> locals = locals_of(block.arguments);
   if (code == 660) {
-    modal_call_ = {true, block.of('p'), locals};
+    modal_ = {true, block.of('p'), locals};
     return true;
   }
   const double repeats = block.of('l', 1.0);
@@ -64,18 +63,17 @@ bool Interpreter::run_macro_code(const Block& block) {
   return flow_.call_number(block.of('p'), *times, column, locals);
 }
 
-// #3000 = n (TEXT) stops the machine with an alarm, #3006 with a message.
-bool Interpreter::run_alarm(const Block& block) {
-  if (dialect_ != Dialect::fanuc) return true;
-  const double alarm = parameters_.numbered(3000);
-  const double stop = parameters_.numbered(3006);
-  parameters_.set_numbered(3000, 0.0);
-  parameters_.set_numbered(3006, 0.0);
+bool raise_alarm(Context& context, const Block& block) {
+  if (context.dialect != Dialect::fanuc) return true;
+  const double alarm = context.parameters.numbered(3000);
+  const double stop = context.parameters.numbered(3006);
+  context.parameters.set_numbered(3000, 0.0);
+  context.parameters.set_numbered(3006, 0.0);
   if (alarm != 0.0 && !is_vacant(alarm)) {
-    return faults_.fail("program-alarm", fmt::format("the program raises alarm {:g}: {}", alarm, block.message),
-                        "see to what the program complains of");
+    return context.faults.fail("program-alarm", fmt::format("the program raises alarm {:g}: {}", alarm, block.message),
+                               "see to what the program complains of");
   }
-  if (stop != 0.0 && !is_vacant(stop)) out_.note(MoveKind::stop, block.message);
+  if (stop != 0.0 && !is_vacant(stop)) context.out.note(MoveKind::stop, block.message);
   return true;
 }
 

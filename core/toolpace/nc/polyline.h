@@ -1,10 +1,12 @@
 #pragma once
 /// CSV polylines: header x_mm,y_mm,z_mm,feed_mm_min (any order, fewer columns; a, b, c in deg), a row a point.
 
+#include <string>
 #include <string_view>
 
 #include "toolpace/base/monitor.h"
-#include "toolpace/nc/reader.h"
+#include "toolpace/nc/read_options.h"
+#include "toolpace/nc/reading.h"
 
 namespace toolpace::nc {
 

@@ -1,11 +1,10 @@
-/// What a block sets for the blocks that follow: feed, speed, plane, units, path control.
+#include "toolpace/nc/settings.h"
 
 #include <fmt/format.h>
 
 #include <limits>
 
 #include "toolpace/nc/coordinates.h"
-#include "toolpace/nc/interpreter.h"
 #include "toolpace/nc/motion/compensation.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/tool_table.h"
@@ -15,103 +14,115 @@ namespace {
 
 constexpr double kHighestFeed = 1e9;  // [units/min]
 
+bool set_plane(Context& context, const Block& block) {
+  const Code code = block.code(GGroup::plane);
+  if (context.state.modal.compensation != 400 && code != context.state.modal.plane) {
+    return context.faults.fail("plane-with-compensation", "a change of plane while cutter radius compensation is on",
+                               "end it with G40 first", block.column_of(GGroup::plane));
+  }
+  context.state.modal.plane = code;
+  return true;
+}
+
+bool set_units(Context& context, const Block& block) {
+  context.state.modal.units = block.code(GGroup::units);
+  return true;
+}
+
+bool set_path_control(Context& context, const Block& block) {
+  Modal& modal = context.state.modal;
+  modal.path_control = block.code(GGroup::path_control);
+  if (modal.path_control != 640) return true;
+  const bool has_p = block.has('p');
+  modal.tolerance_given = has_p;
+  modal.path_tolerance = has_p ? length_of(context.state, block, 'p') : 0.0;
+  modal.naive_tolerance = block.has('q') ? length_of(context.state, block, 'q') : modal.path_tolerance;
+  if (modal.path_tolerance < 0.0 || modal.naive_tolerance < 0.0) {
+    context.faults.warn("tolerance-negative", "a tolerance below 0 counts as none", "P and Q of G64 are not below 0",
+                        block.column_of(GGroup::path_control));
+    modal.tolerance_given = false;
+    modal.path_tolerance = modal.naive_tolerance = 0.0;
+  }
+  return true;
+}
+
 }  // namespace
 
-bool Interpreter::set_feed_mode(const Block& block) {
-  Modal& modal = state_.modal;
+bool set_feed_mode(Context& context, const Block& block) {
+  Modal& modal = context.state.modal;
   const Code code = block.code(GGroup::feed_mode);
   if (modal.feed_mode != code) modal.feed = modal.feed_linear = 0.0;  // F has another meaning now
   modal.feed_mode = code;
   return true;
 }
 
-bool Interpreter::set_feed(const Block& block) {
-  Modal& modal = state_.modal;
+bool set_feed(Context& context, const Block& block) {
+  Modal& modal = context.state.modal;
   const double feed = block.of('f');
   if (feed > kHighestFeed) {
-    return faults_.fail("feed-too-large", fmt::format("a feedrate of {:g}", feed), "check the feedrate",
-                        block.column_of('f'));
+    return context.faults.fail("feed-too-large", fmt::format("a feedrate of {:g}", feed), "check the feedrate",
+                               block.column_of('f'));
   }
   if (!(feed >= 0.0))
-    return faults_.fail("feed-negative", fmt::format("a feedrate of {:g}", feed), "a feedrate is not below 0",
-                        block.column_of('f'));
+    return context.faults.fail("feed-negative", fmt::format("a feedrate of {:g}", feed), "a feedrate is not below 0",
+                               block.column_of('f'));
   if (modal.feed_mode == 930) return true;  // belongs to its block alone
   modal.feed = feed;
   modal.feed_linear = feed * modal.unit();
   return true;
 }
 
-bool Interpreter::set_speed(const Block& block) {
+bool set_speed(Context& context, const Block& block) {
   const double speed = block.of('s');
   if (!(speed >= 0.0))
-    return faults_.fail("speed-negative", fmt::format("a spindle speed of {:g}", speed),
-                        "a spindle speed is not below 0", block.column_of('s'));
-  state_.modal.spindle_speed = speed;
+    return context.faults.fail("speed-negative", fmt::format("a spindle speed of {:g}", speed),
+                               "a spindle speed is not below 0", block.column_of('s'));
+  context.state.modal.spindle_speed = speed;
   return true;
 }
 
-bool Interpreter::set_spindle_mode(const Block& block) {
+bool set_spindle_mode(Context& context, const Block& block) {
   const Code code = block.code(GGroup::spindle_mode);
-  if (code == 960 && !block.has('s') && dialect_ == Dialect::linuxcnc) {
-    return faults_.fail("g96-without-s", "G96 without S", "give the cutting speed with S",
-                        block.column_of(GGroup::spindle_mode));
+  if (code == 960 && !block.has('s') && context.dialect == Dialect::linuxcnc) {
+    return context.faults.fail("g96-without-s", "G96 without S", "give the cutting speed with S",
+                               block.column_of(GGroup::spindle_mode));
   }
   const double limit = block.of('d', std::numeric_limits<double>::infinity());
   if (!(limit > 0.0)) {
-    return faults_.fail("g96-limit", fmt::format("D{:g} is no highest speed of the spindle", limit),
-                        "D of G96 is above 0, in turns a minute", block.column_of('d'));
+    return context.faults.fail("g96-limit", fmt::format("D{:g} is no highest speed of the spindle", limit),
+                               "D of G96 is above 0, in turns a minute", block.column_of('d'));
   }
-  state_.modal.spindle_mode = code;
-  state_.modal.spindle_limit = limit;
+  context.state.modal.spindle_mode = code;
+  context.state.modal.spindle_limit = limit;
   return true;
 }
 
-bool Interpreter::run_settings(const Block& block) {
-  Modal& modal = state_.modal;
-  if (block.has(GGroup::plane) && !set_plane(block)) return false;
-  if (block.has(GGroup::units) && !set_units(block)) return false;
+bool run_settings(Context& context, const Block& block) {
+  Modal& modal = context.state.modal;
+  if (block.has(GGroup::plane) && !set_plane(context, block)) return false;
+  if (block.has(GGroup::units) && !set_units(context, block)) return false;
   if (block.has(GGroup::lathe_diameter)) modal.lathe_diameter = block.code(GGroup::lathe_diameter);
-  if (block.has(GGroup::compensation) && !set_compensation(context_, block)) return false;
-  if (block.has(GGroup::tool_length) && !set_tool_length(context_, block)) return false;
-  if (block.has(GGroup::system) && !set_system(context_, block)) return false;
-  if (block.has(GGroup::turn_plane) && !set_turned_plane(context_, block)) return false;
-  if (block.has(GGroup::path_control) && !set_path_control(block)) return false;
+  if (block.has(GGroup::compensation) && !set_compensation(context, block)) return false;
+  if (block.has(GGroup::tool_length) && !set_tool_length(context, block)) return false;
+  if (block.has(GGroup::system) && !set_system(context, block)) return false;
+  if (block.has(GGroup::turn_plane) && !set_turned_plane(context, block)) return false;
+  if (block.has(GGroup::path_control) && !set_path_control(context, block)) return false;
   if (block.has(GGroup::distance)) modal.distance = block.code(GGroup::distance);
   if (block.has(GGroup::arc_distance)) modal.arc_distance = block.code(GGroup::arc_distance);
   if (block.has(GGroup::retract)) modal.retract = block.code(GGroup::retract);
   return true;
 }
 
-bool Interpreter::set_plane(const Block& block) {
-  const Code code = block.code(GGroup::plane);
-  if (state_.modal.compensation != 400 && code != state_.modal.plane) {
-    return faults_.fail("plane-with-compensation", "a change of plane while cutter radius compensation is on",
-                        "end it with G40 first", block.column_of(GGroup::plane));
-  }
-  state_.modal.plane = code;
-  return true;
-}
-
-bool Interpreter::set_units(const Block& block) {
-  state_.modal.units = block.code(GGroup::units);
-  return true;
-}
-
-bool Interpreter::set_path_control(const Block& block) {
-  Modal& modal = state_.modal;
-  modal.path_control = block.code(GGroup::path_control);
-  if (modal.path_control != 640) return true;
-  const bool has_p = block.has('p');
-  modal.tolerance_given = has_p;
-  modal.path_tolerance = has_p ? length_of(state_, block, 'p') : 0.0;
-  modal.naive_tolerance = block.has('q') ? length_of(state_, block, 'q') : modal.path_tolerance;
-  if (modal.path_tolerance < 0.0 || modal.naive_tolerance < 0.0) {
-    faults_.warn("tolerance-negative", "a tolerance below 0 counts as none", "P and Q of G64 are not below 0",
-                 block.column_of(GGroup::path_control));
-    modal.tolerance_given = false;
-    modal.path_tolerance = modal.naive_tolerance = 0.0;
-  }
-  return true;
+void restore_modal(Context& context, const Modal& saved) {
+  Modal& modal = context.state.modal;
+  const Code motion = modal.motion;
+  const int system = saved.system;
+  const bool other_system = modal.system != system;
+  const Code compensation = modal.compensation;
+  modal = saved;
+  modal.motion = motion;
+  modal.compensation = compensation;
+  if (other_system) activate_system(context, system);
 }
 
 }  // namespace toolpace::nc

@@ -132,6 +132,7 @@ struct State {
   CycleMemory cycle;
   Compensation compensation;
   SplineMemory spline;
+  bool extruder_told = false;  ///< that E is left out has been said
 };
 
 Position to_machine(const Offsets& offsets, const Position& work);

@@ -11,7 +11,7 @@
 #include "toolpace/base/result.h"
 #include "toolpace/limits/machine.h"
 #include "toolpace/limits/speed_limits.h"
-#include "toolpace/nc/reader.h"
+#include "toolpace/nc/reading.h"
 #include "toolpace/path/blend_path.h"
 #include "toolpace/path/commanded.h"
 #include "toolpace/path/path.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "toolpace/nc/flow/program_files.h"
-#include "toolpace/nc/reader.h"
+#include "toolpace/nc/read_options.h"
 #include "toolpace/nc/state.h"
 #include "toolpace/nc/text/block_reader.h"
 

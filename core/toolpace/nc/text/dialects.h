@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "toolpace/nc/reader.h"
+#include "toolpace/nc/dialect.h"
 #include "toolpace/nc/text/scanner.h"
 #include "toolpace/nc/text/words.h"
 

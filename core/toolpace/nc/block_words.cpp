@@ -1,0 +1,133 @@
+#include "toolpace/nc/block_words.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace toolpace::nc {
+namespace {
+
+// Codes outside the motion group that take the block's axis words for themselves.
+constexpr bool takes_axes(Code code) { return code == 100 || code == 280 || code == 300 || code == 520 || code == 920; }
+
+std::uint32_t words_of_motion(Code motion) {
+  switch (motion) {
+    case 20:
+    case 30: return kCentreBits | word_bit('r') | word_bit('p');
+    case 50: return word_bit('i') | word_bit('j') | word_bit('p') | word_bit('q');
+    case 51: return word_bit('i') | word_bit('j');
+    case 52: return word_bit('p') | word_bit('l');
+    case 330:
+    case 331: return word_bit('k') | word_bit('i');
+    case 760:
+      return kCentreBits | word_bit('p') | word_bit('q') | word_bit('r') | word_bit('h') | word_bit('e') |
+             word_bit('l');
+    case 700: return word_bit('q') | word_bit('d') | word_bit('e') | word_bit('p');
+    case 710:
+    case 711:
+    case 712:
+    case 720:
+    case 721:
+    case 722: return word_bit('q') | word_bit('d') | word_bit('i') | word_bit('r') | word_bit('u') | word_bit('w');
+    case 740: return word_bit('r') | word_bit('p') | word_bit('q') | kCentreBits;  // LinuxCNC does not repeat it by L
+    default: return is_cycle(motion) ? word_bit('r') | word_bit('l') | word_bit('p') | word_bit('q') | kCentreBits : 0;
+  }
+}
+
+std::uint32_t words_of_settings(const Block& block) {
+  std::uint32_t words = 0;
+  const Code once = block.code(GGroup::once);
+  if (once == 40) words |= word_bit('p');
+  if (once == 100) words |= word_bit('l') | word_bit('p') | word_bit('r') | word_bit('q') | kCentreBits;
+  if (block.has(GGroup::compensation)) words |= word_bit('d') | word_bit('l');
+  if (block.has(GGroup::tool_length)) words |= word_bit('h');
+  if (block.has(GGroup::path_control)) words |= word_bit('p') | word_bit('q');
+  if (block.has(GGroup::spindle_mode)) words |= word_bit('d');
+  if (block.has(GGroup::macro)) words |= ~0u;
+  if (block.has(GGroup::turn_plane)) words |= word_bit('r') | kCentreBits;
+  if (block.has(MGroup::tool)) words |= word_bit('q');
+  if (block.has(MGroup::io)) words |= word_bit('p') | word_bit('q') | word_bit('e') | word_bit('l');
+  if (block.has(MGroup::override_) || block.has(MGroup::user)) words |= word_bit('p') | word_bit('q');
+  if (block.has(MGroup::spindle)) words |= word_bit('r') | word_bit('q') | word_bit('p');
+  if (block.has(MGroup::subprogram)) words |= word_bit('p') | word_bit('l') | word_bit('q');
+  if (block.has(MGroup::ignored) || block.has(GGroup::ignored)) words |= ~0u;
+  return words;
+}
+
+}  // namespace
+
+bool find_motion(Context& context, const Block& block, Code& motion) {
+  const bool axes = block.has_any(kAxisBits);
+  const Code once = block.code(GGroup::once);
+  const Code named = block.code(GGroup::motion);
+  motion = kNoCode;
+  const bool claimed = takes_axes(once) || block.code(GGroup::tool_length) == 431 ||
+                       block.code(GGroup::tool_length) == 432 || block.has(GGroup::macro) ||
+                       block.has(GGroup::turn_plane) || (once == 40 && context.dialect != Dialect::linuxcnc) ||
+                       (block.has(MGroup::ignored) && context.dialect == Dialect::grbl);  // M92 X80, M205 X8: settings
+  if (claimed && named != kNoCode && named != 800 && takes_axes(once)) {
+    return context.faults.fail(
+        "two-codes-want-axes",
+        fmt::format("{} and {} both use the axis words", code_text('G', once), code_text('G', named)),
+        "put them into blocks of their own", block.column_of(GGroup::motion));
+  }
+  if (once == 40 && !block.has('p') && context.dialect == Dialect::linuxcnc) {
+    return context.faults.fail("dwell-without-time", "G4 without a time", "give it in seconds with P",
+                               block.column_of(GGroup::once));
+  }
+  const bool extruder_alone = context.dialect == Dialect::grbl && once == 920 && block.has('e');
+  if ((once == 920 || once == 520) && !axes && !extruder_alone) {
+    return context.faults.fail("axes-missing", fmt::format("{} without axis words", code_text('G', once)),
+                               "give at least one axis", block.column_of(GGroup::once));
+  }
+  if (named == 800) {
+    if (axes && !claimed) {
+      return context.faults.fail("axes-with-g80", "axis words in a block with G80",
+                                 "put them into a block with a motion code", block.column_of(GGroup::motion));
+    }
+    motion = 800;
+  } else if (named != kNoCode) {
+    motion = named;
+  } else if (axes && !claimed) {
+    if (context.state.modal.motion == 800) {
+      return context.faults.fail("axes-without-motion", "axis words while no motion code is active",
+                                 "give a motion code such as G0 or G1");
+    }
+    motion = context.state.modal.motion;
+  } else if (!claimed && block.has_any(kCentreBits) &&
+             (context.state.modal.motion == 20 || context.state.modal.motion == 30)) {
+    motion = context.state.modal.motion;
+  }
+  return true;
+}
+
+bool check_words(Context& context, const Block& block, Code motion) {
+  constexpr std::uint32_t kAlways = kAxisBits | word_bit('f') | word_bit('s') | word_bit('t');
+  std::uint32_t unused = block.words & ~kAlways;
+  if (unused == 0) return true;
+  unused &= ~(words_of_motion(motion) | words_of_settings(block));
+  if (unused == 0) return true;
+  for (std::size_t i = 0; i < 26; ++i) {
+    if ((unused & (1u << i)) == 0) continue;
+    if (context.dialect == Dialect::grbl && i == word_index('e')) {
+      if (!std::exchange(context.state.extruder_told, true)) {
+        context.faults.warn("extruder-ignored", "the extruder E is left out of the path", "", block.column[i]);
+      }
+      continue;
+    }
+    if (i == word_index('u') || i == word_index('v') || i == word_index('w')) {
+      return context.faults.fail("axis-absent", fmt::format("this machine has no axis {}", static_cast<char>('A' + i)),
+                                 "axes are X Y Z A B C", block.column[i]);
+    }
+    const std::string what = fmt::format("nothing in this block uses word {}", static_cast<char>('A' + i));
+    if (context.dialect == Dialect::linuxcnc) {
+      const char* const remedy = i == word_index('e') ? "remove it; numbers have no exponent here: write them out"
+                                                      : "remove it, or add the code it belongs to";
+      return context.faults.fail("word-unused", what, remedy, block.column[i]);
+    }
+    context.faults.warn("word-unused", what, "", block.column[i]);
+  }
+  return true;
+}
+
+}  // namespace toolpace::nc

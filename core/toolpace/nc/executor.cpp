@@ -1,0 +1,150 @@
+#include "toolpace/nc/executor.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "toolpace/nc/block_words.h"
+#include "toolpace/nc/coordinates.h"
+#include "toolpace/nc/dwell.h"
+#include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/settings.h"
+#include "toolpace/nc/text/whole_number.h"
+#include "toolpace/nc/tool_table.h"
+
+namespace toolpace::nc {
+namespace {
+
+constexpr std::uint32_t kMotionGroup = 1u << static_cast<unsigned>(GGroup::motion);
+constexpr std::uint32_t kPlainWords = kLinearBits | kRotaryBits | word_bit('f');
+
+}  // namespace
+
+bool Executor::run(const Block& block) {
+  if (block.g_groups == 0 && block.m_groups == 0 && block.words == 0) {
+    return block.message.empty() || raise_alarm(context_, block);
+  }
+  Code motion = kNoCode;
+  if (!find_motion(context_, block, motion) || !check_words(context_, block, motion)) return false;
+  const bool plain = (block.g_groups & ~kMotionGroup) == 0 && block.m_groups == 0 && (block.words & ~kPlainWords) == 0;
+  if (!plain) {
+    if (block.has(GGroup::feed_mode) && !set_feed_mode(context_, block)) return false;
+    if (block.has(GGroup::spindle_mode) && !set_spindle_mode(context_, block)) return false;
+  }
+  if (block.has('f') && !set_feed(context_, block)) return false;
+  if (!plain) {
+    if (block.has('s') && !set_speed(context_, block)) return false;
+    if (block.has('t') && !select_tool(context_, block)) return false;
+    if (block.m_groups != 0 && !run_machine_codes(block)) return false;
+    if (!run_dwell(block) || !run_settings(context_, block)) return false;
+    context_.out.set_mode(context_.state.modal);
+    if (block.has(GGroup::once) && !run_once_code(context_, block)) return false;
+    if (block.has(GGroup::macro) || !block.message.empty()) {
+      if (!raise_alarm(context_, block)) return false;
+    }
+  }
+  if (motion != kNoCode) {
+    if (!is_cycle(motion)) context_.state.cycle.initial_level.reset();
+    if (!(is_lathe_cycle(motion) ? contours_.turn(block, motion) : run_motion(context_, block, motion))) return false;
+  }
+  if (plain) return !macros_.has_modal() || macros_.run(block);
+  return macros_.run(block) && run_stop(block);
+}
+
+bool Executor::run_machine_codes(const Block& block) {
+  if (block.has(MGroup::tool) && !change_tool(context_, block)) return false;
+  if (block.has(MGroup::spindle)) {
+    const Code code = block.code(MGroup::spindle);
+    context_.state.modal.spindle_direction = code == 3 ? 1 : code == 4 ? -1 : 0;
+  }
+  if (block.has(MGroup::state) && !run_saved_state(block.code(MGroup::state))) return false;
+  if (block.has(MGroup::coolant)) {
+    const Code code = block.code(MGroup::coolant);
+    context_.state.modal.mist = code == 7 || (code == 8 && context_.state.modal.mist);
+    context_.state.modal.flood = code == 8 || (code == 7 && context_.state.modal.flood);
+  }
+  if (block.has(MGroup::user)) {
+    context_.faults.warn(
+        "m-code-user",
+        fmt::format("M{} is defined by the machine; it is taken to move nothing", block.code(MGroup::user)), "",
+        block.column_of(MGroup::user));
+  }
+  return true;
+}
+
+bool Executor::run_saved_state(Code code) {
+  auto& saved = flow_.saved_modal();
+  if (code == 70 || code == 73) {
+    saved = SavedModal{context_.state.modal, code == 73};
+  } else if (code == 71) {
+    saved.reset();
+  } else {
+    if (!saved)
+      return context_.faults.fail("state-not-saved", "M72 without a saved state",
+                                  "save it with M70 in the same program or sub-program");
+    restore_modal(context_, saved->modal);
+  }
+  return true;
+}
+
+bool Executor::run_dwell(const Block& block) {
+  if (block.code(GGroup::once) != 40) return true;
+  const std::size_t column = block.column_of(GGroup::once);
+  const bool milliseconds = context_.dwells_in_milliseconds;
+  double seconds = 0.0;
+  if (block.has('p')) {
+    seconds = milliseconds ? block.of('p') / 1000.0 : block.of('p');
+  } else if (context_.dialect != Dialect::linuxcnc && (block.has('x') || block.has('s'))) {
+    seconds = block.of(block.has('x') ? 'x' : 's');
+  } else {
+    return context_.faults.fail("dwell-without-time", "G4 without a time", "give it with P", column);
+  }
+  if (!is_dwell(seconds)) {
+    return context_.faults.fail("dwell-negative", fmt::format("a dwell of {:g} s", seconds),
+                                "give a time of 0 to 1e9 s", column);
+  }
+  context_.out.set_mode(context_.state.modal);
+  context_.out.dwell(seconds);
+  return true;
+}
+
+bool Executor::run_stop(const Block& block) {
+  if (block.has(MGroup::stop)) {
+    const Code code = block.code(MGroup::stop);
+    const bool ends = code == 2 || code == 30;
+    context_.out.note(ends ? MoveKind::end : MoveKind::stop, fmt::format("M{}", code));
+    if (ends) ended_ = true;
+  }
+  return !block.has(MGroup::subprogram) || run_subprogram_code(block);
+}
+
+bool Executor::run_subprogram_code(const Block& block) {
+  const std::size_t column = block.column_of(MGroup::subprogram);
+  if (block.code(MGroup::subprogram) == 99) {
+    const auto to = block.has('p') ? std::optional(block.of('p')) : std::nullopt;
+    if (flow_.return_from_call(to)) {
+      if (const auto modal = flow_.take_restored()) restore_modal(context_, *modal);
+      return true;
+    }
+    context_.faults.warn("program-repeats", "M99 makes the program begin again without end; it is read once",
+                         "end it with M30", column);
+    context_.out.note(MoveKind::end, "M99");
+    ended_ = true;
+    return true;
+  }
+  if (!block.has('p'))
+    return context_.faults.fail("m98-without-p", "M98 without P", "name the sub-program with P", column);
+  double number = block.of('p');
+  double repeats = block.of('l', 1.0);
+  if (context_.dialect == Dialect::fanuc && !block.has('l') && number >= 10000.0) {  // P00021000: twice O1000
+    repeats = std::floor(number / 10000.0);
+    number -= repeats * 10000.0;
+  }
+  const auto times = whole_number(repeats, 0, kMostCalls);
+  if (!times)
+    return context_.faults.fail("call-repeats", fmt::format("{:g} repeats of a call", repeats),
+                                "L is a whole number from 0 to 999999999", column);
+  return flow_.call_number(number, *times, block.column_of('p'), std::nullopt);
+}
+
+}  // namespace toolpace::nc

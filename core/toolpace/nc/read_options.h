@@ -1,0 +1,30 @@
+#pragma once
+/// How a program shall be read.
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "toolpace/nc/dialect.h"
+
+namespace toolpace {
+
+/// Bounds that keep any program, however odd, from running without end. Reaching one is an error that names it.
+struct ReadLimits {
+  std::size_t call_depth = 50;         ///< calls within each other
+  std::size_t loop_turns = 2'000'000;  ///< of all loops of a program together
+  std::size_t blocks = 8'000'000;      ///< motion blocks, besides one a line of the program
+  std::size_t lines = 25'000'000;      ///< lines run again by loops and calls; a line of 16·n bytes counts n + 1 times
+};
+
+struct ReadOptions {
+  Dialect dialect = Dialect::automatic;
+  bool strict = false;                                ///< every warning is an error
+  bool block_delete = false;                          ///< skip lines that start with '/'
+  std::filesystem::path tools = {};                   ///< LinuxCNC tool table; empty = none
+  std::filesystem::path parameters = {};              ///< numbered parameters; empty = none
+  std::vector<std::filesystem::path> sub_paths = {};  ///< folders searched for sub-programs, besides the program's own
+  ReadLimits limits = {};
+};
+
+}  // namespace toolpace
