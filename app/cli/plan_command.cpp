@@ -19,6 +19,7 @@
 #include "toolpace/base/descriptor.h"
 #include "toolpace/bound/lower_bound.h"
 #include "toolpace/io/program_pulse_writer.h"
+#include "toolpace/io/setpoint_format.h"
 #include "toolpace/io/setpoint_writer.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/follow.h"
@@ -250,8 +251,8 @@ void add_plan_command(CommandLine& line) {
   Command command =
       line.add("plan", "Plan a program: cycle time, peaks, setpoints", [flags] { return run_plan(*flags); });
   command.output("--setpoints FILE", flags->setpoints,
-                 "Write setpoints: .csv (also without extension), .npy, .npz, .halstream,\n"
-                 ".semicolon.csv, or step pulses: .pulses.csv; - = csv to standard output");
+                 "Write setpoints: " + setpoint_suffixes() +
+                     "\n(none = .csv), or step pulses: .pulses.csv; - = csv to standard output");
   command.toggle("--verify", flags->verify, "Read the setpoints back and prove that they keep every limit");
   command.toggle("--bound", flags->bound, "Compute a lower bound of the cycle time");
   command.json(flags->json, "Print one JSON object");

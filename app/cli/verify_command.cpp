@@ -9,6 +9,8 @@
 #include "job_flags.h"
 #include "reading_flags.h"
 #include "report.h"
+#include "toolpace/io/setpoint_format.h"
+#include "toolpace/io/setpoint_reader.h"
 #include "toolpace/machine/read_machine.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/prove.h"
@@ -74,7 +76,7 @@ void add_verify_command(CommandLine& line) {
   Command command =
       line.add("verify", "Prove that a setpoint file keeps a machine's limits", [flags] { return run_verify(*flags); });
   command.argument("SETPOINTS", flags->setpoints, "the setpoint file",
-                   "Setpoint file: .csv, .npy, .npz or .halstream; - = standard input");
+                   "Setpoint file: " + setpoint_suffixes() + "; - = standard input");
   command.input("--machine FILE", flags->machine, "the machine file",
                 "Machine file (TOML), LinuxCNC .ini or grbl's answer to $$", Need::required);
   command.input("--program FILE", flags->reading.program, "the program",

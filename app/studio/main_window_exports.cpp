@@ -14,6 +14,7 @@
 #include "theme/picture_file.h"
 #include "toolpace/io/output_file.h"
 #include "toolpace/io/output_guard.h"
+#include "toolpace/io/setpoint_format.h"
 
 namespace toolpace::studio {
 namespace {
@@ -24,13 +25,14 @@ QString extension_of(const QString& filter) {
   return star < 0 ? QString() : filter.mid(star + 1).section(')', 0, 0).section(' ', 0, 0);
 }
 
-/// Extension and title of each format of setpoint files.
-std::vector<std::pair<QString, QString>> setpoint_formats() {
-  return {{".csv", MainWindow::tr("Comma-separated")},
-          {".npy", MainWindow::tr("NumPy array")},
-          {".npz", MainWindow::tr("NumPy archive")},
-          {".halstream", MainWindow::tr("LinuxCNC halstreamer")},
-          {".semicolon.csv", MainWindow::tr("Semicolons")}};
+[[maybe_unused]] constexpr const char* kTranslatedTitles[] = {
+    QT_TRANSLATE_NOOP("formats", "Comma-separated"), QT_TRANSLATE_NOOP("formats", "NumPy array"),
+    QT_TRANSLATE_NOOP("formats", "NumPy archive"), QT_TRANSLATE_NOOP("formats", "LinuxCNC halstreamer"),
+    QT_TRANSLATE_NOOP("formats", "Semicolons")};
+
+QString title_of(const SetpointFormat& format) { return QCoreApplication::translate("formats", format.title); }
+QString suffix_of(const SetpointFormat& format) {
+  return QString::fromUtf8(format.suffix.data(), static_cast<qsizetype>(format.suffix.size()));
 }
 
 }  // namespace
@@ -71,8 +73,9 @@ QString MainWindow::askFile(const QString& title, const QString& suffix, const Q
 
 void MainWindow::fillFormats() {
   setpoint_menu_->clear();
-  for (const auto& [suffix, title] : setpoint_formats()) {
-    setpoint_menu_->addAction(title, this, [this, ending = suffix] { exportSetpoints(ending); })
+  for (const SetpointFormat& format : setpoint_formats()) {
+    const QString suffix = suffix_of(format);
+    setpoint_menu_->addAction(title_of(format), this, [this, suffix] { exportSetpoints(suffix); })
         ->setObjectName("export" + suffix);
   }
 }
@@ -81,9 +84,9 @@ void MainWindow::fillFormats() {
 void MainWindow::exportSetpoints(const QString& suffix) {
   if (!workspace_.timeline() || exporter_.isBusy()) return;
   QStringList filters;
-  for (const auto& [ending, title] : setpoint_formats()) {
-    const QString filter = title + " (*" + ending + ")";
-    ending == suffix ? filters.prepend(filter) : filters.append(filter);
+  for (const SetpointFormat& format : setpoint_formats()) {
+    const QString filter = title_of(format) + " (*" + suffix_of(format) + ")";
+    suffix_of(format) == suffix ? filters.prepend(filter) : filters.append(filter);
   }
   const QString path = askFile(tr("Save setpoints"), suffix, filters);
   if (!path.isEmpty()) saveSetpoints(path);

@@ -2684,26 +2684,6 @@
             <translation>光标移到此处</translation>
         </message>
         <message>
-            <source>Comma-separated</source>
-            <translation>逗号分隔</translation>
-        </message>
-        <message>
-            <source>NumPy array</source>
-            <translation>NumPy 数组</translation>
-        </message>
-        <message>
-            <source>NumPy archive</source>
-            <translation>NumPy 归档</translation>
-        </message>
-        <message>
-            <source>LinuxCNC halstreamer</source>
-            <translation>LinuxCNC halstreamer</translation>
-        </message>
-        <message>
-            <source>Semicolons</source>
-            <translation>分号分隔</translation>
-        </message>
-        <message>
             <source>Step pulses</source>
             <translation>步进脉冲</translation>
         </message>
@@ -4291,6 +4271,29 @@
         <message>
             <source>Machine file changed</source>
             <translation>机床文件已更改</translation>
+        </message>
+    </context>
+    <context>
+        <name>formats</name>
+        <message>
+            <source>Comma-separated</source>
+            <translation>逗号分隔</translation>
+        </message>
+        <message>
+            <source>NumPy array</source>
+            <translation>NumPy 数组</translation>
+        </message>
+        <message>
+            <source>NumPy archive</source>
+            <translation>NumPy 归档</translation>
+        </message>
+        <message>
+            <source>LinuxCNC halstreamer</source>
+            <translation>LinuxCNC halstreamer</translation>
+        </message>
+        <message>
+            <source>Semicolons</source>
+            <translation>分号分隔</translation>
         </message>
     </context>
 </TS>

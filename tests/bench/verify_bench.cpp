@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "toolpace/io/setpoint_reader.h"
 #include "toolpace/io/setpoint_writer.h"
 #include "toolpace/path/build_path.h"
 

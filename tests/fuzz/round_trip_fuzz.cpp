@@ -7,8 +7,8 @@
 #include <cstring>
 
 #include "scratch_file.h"
+#include "toolpace/io/setpoint_reader.h"
 #include "toolpace/io/setpoint_writer.h"
-#include "toolpace/verify/setpoint_file.h"
 
 namespace {
 

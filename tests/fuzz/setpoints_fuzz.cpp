@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "scratch_file.h"
+#include "toolpace/io/setpoint_reader.h"
 #include "toolpace/machine/setup.h"
 #include "toolpace/verify/verify.h"
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "temporary_directory.h"
+#include "toolpace/io/setpoint_reader.h"
 #include "toolpace/io/setpoint_writer.h"
 #include "toolpace/machine/setup.h"
 #include "toolpace/path/build_path.h"

@@ -20,16 +20,20 @@ struct LastText {
   char text[kNumberBytes] = {'0'};
 };
 
+struct TextStyle {
+  char separator;
+  bool axis_derivatives = false, decimal_comma = false;
+  bool positions_only = false;  ///< without a header
+};
+
 class TextWriter final : public SetpointWriter {
  public:
-  TextWriter(OutputFile file, SetpointFormat format, const SetpointFileOptions& options)
+  TextWriter(OutputFile file, const TextStyle& style)
       : file_(std::move(file)),
-        table_(options.axis_derivatives && format != SetpointFormat::halstream),
-        positions_only_(format == SetpointFormat::halstream),
-        separator_(format == SetpointFormat::csv         ? ','
-                   : format == SetpointFormat::semicolon ? ';'
-                                                         : ' '),
-        comma_(format == SetpointFormat::semicolon && options.decimal_comma) {}
+        table_(style.axis_derivatives),
+        positions_only_(style.positions_only),
+        separator_(style.separator),
+        comma_(style.decimal_comma) {}
 
   Result<void> write(const Setpoints& chunk) override {
     if (auto loaded = table_.load(chunk); !loaded) return loaded;
@@ -112,9 +116,16 @@ class TextWriter final : public SetpointWriter {
 
 }  // namespace
 
-std::unique_ptr<SetpointWriter> make_text_writer(OutputFile file, SetpointFormat format,
-                                                 const SetpointFileOptions& options) {
-  return std::make_unique<TextWriter>(std::move(file), format, options);
+MadeWriter make_csv_writer(OutputFile file, const SetpointFileOptions& options) {
+  return std::make_unique<TextWriter>(std::move(file), TextStyle{',', options.axis_derivatives});
+}
+
+MadeWriter make_semicolon_writer(OutputFile file, const SetpointFileOptions& options) {
+  return std::make_unique<TextWriter>(std::move(file), TextStyle{';', options.axis_derivatives, options.decimal_comma});
+}
+
+MadeWriter make_halstream_writer(OutputFile file, const SetpointFileOptions&) {
+  return std::make_unique<TextWriter>(std::move(file), TextStyle{.separator = ' ', .positions_only = true});
 }
 
 }  // namespace toolpace::io_detail

@@ -102,7 +102,7 @@ class NpyWriter final : public SetpointWriter {
 
 }  // namespace
 
-std::unique_ptr<SetpointWriter> make_npy_writer(OutputFile file, const SetpointFileOptions& options) {
+MadeWriter make_npy_writer(OutputFile file, const SetpointFileOptions& options) {
   return std::make_unique<NpyWriter>(std::move(file), options);
 }
 

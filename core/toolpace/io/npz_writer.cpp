@@ -80,7 +80,7 @@ class NpzWriter final : public SetpointWriter {
 
 }  // namespace
 
-Result<std::unique_ptr<SetpointWriter>> make_npz_writer(OutputFile file, const SetpointFileOptions& options) {
+MadeWriter make_npz_writer(OutputFile file, const SetpointFileOptions& options) {
   // Beside the target, where there is room for it; for pipes and standard output in the system's temporary directory.
   const auto create = [&] {
     return file.is_renamed() ? SpoolFile::create(file.target().parent_path()) : SpoolFile::create_anywhere();

@@ -3,36 +3,21 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
+#include "toolpace/io/setpoint_format.h"
 #include "toolpace/sample/setpoints.h"
 
 namespace toolpace {
 
-enum class SetpointFormat : std::uint8_t {
-  csv,        ///< comma-separated, header with units
-  npy,        ///< float64 array (rows, columns)
-  npz,        ///< "setpoints" (rows, columns), "line" (int64), "meta" (JSON text)
-  halstream,  ///< LinuxCNC halstreamer: axis positions separated by spaces, no header
-  semicolon  ///< csv with semicolons and, by choice, decimal commas, as TwinCAT and spreadsheets of many countries read
-             ///< it
-};
-
 struct SetpointFileOptions {
-  std::optional<SetpointFormat> format = {};  ///< none = by the name, see format_of()
-  bool axis_derivatives = false;              ///< add v, a, j of each axis by differences (not in halstream)
-  bool decimal_comma = false;                 ///< semicolon only
-  std::string program_name = {};              ///< stands in the "meta" of .npz
+  const SetpointFormat* format = nullptr;  ///< null = by the name, see format_of()
+  bool axis_derivatives = false;           ///< add v, a, j of each axis by differences (not in halstream)
+  bool decimal_comma = false;              ///< semicolon only
+  std::string program_name = {};           ///< stands in the "meta" of .npz
 };
-
-/// .csv, .npy, .npz, .halstream; .semicolon.csv, in letters of any case; none = csv. Empty for an extension that names no format.
-std::optional<SetpointFormat> format_of(const std::filesystem::path& file);
-/// "csv", "npy", "npz", "halstream", "semicolon"
-std::optional<SetpointFormat> format_named(std::string_view name);
 
 /// Takes setpoints in order and makes a file of them. The file appears at finish(), whole; a writer that dies before it
 /// (cancelled, failed) leaves nothing behind and an old file as it was.

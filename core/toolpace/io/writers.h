@@ -1,5 +1,5 @@
 #pragma once
-/// The writers behind open_setpoint_writer(), one a family of formats. For use inside io/ alone.
+/// The writers of setpoint files, for the table of formats (setpoint_format.h).
 
 #include <memory>
 
@@ -8,9 +8,12 @@
 
 namespace toolpace::io_detail {
 
-std::unique_ptr<SetpointWriter> make_text_writer(OutputFile file, SetpointFormat format,
-                                                 const SetpointFileOptions& options);
-std::unique_ptr<SetpointWriter> make_npy_writer(OutputFile file, const SetpointFileOptions& options);
-Result<std::unique_ptr<SetpointWriter>> make_npz_writer(OutputFile file, const SetpointFileOptions& options);
+using MadeWriter = Result<std::unique_ptr<SetpointWriter>>;
+
+MadeWriter make_csv_writer(OutputFile file, const SetpointFileOptions& options);
+MadeWriter make_semicolon_writer(OutputFile file, const SetpointFileOptions& options);
+MadeWriter make_halstream_writer(OutputFile file, const SetpointFileOptions& options);
+MadeWriter make_npy_writer(OutputFile file, const SetpointFileOptions& options);
+MadeWriter make_npz_writer(OutputFile file, const SetpointFileOptions& options);
 
 }  // namespace toolpace::io_detail

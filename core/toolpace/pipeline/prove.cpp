@@ -7,6 +7,7 @@
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/sample/sampler.h"
+#include "toolpace/io/setpoint_reader.h"
 
 namespace toolpace {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "toolpace/verify/setpoint_formats.h"
+#include "toolpace/verify/setpoint_readers.h"
 
 namespace toolpace {
 namespace {

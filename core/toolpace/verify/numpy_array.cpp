@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "toolpace/verify/setpoint_formats.h"
+#include "toolpace/verify/setpoint_readers.h"
 
 namespace toolpace::verify_detail {
 namespace {

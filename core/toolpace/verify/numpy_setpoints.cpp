@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "toolpace/verify/numpy_array.h"
-#include "toolpace/verify/setpoint_formats.h"
+#include "toolpace/verify/setpoint_readers.h"
 #include "toolpace/verify/zip_reader.h"
 
 namespace toolpace::verify_detail {

@@ -62,11 +62,4 @@ class SetpointFile {
   SetpointColumns columns_;
 };
 
-/// Opens .csv (comma or semicolon, decimal point or comma), .npy, .npz or .halstream; what it is shows in its first
-/// bytes, only .halstream by the name. "-" = standard input. Errors: io; cancelled; input: setpoints-empty,
-/// setpoints-header, setpoints-shape, setpoints-broken.
-/// @param monitor  its stop token ends waits of this and the later calls
-Result<std::unique_ptr<SetpointFile>> open_setpoint_file(const std::filesystem::path& file,
-                                                         const Monitor& monitor = {});
-
 }  // namespace toolpace

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "toolpace/verify/line_reader.h"
-#include "toolpace/verify/setpoint_formats.h"
+#include "toolpace/verify/setpoint_readers.h"
 
 namespace toolpace::verify_detail {
 namespace {
@@ -242,11 +242,25 @@ class TextSetpoints final : public SetpointFile {
 
 }  // namespace
 
-Result<std::unique_ptr<SetpointFile>> open_text(InputFile file, const std::string& name, bool halstream) {
-  auto text = std::make_unique<TextSetpoints>(std::move(file), name);
-  if (auto fine = halstream ? text->assume_positions() : text->read_header(); !fine)
-    return tl::unexpected(fine.error());
+namespace {
+
+Result<std::unique_ptr<SetpointFile>> opened(std::unique_ptr<TextSetpoints> text, const Result<void>& header) {
+  if (!header) return tl::unexpected(header.error());
   return text;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SetpointFile>> open_text(InputFile file, const std::string& name) {
+  auto text = std::make_unique<TextSetpoints>(std::move(file), name);
+  const auto header = text->read_header();
+  return opened(std::move(text), header);
+}
+
+Result<std::unique_ptr<SetpointFile>> open_halstream(InputFile file, const std::string& name) {
+  auto text = std::make_unique<TextSetpoints>(std::move(file), name);
+  const auto header = text->assume_positions();
+  return opened(std::move(text), header);
 }
 
 }  // namespace toolpace::verify_detail

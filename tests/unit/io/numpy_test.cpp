@@ -8,8 +8,8 @@
 
 #include "sample_setpoints.h"
 #include "temporary_directory.h"
+#include "toolpace/io/setpoint_reader.h"
 #include "toolpace/io/setpoint_writer.h"
-#include "toolpace/verify/setpoint_file.h"
 
 namespace toolpace {
 namespace {

@@ -104,7 +104,7 @@ TEST(Semicolon, WritesDecimalCommasByChoice) {
   Setpoints s = sample_setpoints(0, 1);
   s.position[2][0] = -5.5;
   EXPECT_EQ(fields_of(lines_of(written(s, "a.semicolon.csv"))[1], ';')[3], "-5.5");
-  const auto text = written(s, "a.csv", {.format = SetpointFormat::semicolon, .decimal_comma = true});
+  const auto text = written(s, "a.csv", {.format = format_named("semicolon"), .decimal_comma = true});
   EXPECT_EQ(fields_of(lines_of(text)[1], ';')[3], "-5,5");
 }
 

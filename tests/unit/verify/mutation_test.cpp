@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "planned_program.h"
+#include "toolpace/io/setpoint_reader.h"
 
 namespace toolpace {
 namespace {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "planned_program.h"
+#include "toolpace/io/setpoint_reader.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/pipeline/prove.h"
 #include "toolpace/verify/path_follower.h"

@@ -7,6 +7,7 @@
 
 #include "sample_setpoints.h"
 #include "temporary_directory.h"
+#include "toolpace/io/setpoint_reader.h"
 #include "toolpace/io/setpoint_writer.h"
 
 namespace toolpace {

@@ -1,5 +1,5 @@
 #pragma once
-/// The readers behind open_setpoint_file(). For use inside verify/ alone.
+/// The readers of setpoint files, for the table of formats (io/setpoint_format.h).
 
 #include <memory>
 #include <string>
@@ -9,7 +9,9 @@
 
 namespace toolpace::verify_detail {
 
-Result<std::unique_ptr<SetpointFile>> open_text(InputFile file, const std::string& name, bool halstream);
+/// Comma or semicolon, decimal point or comma: by its header.
+Result<std::unique_ptr<SetpointFile>> open_text(InputFile file, const std::string& name);
+Result<std::unique_ptr<SetpointFile>> open_halstream(InputFile file, const std::string& name);
 Result<std::unique_ptr<SetpointFile>> open_npy(InputFile file, const std::string& name);
 Result<std::unique_ptr<SetpointFile>> open_npz(InputFile file, const std::string& name);
 
