@@ -123,9 +123,13 @@ void JobFlags::add_to(Command& command) {
       "--machine FILE", machine, "the machine file",
       "Machine file (TOML), LinuxCNC .ini or grbl's answer to $$;\nwithout one 100 mm/s, 3000 mm/s², 1e6 mm/s³, 1 ms");
   limits.number("--vmax MM/S", vmax, "Top speed");
-  limits.number("--am MM/S2", am, "Acceleration");
+  limits.number(
+      "--am MM/S2", am,
+      "Acceleration, along the path; on curves also of each linear axis, whatever its own limit\n(turning and "
+      "changing speed together), and of a rotary one that has none");
   limits.number("--dm MM/S2", dm, "Deceleration; default am");
-  limits.number("--jm MM/S3", jm, "Jerk");
+  limits.number("--jm MM/S3", jm,
+                "Jerk, along the path and of axes on curves as --am; no law without jerk limit keeps it");
   limits.number("--jd MM/S3", jd, "Jerk while slowing down; default jm");
   limits.number("--override-percent PERCENT", override_percent, "Feed override, up to 200; default 100");
   limits.number("--rapid-percent PERCENT", rapid_percent, "Rapid override, up to 100; default 100");

@@ -102,7 +102,8 @@ void retime_blocks(benchmark::State& state) {
   const Commands commands = command_path(blended->path, moves, command_options(machine));
   const auto limits = limit_speed(blended->path, commands, machine, limit_options);
   const auto plan = plan_motion(*limits, options);
-  for (auto _ : state) benchmark::DoNotOptimize(retime(blended->path, commands, machine, *limits, *plan));
+  const RetimeTask task{blended->path, commands, machine, *limits, options};
+  for (auto _ : state) benchmark::DoNotOptimize(retime(task, *plan, *plan));
   state.SetItemsProcessed(state.iterations() * state.range(0));
   state.SetLabel("blocks");
 }

@@ -5,7 +5,7 @@
 
 #include "toolpace/bound/path_bound.h"
 #include "toolpace/bound/tube_bound.h"
-#include "toolpace/limits/curve_budget.h"
+#include "toolpace/limits/curve_bounds.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/prove.h"

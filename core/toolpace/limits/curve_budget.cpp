@@ -3,199 +3,162 @@
 #include <algorithm>
 #include <cmath>
 
-#include "toolpace/path/curve_sampler.h"
-
 namespace toolpace {
 namespace {
 
-// Shares of an axis' limits that the curvature may take at most. The rest is left to change the speed with; at 0.9 of
-// the acceleration a circle still speeds up with √(1 − 0.9²) = 44 % of it.
-constexpr double kCentripetalShare = 0.9;
-constexpr double kCentripetalJerkShare = 0.5;
+constexpr double kTopShare = 0.999;  // of the speed at which nothing is left
+constexpr double kRounding = 1e-9;   // of a third derivative that is all against the direction
+/// Share of the jerk, as an angle's sine, that the turning part 3κva takes at most where a ramp may do anything at its cap.
+constexpr double kTurningShare = 0.7;
+/// Speeds as shares of the cap where a ramp is looked at: with a = √(2j(cap − v)) the turning part v·a peaks at 2/3. Between
+/// two of these places its square is no more than so much larger than at the nearer one.
+constexpr double kPlaces[] = {1.0, 0.88, 0.79, 0.71, 0.64, 0.57, 0.5};
+constexpr double kBetweenPlaces = 1.012;
+constexpr double kSettled = 1e-4;  // of the jerk that is looked for
+constexpr int kMostSteps = 40;
 
-// Pieces of splines are short; at sharp corners curvature changes fast, beside the middle.
-constexpr int kSplineStretches = 1, kBlendStretches = 4;
-constexpr int kMostHalvings = 6;          // of a stretch: enough but where the curve has a cusp
-constexpr double kRise = 0.05;            // between samples, that is added rather than looked for
-constexpr double kMinorRise = 0.01;       // as a part of the axis that has most
-constexpr double kNoTurn = 1e-9;          // change of direction over a segment that is rounding
-constexpr double kCuspRise = 0.1;         // added where halving does not settle it
-constexpr double kSampledMargin = 1.004;  // for derivatives that change faster than second differences tell
+double squared(double x) { return x * x; }
 
-/// The largest component along an axis of a vector that turns with the arc and keeps its part along the arc's normal.
-double turned(const ArcCurve& arc, const AxisVector& vector, int axis) {
-  const Eigen::Vector3d v = vector.head<3>();
-  return std::hypot(v.dot(arc.radial), v.dot(arc.lateral)) * std::hypot(arc.radial[axis], arc.lateral[axis]) +
-         std::abs(arc.normal[axis] * v.dot(arc.normal));
+/// Largest acceleration of a ramp that ends (begins) at the cap with jerk j: y = a² with y/A² + (cap − y/2j)⁴/Q² = 1. The left
+/// side is convex in y, so Newton's steps from above do not pass the root. Beyond y = j·cap no ramp gets.
+double acceleration_towards(double cap, double jerk, const CurveBudget& b) {
+  double y = jerk * cap;
+  const double by_square = 1 / squared(b.acceleration);
+  for (int i = 0; i < 30; ++i) {
+    const double u = cap - y / (2 * jerk), turned = squared(u * u / b.square);
+    const double excess = y * by_square + turned - 1;
+    if (excess <= 0) break;
+    const double slope = by_square - 2 * turned / (u * jerk);
+    if (!(slope > 0)) break;
+    const double next = y - excess / slope;
+    if (next >= y * (1 - 1e-9)) break;
+    y = std::max(next, 0.0);
+  }
+  // Rounding aside this holds already, but where the cap itself is at the limit.
+  return std::min(b.acceleration, std::sqrt(y * (1 - 1e-9)));
 }
 
-CurveBounds arc_bounds(const Path& path, std::size_t i) {
-  // At mid-arc the radius is the mean one; spirals are bounded at both ends. On helical ones the slope changes, too.
-  CurveBounds bounds{AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
-  const ArcCurve& arc = path.arcs[path.detail[i]];
-  for (const double s : {0.0, path.length[i]}) {
-    const Frame f = frame_at(path, i, s);
-    for (int axis = 0; axis < 3; ++axis) {
-      bounds.first[axis] = std::max(bounds.first[axis], turned(arc, f.first, axis));
-      bounds.second[axis] = std::max(bounds.second[axis], turned(arc, f.second, axis));
-      bounds.third[axis] = std::max(bounds.third[axis], turned(arc, f.third, axis));
-    }
-    bounds.first.tail<3>() = bounds.first.tail<3>().cwiseMax(f.first.tail<3>().cwiseAbs());
-    bounds.second.tail<3>() = bounds.second.tail<3>().cwiseMax(f.second.tail<3>().cwiseAbs());
-    bounds.third.tail<3>() = bounds.third.tail<3>().cwiseMax(f.third.tail<3>().cwiseAbs());
+/// By how much the squares of the parts of the jerk pass what there is, at the worst place of a ramp with jerk j.
+double excess_of_jerk(double cap, double jerk, const CurveBudget& b) {
+  const double slowest = cap - squared(acceleration_towards(cap, jerk, b)) / (2 * jerk);
+  double worst = -1;
+  for (const double place : kPlaces) {
+    const double v = std::max(place * cap, slowest), cube = v * v * v;
+    const double turning = kBetweenPlaces * 2 * jerk * (cap - v) * squared(v / b.turning);
+    worst = std::max(worst, squared((jerk + b.bend * cube) / b.jerk) + turning - squared(1 - cube / b.cube));
+    if (v > place * cap) break;
   }
-  return bounds;
+  return worst;
 }
 
-/// Largest magnitudes of sampled functions. Between equal steps a function rises above the line through two samples by an
-/// eighth of its second difference at most, as far as that is constant; its change is added. Stretches in which a function
-/// may rise above its largest sample by more than a small part are halved, the others are done.
-/// @tparam rows  axes: X Y Z, or all
-template <int rows>
-class PeakSearch {
- public:
-  using Values = Eigen::Array<double, rows, 3>;  // first, second and third derivative
-
-  PeakSearch(const CurveSampler& curve, double length)
-      : curve_(curve), least_(0.0, kNoTurn / length, kNoTurn / (length * length)) {}
-
-  /// @param begin, end  of the whole curve
-  CurveBounds run(const ParameterDerivatives& begin, const ParameterDerivatives& end, int stretches) {
-    const double width = 1.0 / stretches;
-    Values from = values(begin);
-    for (int k = 0; k < stretches; ++k) {
-      const Values to = k + 1 == stretches ? values(end) : sample((k + 1) * width);
-      search({k * width, width, from, sample((k + 0.5) * width), to}, kMostHalvings);
-      from = to;
-    }
-    return bounds();
-  }
-
- private:
-  struct Stretch {
-    double from, width;
-    Values begin, middle, end;
-  };
-
-  CurveBounds bounds() const {
-    CurveBounds b{AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
-    b.first.head<rows>() = upper_.col(0) * kSampledMargin;
-    b.second.head<rows>() = upper_.col(1) * kSampledMargin;
-    b.third.head<rows>() = upper_.col(2) * kSampledMargin;
-    b.first.head<3>() = b.first.head<3>().cwiseMin(1.0);
-    return b;
-  }
-
-  template <int all>
-  static Values values(const CurveDerivatives<all>& d) {
-    Values v;
-    v.col(0) = d.first.template head<rows>();
-    v.col(1) = d.second.template head<rows>();
-    v.col(2) = d.third.template head<rows>();
-    return v;
-  }
-  Values sample(double share) const { return values(curve_.at_share<rows>(share)); }
-
-  void search(const Stretch& s, int halvings) {
-    const Values left = sample(s.from + s.width / 4), right = sample(s.from + 3 * s.width / 4);
-    const Values most = s.begin.abs().max(s.end.abs()).max(s.middle.abs()).max(left.abs()).max(right.abs());
-    largest_ = largest_.max(most);
-    const Values bend[] = {s.begin - 2 * left + s.middle, left - 2 * s.middle + right, s.middle - 2 * right + s.end};
-    const Values high = bend[0].max(bend[1]).max(bend[2]), low = bend[0].min(bend[1]).min(bend[2]);
-    const Values top = most + (high.max(-low) + (high - low)) / 8;
-    if ((top <= allowed()).all()) {
-      upper_ = upper_.max(top);
-    } else if (halvings == 0) {
-      upper_ = upper_.max(top.min((1 + kCuspRise) * most));
+/// Largest jerk of a ramp that ends at the cap. The excess rises with the jerk: false position, held to the side that keeps the
+/// limits.
+double jerk_towards(double cap, double most, const CurveBudget& b) {
+  double low = 0, high = most, at_low = excess_of_jerk(cap, most * 1e-6, b), at_high = excess_of_jerk(cap, most, b);
+  if (at_high <= 0) return most;
+  if (!(at_low < 0)) return most * 1e-6;  // turning takes all
+  for (int i = 0, side = 0; i < kMostSteps && high - low > kSettled * high; ++i) {
+    const double share = i % 4 == 3 ? 0.5 : at_low / (at_low - at_high);
+    const double x = low + share * (high - low), excess = excess_of_jerk(cap, x, b);
+    if (excess <= 0) {
+      low = x;
+      at_low = excess;
+      if (side == -1) at_high /= 2;
+      side = -1;
     } else {
-      search({s.from, s.width / 2, s.begin, left, s.middle}, halvings - 1);
-      search({s.from + s.width / 2, s.width / 2, s.middle, right, s.end}, halvings - 1);
+      high = x;
+      at_high = excess;
+      if (side == 1) at_low /= 2;
+      side = 1;
     }
   }
-
-  /// What a stretch may reach without being halved.
-  Values allowed() const {
-    Values a = (1 + kRise) * largest_;
-    for (Eigen::Index order = 0; order < 3; ++order) {
-      for (Eigen::Index axis = 0; axis < rows; axis += 3) {
-        const auto most = largest_.template block<3, 1>(axis, order);
-        const double minor = std::max(kMinorRise * most.maxCoeff(), least_[order]);
-        a.template block<3, 1>(axis, order) = a.template block<3, 1>(axis, order).max(most + minor);
-      }
-    }
-    return a;
-  }
-
-  const CurveSampler& curve_;
-  Eigen::Vector3d least_;
-  Values largest_ = Values::Zero();  // of the samples
-  Values upper_ = Values::Zero();    // of the stretches that are done
-};
-
-bool turns(const ParameterDerivatives& d) {
-  return !d.first.tail<3>().isZero(0.0) || !d.second.tail<3>().isZero(0.0) || !d.third.tail<3>().isZero(0.0);
+  return low > 0 ? low : most * 1e-6;
 }
 
-CurveBounds sampled_bounds(const Path& path, std::size_t i) {
-  const CurveSampler curve(path, i);
-  const int stretches = path.kind[i] == SegmentKind::spline ? kSplineStretches : kBlendStretches;
-  const ParameterDerivatives begin = curve.at_share(0.0), end = curve.at_share(1.0);
-  // Rotary axes run as polynomials of degree 5 at most: if three derivatives are zero at both ends, they stand still.
-  if (!turns(begin) && !turns(end)) return PeakSearch<3>(curve, path.length[i]).run(begin, end, stretches);
-  return PeakSearch<kAxisCount>(curve, path.length[i]).run(begin, end, stretches);
+/// What an axis uses of its limit at most where t and n lie inside an ellipse with these half axes: the share of the direction
+/// in it times t and that of the normal (by curvature) times n, or, by their right angle, both together.
+double use(double first, double second, double together, double along, double across) {
+  const double apart = std::hypot(first > 0 ? first * along : 0.0, second > 0 ? second * across : 0.0);
+  return std::min(apart, together);
+}
+
+/// Makes the two ellipses so small that they hold for every axis.
+void fit_together(const CurveBounds& b, const std::array<AxisLimits, kAxisCount>& axes, CurveBudget& budget) {
+  double acceleration = 1, jerk = 1;
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const auto both = [&](double along, double across) {
+      return is_rotary(k) ? kUnlimited : b.together[i] * std::max(along, b.curvature * across);
+    };
+    if (axes[k].acceleration < kUnlimited && budget.square < kUnlimited) {
+      const double worst =
+          use(b.first[i], b.second[i], both(budget.acceleration, budget.square), budget.acceleration, budget.square);
+      acceleration = std::max(acceleration, worst / axes[k].acceleration);
+    }
+    if (axes[k].jerk < kUnlimited && budget.turning < kUnlimited) {
+      const double worst =
+          use(b.first[i], 3 * b.second[i], both(budget.jerk, 3 * budget.turning), budget.jerk, budget.turning);
+      jerk = std::max(jerk, worst / axes[k].jerk);
+    }
+  }
+  budget.acceleration /= acceleration;
+  budget.square /= acceleration;
+  budget.jerk /= jerk;
+  budget.turning /= jerk;
 }
 
 }  // namespace
 
-CurveBounds curve_bounds(const Path& path, std::size_t i) {
-  switch (path.kind[i]) {
-    case SegmentKind::line: {
-      const AxisVector u = (path.node[i + 1] - path.node[i]) / path.length[i];
-      return {u.cwiseAbs(), AxisVector::Zero(), AxisVector::Zero()};
-    }
-    case SegmentKind::arc: return arc_bounds(path, i);
-    default: return sampled_bounds(path, i);
+double CurveBudget::top_speed() const {
+  double top = std::sqrt(square);
+  if (cube < kUnlimited || (bend > 0 && jerk < kUnlimited)) {
+    top = std::min(top, std::cbrt(1 / (1 / cube + (bend > 0 ? bend / jerk : 0.0))));
   }
+  return std::min(speed, kTopShare * top);
 }
 
-CurveBudget curve_budget(const CurveBounds& b, const std::array<AxisLimits, kAxisCount>& axes, double speed_wanted) {
-  CurveBudget budget{speed_wanted, kUnlimited, kUnlimited, false};
-  const auto cap = [&](double speed, bool is_curvature) {
-    if (speed < budget.speed) {
-      budget.speed = speed;
-      budget.is_curvature = is_curvature;
-    }
+CurveShare CurveBudget::at(double cap, AtCap at_cap) const {
+  if (!bends()) return {acceleration, jerk};
+  const double turned = std::min(1.0, squared(cap * cap / square));
+  const double any = acceleration * std::sqrt(1 - turned);
+  if (!(jerk < kUnlimited) && !(turning < kUnlimited) && !(cube < kUnlimited)) return {any, kUnlimited};
+  const double volume = cap * cap * cap, left = 1 - volume / cube;
+  const double bent = jerk < kUnlimited ? bend * volume / jerk : 0.0;
+  if (at_cap == AtCap::changes || !(jerk < kUnlimited)) {
+    const double free = std::sqrt(std::max(0.0, left * left - bent * bent));
+    const double a = std::min(any, kTurningShare * free * turning / cap);
+    const double rest = std::sqrt(std::max(0.0, left * left - squared(cap * a / turning)));
+    return {a, jerk < kUnlimited ? jerk * (rest - bent) : kUnlimited};
+  }
+  const double j = jerk_towards(cap, jerk * (left - bent), *this);
+  return {acceleration_towards(cap, j, *this), j};
+}
+
+Dynamics within(const Dynamics& along, const CurveShare& share) {
+  const auto tight = [&share](const RampLimits& r) {
+    return RampLimits{std::min(r.acceleration, share.acceleration), std::min(r.jerk, share.jerk), r.time};
   };
+  return {tight(along.up), tight(along.down)};
+}
+
+CurveBudget curve_budget(const CurveBounds& b, const std::array<AxisLimits, kAxisCount>& axes) {
+  CurveBudget budget;
   for (std::size_t k = 0; k < kAxisCount; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    if (b.first[i] > 0) cap(axes[k].speed / b.first[i], false);
-    if (b.second[i] > 0) cap(std::sqrt(kCentripetalShare * axes[k].acceleration / b.second[i]), true);
-    if (b.third[i] > 0) cap(std::cbrt(kCentripetalJerkShare * axes[k].jerk / b.third[i]), true);
-  }
-  const double v = budget.speed;
-  for (std::size_t k = 0; k < kAxisCount; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    if (b.first[i] <= 0 || !(axes[k].acceleration < kUnlimited)) continue;
-    const double centripetal = b.second[i] > 0 ? b.second[i] * v * v : 0.0;
-    budget.acceleration = std::min(budget.acceleration, (axes[k].acceleration - centripetal) / b.first[i]);
-  }
-  for (std::size_t k = 0; k < kAxisCount; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    if (!(axes[k].jerk < kUnlimited) || (b.first[i] <= 0 && b.second[i] <= 0)) continue;
-    const double left = axes[k].jerk - (b.third[i] > 0 ? b.third[i] * v * v * v : 0.0);
-    // Half of what is left for the turning acceleration 3κva, half for the jerk along the path.
-    if (b.second[i] > 0 && v > 0) {
-      budget.acceleration = std::min(budget.acceleration, left / 2 / (3 * b.second[i] * v));
+    if (b.first[i] > 0) {
+      budget.speed = std::min(budget.speed, axes[k].speed / b.first[i]);
+      budget.acceleration = std::min(budget.acceleration, axes[k].acceleration / b.first[i]);
+      budget.jerk = std::min(budget.jerk, axes[k].jerk / b.first[i]);
     }
+    if (b.second[i] > 0) {
+      budget.square = std::min(budget.square, axes[k].acceleration / b.second[i]);
+      budget.turning = std::min(budget.turning, axes[k].jerk / (3 * b.second[i]));
+    }
+    const double rest = b.third[i] - b.bend * b.first[i];
+    if (rest > kRounding * b.third[i]) budget.cube = std::min(budget.cube, axes[k].jerk / rest);
   }
-  for (std::size_t k = 0; k < kAxisCount; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    if (!(axes[k].jerk < kUnlimited) || b.first[i] <= 0) continue;
-    double left = axes[k].jerk;
-    if (b.third[i] > 0) left -= b.third[i] * v * v * v;
-    if (b.second[i] > 0) left -= 3 * b.second[i] * v * budget.acceleration;
-    budget.jerk = std::min(budget.jerk, left / b.first[i]);
-  }
+  budget.bend = b.bend;
+  fit_together(b, axes, budget);
   return budget;
 }
 

@@ -1,34 +1,52 @@
 #pragma once
-/// How the centripetal and the tangential part of a motion on a curve share the limits of the axes.
+/// How turning and changing speed share the limits of the axes on a curve.
 
+#include "toolpace/limits/curve_bounds.h"
 #include "toolpace/limits/machine.h"
-#include "toolpace/path/path.h"
+#include "toolpace/limits/ramp_limits.h"
 
 namespace toolpace {
 
-/// Largest magnitudes, over a stretch of a segment, of an axis' first, second and third derivative by path length.
-struct CurveBounds {
-  AxisVector first, second, third;
+/// What changes of speed may use on a curve that is run no faster than some cap, along the path.
+struct CurveShare {
+  double acceleration;  ///< [mm/s²] > 0
+  double jerk;          ///< [mm/s³] > 0
 };
 
-/// Bounds over a whole segment. Exact for lines; for arcs the amplitude of each component (attained on any sweep of
-/// half a turn or more, an over-estimate on shorter ones); for splines and blends samples, denser where a derivative may
-/// rise between them, with what it may rise added: 6 % more than the largest at most. Where the parameter's speed vanishes
-/// (cusps) the true bound is infinite; there the samples next to it count.
-CurveBounds curve_bounds(const Path& path, std::size_t segment);
+/// What a ramp may do at the cap of its block.
+enum class AtCap : std::uint8_t {
+  rests,   ///< its acceleration has come to zero there, as that of ramps inside one block
+  changes  ///< any acceleration
+};
 
-/// Constant path limits that keep every axis inside its own, anywhere on the segment:
-///   |first|·a + |second|·v² ≤ acceleration,   |first|·j + 3·|second|·v·a + |third|·v³ ≤ jerk.
+/// All motions along a segment that keep every axis inside its limits anywhere on it, as far as one inequality for each order
+/// tells. With the direction and the normal at right angles, an axis' acceleration on a circle has the amplitude
+/// √(a² + κ²v⁴) and its jerk √((j ∓ κ²v³)² + (3κva)²); in general, with v, a, j along the path,
+///   (a/acceleration)² + (v²/square)² ≤ 1,   √(((|j| + bend·v³)/jerk)² + (v·a/turning)²) ≤ 1 − v³/cube.
 struct CurveBudget {
-  double speed;         ///< [mm/s] cap from axis speed and curvature
-  double acceleration;  ///< [mm/s²] left for the tangential part
-  double jerk;          ///< [mm/s³]
-  bool is_curvature;    ///< the cap comes from curvature, not from an axis' speed
+  double speed = kUnlimited;         ///< [mm/s] from the axes' top speeds
+  double acceleration = kUnlimited;  ///< [mm/s²] where nothing turns
+  double square = kUnlimited;        ///< [mm²/s²] where the speed is constant
+  double jerk = kUnlimited;          ///< [mm/s³] where nothing turns
+  double turning = kUnlimited;       ///< [mm²/s³]
+  double bend = 0;                   ///< [1/mm²]
+  double cube = kUnlimited;          ///< [mm³/s³]
+
+  bool bends() const { return square < kUnlimited || turning < kUnlimited || cube < kUnlimited || bend > 0; }
+
+  /// [mm/s] at which turning leaves next to nothing.
+  double top_speed() const;
+
+  /// Constant limits for changes of speed under a cap ≤ top_speed(). Where they rest at the cap, an acceleration a is met at
+  /// speeds up to cap − a²/2j only: that much the speed still rises (has fallen) while jerk j takes a away. Then all of the
+  /// normal part that the cap could ask for is not there yet. Accuracy 1 %, from below.
+  CurveShare at(double cap, AtCap at_cap) const;
 };
 
-/// @param speed_wanted  [mm/s] the feed: where the curve can be run at it, all that it leaves goes to the tangential
-/// part
-CurveBudget curve_budget(const CurveBounds& bounds, const std::array<AxisLimits, kAxisCount>& axes,
-                         double speed_wanted);
+/// Limits along the path, and no more than a share.
+Dynamics within(const Dynamics& along, const CurveShare& share);
+
+/// @param axes  limits of the axes (curve_axes.h)
+CurveBudget curve_budget(const CurveBounds& bounds, const std::array<AxisLimits, kAxisCount>& axes);
 
 }  // namespace toolpace

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "toolpace/limits/curve_axes.h"
+#include "toolpace/limits/curve_bounds.h"
 #include "toolpace/limits/curve_budget.h"
 
 namespace toolpace {
@@ -18,15 +20,18 @@ using AxesLimits = std::array<AxisLimits, kAxisCount>;
 class Limiter {
  public:
   Limiter(const Path& path, const Commands& commands, const Machine& machine, const LimitOptions& options)
-      : path_(path), commands_(commands), machine_(machine), options_(options), curve_axes_(machine.axes) {
-    // Curves need a bound on v²/r: axes without one of their own take the path's.
-    for (auto& axis : curve_axes_) axis.acceleration = std::min(axis.acceleration, machine.path.acceleration);
-    for (std::size_t k = 3; k < kAxisCount; ++k) curve_axes_[k].acceleration = machine.axes[k].acceleration;
-    rapid_axes_ = curve_axes_;
+      : path_(path),
+        commands_(commands),
+        machine_(machine),
+        options_(options),
+        curve_axes_(curve_axes(machine, options.keeps_jerk)),
+        rapid_axes_(curve_axes_) {
     for (auto& axis : rapid_axes_) axis.speed *= options.rapid_override;
     axes_are_bounded_ = std::any_of(machine.axes.begin(), machine.axes.end(), [](const AxisLimits& a) {
       return a.speed < kUnlimited || a.acceleration < kUnlimited || a.jerk < kUnlimited;
     });
+    const PathLimits& p = machine.path;
+    limits_.along = {{p.acceleration, p.jerk, options.t_acc}, {p.deceleration, p.jerk_deceleration, options.t_dec}};
     const std::size_t n = path.size();
     limits_.length = path.length;
     limits_.block_cap.reserve(n);
@@ -42,21 +47,22 @@ class Limiter {
     const Command& command = commands_[i];
     double cap = command.speed;
     Cause cause = command.cause;
+    Dynamics dynamics = limits_.along;
     const bool is_line = path_.kind[i] == SegmentKind::line;
-    Dynamics dynamics = path_dynamics();
     if (!is_line || axes_are_bounded_) {
-      const CurveBounds bounds = curve_bounds(path_, i);
-      CurveBudget budget = curve_budget(bounds, axes_of(i), cap);
-      if (budget.speed < cap && !command.is_rapid()) {
-        cause = budget.is_curvature ? Cause::curvature : Cause::axis_speed;
+      const CurveBudget budget = curve_budget(curve_bounds(path_, i), axes_of(i));
+      const double top = budget.bends() ? budget.top_speed() : budget.speed;
+      if (top < cap && !command.is_rapid()) cause = top < budget.speed ? Cause::curvature : Cause::axis_speed;
+      cap = std::min(cap, top);
+      dynamics = within(limits_.along, budget.at(cap, AtCap::changes));
+      if (budget.bends()) {
+        limits_.curved.push_back(static_cast<std::uint32_t>(i));
+        limits_.budget.push_back(budget);
       }
-      cap = budget.speed;
-      if (!is_line && !axes_are_bounded_) budget = {cap, kUnlimited, kUnlimited, false};
-      tighten(dynamics, budget);
     }
     limits_.block_cap.push_back(cap);
     limits_.block_cause.push_back(cause);
-    limits_.ramp.push_back(index_of(dynamics));
+    limits_.ramp.push_back(add_dynamics(dynamics, limits_));
   }
 
   /// Node between block i − 1 and block i.
@@ -112,28 +118,6 @@ class Limiter {
 
   Cause slower_block_cause(std::size_t i) const {
     return limits_.block_cap[i - 1] <= limits_.block_cap[i] ? limits_.block_cause[i - 1] : limits_.block_cause[i];
-  }
-
-  Dynamics path_dynamics() const {
-    const PathLimits& p = machine_.path;
-    return {{p.acceleration, p.jerk, options_.t_acc}, {p.deceleration, p.jerk_deceleration, options_.t_dec}};
-  }
-
-  static void tighten(Dynamics& dynamics, const CurveBudget& budget) {
-    for (RampLimits* ramp : {&dynamics.up, &dynamics.down}) {
-      ramp->acceleration = std::min(ramp->acceleration, budget.acceleration);
-      ramp->jerk = std::min(ramp->jerk, budget.jerk);
-    }
-  }
-
-  std::uint32_t index_of(const Dynamics& dynamics) {
-    if (limits_.dynamics.empty() || !(limits_.dynamics.back() == dynamics)) {
-      const bool by_axis = dynamics.up.acceleration < machine_.path.acceleration ||
-                           dynamics.down.acceleration < machine_.path.deceleration;
-      limits_.dynamics.push_back(dynamics);
-      limits_.dynamics_cause.push_back(by_axis ? Cause::axis_acceleration : Cause::acceleration);
-    }
-    return static_cast<std::uint32_t>(limits_.dynamics.size() - 1);
   }
 
   const Path& path_;

@@ -15,6 +15,7 @@ struct LimitOptions {
   double t_acc = 0.0;           ///< [s] handed on to laws that keep a constant time
   double t_dec = 0.0;           ///< [s]
   double rapid_override = 1.0;  ///< of the axes' top speeds, where rapids go round corner curves
+  bool keeps_jerk = true;       ///< whether the law does; without, curves are not held to the axes' jerk
 };
 
 /// The machine's part in what is commanded: its top speeds, without overrides.
@@ -23,9 +24,9 @@ CommandOptions command_options(const Machine& machine);
 /// Speed caps and ramp limits of every block and node.
 ///
 /// Block cap: what is commanded, and each axis' top speed (V·|u| ≤ Vmax, Ning et al. 2014,
-/// section 2.1), on curves also the centripetal share of the axes' acceleration and jerk. Where axes have no
-/// acceleration limit of their own, v²/r ≤ the path's acceleration. Ramp limits: the path's, and what each axis leaves
-/// along the block's direction. Node cap: the corner rule of the job, or of the program's G61, G61.1; never above
+/// section 2.1). On curves at most the speed at which turning takes all that the axes have (curve_axes.h says what that is,
+/// curve_budget.h how it is shared); a lower cap, which leaves more, is settle_curves()' choice. Ramp limits: the path's, and
+/// what each axis leaves along the block's direction. Node cap: the corner rule of the job, or of the program's G61, G61.1; never above
 /// either neighbour's cap.
 ///   servo     each axis' speed step V·|Δu| ≤ a·Ts with the axis' own a (the path's where it has none), and
 ///             2V·sin(α/2) ≤ a·Ts with the path's a (the slowest turning axis' where it has none); Ning et al.,

@@ -2,6 +2,16 @@
 
 namespace toolpace {
 
+std::uint32_t add_dynamics(const Dynamics& dynamics, SpeedLimits& limits) {
+  if (limits.dynamics.empty() || !(limits.dynamics.back() == dynamics)) {
+    const bool by_axis = dynamics.up.acceleration < limits.along.up.acceleration ||
+                         dynamics.down.acceleration < limits.along.down.acceleration;
+    limits.dynamics.push_back(dynamics);
+    limits.dynamics_cause.push_back(by_axis ? Cause::axis_acceleration : Cause::acceleration);
+  }
+  return static_cast<std::uint32_t>(limits.dynamics.size() - 1);
+}
+
 SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end) {
   const auto cut = [begin](const auto& values, std::size_t last) {
     return std::decay_t<decltype(values)>(values.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -13,6 +23,9 @@ SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end) {
                    cut(all.block_cause, end),
                    cut(all.node_cap, end + 1),
                    cut(all.node_cause, end + 1),
+                   {},
+                   {},
+                   all.along,
                    {},
                    {}};
   for (std::uint32_t& ramp : part.ramp) {

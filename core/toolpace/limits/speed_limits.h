@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "toolpace/base/cause.h"
+#include "toolpace/limits/curve_budget.h"
 #include "toolpace/limits/ramp_limits.h"
 
 namespace toolpace {
@@ -23,9 +24,18 @@ struct SpeedLimits {
   /// What sets them, one entry each: acceleration (of the path) or axis_acceleration. Empty = acceleration everywhere.
   std::vector<Cause> dynamics_cause;
 
+  // One entry a curve: cap and ramp limits of its block are a choice among all that its budget allows, at first the highest
+  // cap and what that leaves (settle_curves() chooses better). Slices have none.
+  Dynamics along;                     ///< of the path, whatever turns
+  std::vector<std::uint32_t> curved;  ///< blocks that turn, rising
+  std::vector<CurveBudget> budget;
+
   std::size_t size() const { return length.size(); }
   const Dynamics& dynamics_of(std::size_t block) const { return dynamics[ramp[block]]; }
 };
+
+/// Index of these among the dynamics of a chain: the last ones, or new ones. Axes set them where they are not `along`.
+std::uint32_t add_dynamics(const Dynamics& dynamics, SpeedLimits& limits);
 
 /// Blocks begin … end − 1 as a chain of their own, from rest to rest. @pre begin < end ≤ all.size()
 SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end);

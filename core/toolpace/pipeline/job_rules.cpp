@@ -31,6 +31,7 @@ LimitOptions limit_options(const PlanOptions& options) {
   LimitOptions limits;
   limits.corner = options.corner;
   limits.rapid_override = options.rapid_override;
+  limits.keeps_jerk = law_row(options.law).bounds_jerk;
   if (law_row(options.law).uses_time) {
     limits.t_acc = options.t_acc;
     limits.t_dec = options.t_dec;
@@ -54,7 +55,7 @@ bool has_same_limits(const Job& a, const Job& b) {
   const LimitOptions of_a = limit_options(a.options), of_b = limit_options(b.options);
   const auto of_options = [](const LimitOptions& o) {
     return std::tie(o.corner.rule, o.corner.step, o.corner.tolerance, o.corner.junction_deviation, o.rapid_override,
-                    o.t_acc, o.t_dec);
+                    o.keeps_jerk, o.t_acc, o.t_dec);
   };
   return a.machine.period == b.machine.period && of_path(a.machine.path) == of_path(b.machine.path) &&
          of_options(of_a) == of_options(of_b) && a.options.feed_override == b.options.feed_override;

@@ -96,15 +96,16 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<S
   if (!planned) return tl::unexpected(planned.error());
 
   Outcome outcome;
-  outcome.ran = strategy.ran(task);
-  outcome.ignored = strategy.ignored(task);
+  outcome.ran = planned->ran;
+  outcome.ignored = planned->ignored;
   outcome.ignored.include(unused_settings(outcome.ran, *speeds->commands));
   outcome.job = std::move(job);
   outcome.path = std::move(route.path);
   outcome.commands = std::move(speeds->commands);
-  outcome.limits = std::move(speeds->limits);
-  outcome.node_time = delayed_times(std::move(planned->node_time), outcome.path->pauses);
-  outcome.plan = insert_pauses(std::move(planned->plan), outcome.path->pauses, outcome.path->position);
+  outcome.limits = std::move(planned->limits);
+  SmoothPlan& motion = planned->motion;
+  outcome.node_time = delayed_times(std::move(motion.node_time), outcome.path->pauses);
+  outcome.plan = insert_pauses(std::move(motion.plan), outcome.path->pauses, outcome.path->position);
   if (const auto hold = outcome.job->options.hold_at; hold && !is_through_tube(*outcome.job)) {
     auto held = insert_hold(outcome.limits, outcome.plan, outcome.job->options, {*hold}, part_of(monitor, 0.9, 0.95));
     if (!held) return tl::unexpected(held.error());
@@ -117,9 +118,9 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<S
   outcome.warnings = check_travel(*outcome.path, outcome.job->program->moves, outcome.job->machine);
   outcome.summary = summarise(outcome);
   outcome.summary.blends = route.blends;
-  outcome.summary.tube_deviation = planned->deviation;
-  outcome.summary.tube_windows = planned->windows;
-  outcome.summary.tube_fallbacks = planned->fallbacks;
+  outcome.summary.tube_deviation = motion.deviation;
+  outcome.summary.tube_windows = motion.windows;
+  outcome.summary.tube_fallbacks = motion.fallbacks;
   monitor.report(1.0);
   return outcome;
 }
@@ -176,8 +177,9 @@ Result<Outcome> replan(std::shared_ptr<const Job> job, const Outcome& before, co
   const bool reusable = before.job && before.path && !is_through_tube(*job) && !is_through_tube(*before.job);
   if (!reusable || !has_same_route(*job, *before.job)) return run(std::move(job), monitor);
   if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
-  auto speeds = has_same_limits(*job, *before.job) ? Speeds{before.commands, before.limits}
-                                                   : speeds_on(*before.path, *job, monitor);
+  // Limits of curves were chosen for the law and its ramps.
+  const bool same = has_same_limits(*job, *before.job) && before.limits.curved.empty();
+  auto speeds = same ? Speeds{before.commands, before.limits} : speeds_on(*before.path, *job, monitor);
   return plan_along(std::move(job), {before.path, before.summary.blends}, std::move(speeds), monitor);
 }
 

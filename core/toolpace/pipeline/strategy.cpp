@@ -9,6 +9,7 @@
 #include "toolpace/pipeline/many.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/retime/retime.h"
+#include "toolpace/plan/settle_curves.h"
 
 namespace toolpace {
 namespace {
@@ -28,83 +29,123 @@ ForEach on_all_cores(const Monitor& monitor) {
   };
 }
 
-SmoothPlan with_node_times(MotionPlan plan, const SpeedLimits& limits) {
-  SmoothPlan result;
-  result.node_time = node_times(limits, plan);
-  result.plan = std::move(plan);
-  return result;
-}
-
 // Along the path: by the job's own law.
 
 bool takes_any(const Job&, std::size_t) { return true; }
 
-Result<SmoothPlan> plan_along_path(const PlanTask& task, const Monitor& monitor) {
-  auto plan = plan_motion(task.limits, task.job.options, monitor);
-  if (!plan) return tl::unexpected(plan.error());
-  return with_node_times(std::move(*plan), task.limits);
+/// Limits with curves as the plan to come can use them: ramps inside blocks come to rest at the caps, but for a feed hold.
+SpeedLimits settled(const PlanTask& task, const PlanOptions& o, const Monitor& monitor) {
+  if (task.limits.curved.empty()) return std::move(task.limits);
+  const AtCap at_cap = o.ramps == Ramps::block && !o.hold_at ? AtCap::rests : AtCap::changes;
+  return settle_curves(task.limits, {o.law, at_cap}, {monitor.stop, {}});
 }
 
-PlanOptions as_asked(const PlanTask& task) { return task.job.options; }
+Result<Planned> plan_with(const PlanTask& task, const PlanOptions& options, const Monitor& monitor) {
+  Planned planned;
+  planned.limits = settled(task, options, monitor);
+  planned.ran = task.job.options;
+  auto plan = plan_motion(planned.limits, options, monitor);
+  if (!plan) return tl::unexpected(plan.error());
+  planned.motion.plan = std::move(*plan);
+  return planned;
+}
 
-Settings nothing(const PlanTask&) { return {}; }
+/// Ramps inside their blocks leave curves more than ramps across them, and so may be the faster ones.
+Result<Planned> plan_phases(const PlanTask& task, PlanOptions options, const Monitor& monitor) {
+  const bool has_rival = options.ramps == Ramps::span && !task.limits.curved.empty();
+  auto planned = plan_with(task, options, part_of(monitor, 0.0, has_rival ? 0.7 : 1.0));
+  if (!planned || !has_rival) return planned;
+  options.ramps = Ramps::block;
+  auto block = plan_with(task, options, part_of(monitor, 0.7, 1.0));
+  if (!block) return block;
+  return block->motion.plan.cycle_time() < planned->motion.plan.cycle_time() ? block : planned;
+}
 
-// Timed anew: curves under the axes' limits themselves, with jerk and acceleration shared as the motion needs it. Other laws
-// have a shape to keep; a window, and a hold, want caps that can be braked from.
+Result<Planned> plan_along_path(const PlanTask& task, const Monitor& monitor) {
+  auto planned = plan_phases(task, task.job.options, monitor);
+  if (planned) planned->motion.node_time = node_times(planned->limits, planned->motion.plan);
+  return planned;
+}
+
+// Timed anew: curves under the axes' limits themselves, with jerk and acceleration shared as the motion needs it. A window, and
+// a hold, want caps that can be braked from.
+
+bool has_curves(const Job& job) {
+  if (!job.program) return false;
+  const Moves& moves = job.program->moves;
+  return blends_everywhere(job) || asks_for_blends(moves) ||
+         std::any_of(moves.kind.begin(), moves.kind.end(),
+                     [](MoveKind k) { return k == MoveKind::arc || k == MoveKind::spline; });
+}
 
 bool may_be_timed_anew(const Job& job, std::size_t segments) {
   const PlanOptions& o = job.options;
-  const bool jerk_law = o.law == LawKind::seven_phase || o.law == LawKind::time_optimal;
-  return job.refined && jerk_law && o.ramps == Ramps::span && blends_everywhere(job) && !o.lookahead && !o.hold_at &&
-         segments <= kMostRetimed;
+  const bool sees_all = !o.lookahead || *o.lookahead >= segments;
+  return job.refined && o.ramps == Ramps::span && sees_all && !o.hold_at && segments <= kMostRetimed && has_curves(job);
 }
 
-Result<SmoothPlan> plan_anew(const PlanTask& task, const Monitor& monitor) {
-  const auto first = plan_motion(task.limits, task.job.options, part_of(monitor, 0.0, 0.5));
-  if (!first) return tl::unexpected(first.error());
-  MotionPlan plan = retime(task.path, task.commands, task.job.machine, task.limits, *first, on_all_cores(monitor),
-                           part_of(monitor, 0.5, 1.0));
+/// A plan that is near what the limits allow, whatever the law: from there the way to the fastest one is short. Nothing where
+/// the law's own plan is one.
+Result<std::optional<MotionPlan>> start_for(const PlanTask& task, const Monitor& monitor) {
+  PlanOptions options = task.job.options;
+  const bool has_shape = law_row(options.law).bounds_jerk && options.law != LawKind::seven_phase;
+  if (!has_shape || options.law == LawKind::time_optimal) return std::nullopt;
+  options.law = LawKind::seven_phase;
+  auto quick = plan_phases(task, options, monitor);
+  if (!quick) return tl::unexpected(quick.error());
+  return std::move(quick->motion.plan);
+}
+
+Result<Planned> plan_anew(const PlanTask& task, const Monitor& monitor) {
+  if (task.limits.curved.empty()) return plan_along_path(task, monitor);
+  auto planned = plan_phases(task, task.job.options, part_of(monitor, 0.0, 0.2));
+  if (!planned) return planned;
+  const auto other = start_for(task, part_of(monitor, 0.2, 0.3));
+  if (!other) return tl::unexpected(other.error());
+  const MotionPlan& own = planned->motion.plan;
+  const MotionPlan& start = *other ? **other : own;
+  const RetimeTask retiming{task.path, task.commands, task.job.machine, planned->limits, task.job.options};
+  auto timed = retime(retiming, own, start, on_all_cores(monitor), part_of(monitor, 0.3, 1.0));
   if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
-  return with_node_times(std::move(plan), task.limits);
-}
-
-PlanOptions time_optimal(const PlanTask& task) {
-  PlanOptions ran = task.job.options;
-  ran.law = LawKind::time_optimal;
-  return ran;
+  if (timed) {
+    planned->motion.plan = std::move(*timed);
+    // What is timed anew is as fast as the limits allow; five-phase-time's least durations are among these.
+    const LawRow& law = law_row(task.job.options.law);
+    if (law.bounds_jerk && !law.uses_time) planned->ran.law = LawKind::time_optimal;
+  }
+  planned->motion.node_time = node_times(planned->limits, planned->motion.plan);
+  return planned;
 }
 
 // Through the tube.
 
 bool goes_through_tube(const Job& job, std::size_t) { return is_through_tube(job); }
 
-Result<SmoothPlan> plan_through_tube(const PlanTask& task, const Monitor& monitor) {
-  return plan_smooth(task.path, task.commands, task.job.machine, task.limits, task.job.options, on_all_cores(monitor),
-                     monitor);
-}
-
 /// Blocks under G61 and G61.1 stay on the path, and are planned by the job's own law.
 bool has_exact_blocks(const PlanTask& task) {
   return std::any_of(task.commands.begin(), task.commands.end(), [](const Command& c) { return is_exact(c.control); });
 }
 
-PlanOptions of_tube(const PlanTask& task) {
-  if (has_exact_blocks(task)) return task.job.options;
-  PlanOptions ran = time_optimal(task);
-  ran.ramps = Ramps::span;
-  ran.lookahead.reset();
-  return ran;
-}
-
-Settings ignored_by_tube(const PlanTask& task) {
-  if (has_exact_blocks(task)) return {};
-  return {Setting::law, Setting::ramps, Setting::lookahead};
+Result<Planned> plan_through_tube(const PlanTask& task, const Monitor& monitor) {
+  Planned planned;
+  planned.ran = task.job.options;
+  planned.limits = settled(task, task.job.options, monitor);
+  auto motion = plan_smooth(task.path, task.commands, task.job.machine, planned.limits, task.job.options,
+                            on_all_cores(monitor), monitor);
+  if (!motion) return tl::unexpected(motion.error());
+  planned.motion = std::move(*motion);
+  if (has_exact_blocks(task)) return planned;
+  planned.ran.law = LawKind::time_optimal;
+  planned.ran.ramps = Ramps::span;
+  planned.ran.lookahead.reset();
+  planned.ignored = {Setting::law, Setting::ramps, Setting::lookahead};
+  return planned;
 }
 
 constexpr Strategy kStrategies[] = {
-    {"through-tube", goes_through_tube, plan_through_tube, of_tube, ignored_by_tube},
-    {"timed-anew", may_be_timed_anew, plan_anew, time_optimal, nothing},
-    {"along-path", takes_any, plan_along_path, as_asked, nothing},
+    {"through-tube", goes_through_tube, plan_through_tube},
+    {"timed-anew", may_be_timed_anew, plan_anew},
+    {"along-path", takes_any, plan_along_path},
 };
 
 bool has_jerk_limit(const Machine& machine) {

@@ -15,16 +15,22 @@ struct PlanTask {
   const Job& job;
   const Path& path;
   const Commands& commands;
-  const SpeedLimits& limits;
+  SpeedLimits& limits;  ///< of limit_speed(): curves at their top speeds. May be taken away
+};
+
+/// What comes of it.
+struct Planned {
+  SmoothPlan motion;
+  SpeedLimits limits;     ///< that it was planned under
+  PlanOptions ran = {};   ///< what of the job's options it really used, and what instead of others
+  Settings ignored = {};  ///< what of the job's options changes nothing under it
 };
 
 /// A new way is one row of the table in strategy.cpp.
 struct Strategy {
   std::string_view id;
   bool (*takes)(const Job& job, std::size_t segments);  ///< can it run this job? The first row that can does
-  Result<SmoothPlan> (*plan)(const PlanTask& task, const Monitor& monitor);
-  PlanOptions (*ran)(const PlanTask& task);   ///< what of the job's options it really uses, and what instead of others
-  Settings (*ignored)(const PlanTask& task);  ///< what of the job's options changes nothing under it
+  Result<Planned> (*plan)(const PlanTask& task, const Monitor& monitor);
 };
 
 const Strategy& strategy_of(const Job& job, std::size_t segments);

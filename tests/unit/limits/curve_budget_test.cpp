@@ -41,46 +41,78 @@ std::array<AxisLimits, kAxisCount> axes_with(double speed, double acceleration, 
 }
 
 TEST(CurveBudget, LineLeavesWhatItsDirectionAllows) {
-  CurveBounds bounds{AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
+  CurveBounds bounds;
   bounds.first << 0.6, 0.8, 0, 0, 0, 0;
-  const CurveBudget budget = curve_budget(bounds, axes_with(100, 2000, 50000), 1000);
+  const CurveBudget budget = curve_budget(bounds, axes_with(100, 2000, 50000));
+  EXPECT_FALSE(budget.bends());
   EXPECT_DOUBLE_EQ(budget.speed, 125);
-  EXPECT_DOUBLE_EQ(budget.acceleration, 2500);
-  EXPECT_DOUBLE_EQ(budget.jerk, 62500);
-  EXPECT_FALSE(budget.is_curvature);
+  EXPECT_DOUBLE_EQ(budget.at(100, AtCap::changes).acceleration, 2500);
+  EXPECT_DOUBLE_EQ(budget.at(100, AtCap::rests).jerk, 62500);
+}
+
+// Full circle of radius r: √(a² + v⁴/r²) ≤ A, so 44 % of A are free where turning takes 90 %.
+TEST(CurveBudget, TurningAndChangingSpeedAreAtRightAngles) {
+  const auto path = build_path(one_arc(5, 2 * std::numbers::pi, 0, 1000), 0);
+  ASSERT_TRUE(path);
+  const CurveBudget budget = curve_budget(curve_bounds(*path, 0), axes_with(1000, 2000, kUnlimited));
+  EXPECT_NEAR(budget.square, 2000 * 5, 1e-6);
+  const double v = std::sqrt(0.9 * 2000 * 5);
+  EXPECT_NEAR(budget.at(v, AtCap::changes).acceleration, std::sqrt(1 - 0.81) * 2000, 1e-6);
+  // With jerk limits: (j + v³/r²)² + (3va/r)² ≤ J², at constant speed v³/r² ≤ J.
+  const CurveBudget jerky = curve_budget(curve_bounds(*path, 0), axes_with(1000, 1e6, 50000));
+  EXPECT_NEAR(jerky.top_speed(), 0.999 * std::cbrt(50000.0 * 25), 1e-6);
+  const CurveShare share = jerky.at(60, AtCap::changes);
+  EXPECT_NEAR(std::hypot(share.jerk + 60 * 60 * 60 / 25.0, 3 * 60 * share.acceleration / 5), 50000, 1e-6);
 }
 
 TEST(CurveBudget, SmallCircleIsCappedByItsCurvature) {
   const auto path = build_path(one_arc(0.5, std::numbers::pi, 0, 1000), 0);
   ASSERT_TRUE(path);
-  const CurveBudget budget = curve_budget(curve_bounds(*path, 0), axes_with(1000, 2000, kUnlimited), 1000);
-  EXPECT_TRUE(budget.is_curvature);
-  EXPECT_LE(budget.speed * budget.speed / 0.5, 2000);
-  EXPECT_GT(budget.acceleration, 0);
+  const CurveBudget budget = curve_budget(curve_bounds(*path, 0), axes_with(1000, 2000, kUnlimited));
+  EXPECT_LE(budget.top_speed() * budget.top_speed() / 0.5, 2000);
+  EXPECT_GT(budget.at(budget.top_speed(), AtCap::changes).acceleration, 0);
 }
 
-// Whatever v ≤ speed, |a| ≤ acceleration, |j| ≤ jerk: axis acceleration u·a + k·v² and axis jerk u·j + 3k·v·a + t·v³.
+/// What an axis does at a place of a path.
+void expect_within(const Frame& f, double v, double a, double j, const std::array<AxisLimits, kAxisCount>& axes,
+                   int n) {
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const AxisLimits& axis = axes[static_cast<std::size_t>(k)];
+    EXPECT_LE(std::abs(f.first[k] * v), axis.speed * (1 + 1e-9)) << "case " << n;
+    EXPECT_LE(std::abs(f.first[k] * a + f.second[k] * v * v), axis.acceleration * (1 + 1e-9)) << "case " << n;
+    EXPECT_LE(std::abs(f.first[k] * j + 3 * f.second[k] * v * a + f.third[k] * v * v * v), axis.jerk * (1 + 1e-9))
+        << "case " << n;
+  }
+}
+
+// Whatever v ≤ cap, |a| ≤ acceleration, |j| ≤ jerk: axis acceleration u·a + k·v² and axis jerk u·j + 3k·v·a + t·v³.
 TEST(CurveBudget, AxesKeepTheirLimitsOnRandomArcsAnywhere) {
   std::mt19937_64 random(20260101);
   std::uniform_real_distribution<double> unit(-1, 1);
-  for (int n = 0; n < 3000; ++n) {
+  for (int n = 0; n < 4000; ++n) {
     const double radius = std::pow(10, 2 * unit(random)), sweep = 0.01 + 3.2 * (1 + unit(random));
-    const auto path = build_path(one_arc(radius, sweep, 3 * radius * unit(random), 1000), 0);
+    const auto path = build_path(one_arc(radius, sweep, n % 2 == 0 ? 3 * radius * unit(random) : 0.0, 1000), 0);
     ASSERT_TRUE(path);
-    const auto axes = axes_with(100 * (2 + unit(random)), 1000 * (2 + unit(random)), 30000 * (2 + unit(random)));
-    const CurveBudget b = curve_budget(curve_bounds(*path, 0), axes, 100);
-    ASSERT_GT(b.speed, 0);
-    ASSERT_GT(b.acceleration, 0);
-    ASSERT_GT(b.jerk, 0);
+    auto axes = axes_with(100 * (2 + unit(random)), 1000 * (2 + unit(random)), 30000 * (2 + unit(random)));
+    axes[1].acceleration *= 2 + unit(random);
+    axes[0].jerk *= 2 + unit(random);
+    const CurveBudget b = curve_budget(curve_bounds(*path, 0), axes);
+    const double cap = b.top_speed() * (1 - 0.5 * std::abs(unit(random)));
+    ASSERT_GT(cap, 0);
+    const CurveShare any = b.at(cap, AtCap::changes), rested = b.at(cap, AtCap::rests);
+    for (const CurveShare& s : {any, rested}) {
+      ASSERT_GT(s.acceleration, 0);
+      ASSERT_GT(s.jerk, 0);
+    }
+    EXPECT_GE(rested.jerk, any.jerk * 0.8) << "case " << n;
     for (int m = 0; m < 30; ++m) {
       const Frame f = frame_at(*path, 0, path->length[0] * (1 + unit(random)) / 2);
-      const double v = b.speed * (1 + unit(random)) / 2, a = b.acceleration * unit(random), j = b.jerk * unit(random);
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        const AxisLimits& axis = axes[static_cast<std::size_t>(k)];
-        EXPECT_LE(std::abs(f.first[k] * v), axis.speed * (1 + 1e-9));
-        EXPECT_LE(std::abs(f.first[k] * a + f.second[k] * v * v), axis.acceleration * (1 + 1e-9)) << "case " << n;
-        EXPECT_LE(std::abs(f.first[k] * j + 3 * f.second[k] * v * a + f.third[k] * v * v * v), axis.jerk * (1 + 1e-9));
-      }
+      expect_within(f, cap * (1 + unit(random)) / 2, any.acceleration * unit(random), any.jerk * unit(random), axes, n);
+      // Below the cap by what the jerk needs to take the acceleration away, and above what it needed to build it up.
+      const double a = std::min(rested.acceleration, std::sqrt(rested.jerk * cap)) * unit(random);
+      const double room = a * a / (2 * rested.jerk);
+      const double v = room + (cap - 2 * room) * (1 + unit(random)) / 2;
+      expect_within(f, v, a, rested.jerk * (m % 2 == 0 ? 1 : -1), axes, n);
     }
   }
 }
@@ -90,7 +122,7 @@ TEST(CurveBudget, AxesKeepTheirLimitsOnRandomArcsAnywhere) {
 void expect_tight(const Path& path, std::size_t i, const char* what) {
   constexpr int kSamples = 1500;
   const CurveBounds bound = curve_bounds(path, i);
-  CurveBounds most{AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
+  CurveBounds most;
   for (int k = 0; k <= kSamples; ++k) {
     const ParameterDerivatives d = derivatives_at_share(path, i, static_cast<double>(k) / kSamples);
     most.first = most.first.cwiseMax(d.first.cwiseAbs());

@@ -55,6 +55,20 @@ double time_with(const SpeedLimits& limits) {
 
 }  // namespace
 
+BlockSpeeds block_ramp_speeds(const SpeedLimits& limits, LawKind law) {
+  return visit_law(law, [&](auto chosen) {
+    using Law = decltype(chosen);
+    const std::vector<double> cap = joined_caps(limits);
+    const std::vector<MoveTerms> terms = terms_of<Law>(limits.dynamics);
+    BlockSpeeds v{speeds_of_whole_chain<Law>({limits.length, limits.ramp, limits.dynamics, terms, cap}), {}};
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      v.peak.push_back(
+          peak_speed({0, limits.length[i], limits.block_cap[i], v.node[i], v.node[i + 1]}, terms[limits.ramp[i]]));
+    }
+    return v;
+  });
+}
+
 double time_block_ramps(const SpeedLimits& limits, LawKind law) {
   return visit_law(law, [&](auto chosen) { return time_with<decltype(chosen)>(limits); });
 }

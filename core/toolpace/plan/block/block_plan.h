@@ -18,6 +18,13 @@ std::vector<double> joined_caps(const SpeedLimits& limits);
 /// Cycle time of plan_block_ramps over the whole chain, without the plan [s].
 double time_block_ramps(const SpeedLimits& limits, LawKind law);
 
+/// Speeds of that plan [mm/s].
+struct BlockSpeeds {
+  std::vector<double> node;
+  std::vector<double> peak;  ///< of each block
+};
+BlockSpeeds block_ramp_speeds(const SpeedLimits& limits, LawKind law);
+
 /// @param blocks  look-ahead, ≥ 1
 /// @return no phases when cancelled
 MotionPlan plan_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks, const Monitor& monitor);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/law/law_table.h"
+#include "toolpace/limits/curve_axes.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/retime/stretch_retimer.h"
 
@@ -20,22 +22,30 @@ constexpr std::size_t kBatch = 64;      // stretches that are timed before they 
 
 class PlanRetimer {
  public:
-  PlanRetimer(const Path& path, const Commands& commands, const Machine& machine, const SpeedLimits& limits,
-              const MotionPlan& plan)
-      : path_(path),
-        machine_(machine),
-        limits_(limits),
+  PlanRetimer(const RetimeTask& task, const MotionPlan& plan, const MotionPlan& start)
+      : path_(task.path),
+        limits_(task.limits),
+        keeps_jerk_(law_row(task.options.law).bounds_jerk),
+        axes_(curve_axes(task.machine, keeps_jerk_)),
+        along_(limits_along(task)),
         plan_(plan),
-        node_time_(node_times(limits, plan)),
-        position_(node_positions(limits)) {
+        start_(start),
+        node_time_(node_times(task.limits, plan)),
+        start_time_(node_times(task.limits, start)),
+        position_(node_positions(task.limits)) {
     // The caps of curves are what is to be beaten; on lines they are what is commanded and what the axes can do.
-    speed_.reserve(path.size());
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      speed_.push_back(path.kind[i] == SegmentKind::line ? limits.block_cap[i] : commands[i].speed);
+    speed_.reserve(path_.size());
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      speed_.push_back(path_.kind[i] == SegmentKind::line ? limits_.block_cap[i] : task.commands[i].speed);
+    }
+    corner_.assign(path_.size() + 1, kUnlimited);
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      if (limits_.node_cap[i] < std::min(limits_.block_cap[i - 1], limits_.block_cap[i]))
+        corner_[i] = limits_.node_cap[i];
     }
   }
 
-  MotionPlan run(const ForEach& for_each, const Monitor& monitor) {
+  std::optional<MotionPlan> run(const ForEach& for_each, const Monitor& monitor) {
     for (std::size_t begin = 0; begin < path_.size();) {
       std::vector<Stretch> batch;
       for (; begin < path_.size() && batch.size() < kBatch; begin = batch.back().end)
@@ -47,14 +57,31 @@ class PlanRetimer {
       for (const Stretch& s : batch) add(s);
       monitor.report(static_cast<double>(begin) / static_cast<double>(path_.size()));
     }
+    if (!is_faster_) return {};
     return std::move(out_);
   }
 
  private:
+  /// What holds along the path, whatever turns.
+  static detail::retime::AlongLimits limits_along(const RetimeTask& task) {
+    const PathLimits& p = task.machine.path;
+    const LawRow& law = law_row(task.options.law);
+    detail::retime::AlongLimits along{std::min(p.acceleration, p.deceleration), std::min(p.jerk, p.jerk_deceleration)};
+    if (!law.bounds_jerk) along.jerk = kUnlimited;
+    const double least = law.uses_time ? std::max(task.options.t_acc, task.options.t_dec) : 0.0;
+    if (!(least > 0)) return along;
+    double top = 0;
+    for (const Command& c : task.commands) top = std::max(top, c.speed);
+    along.acceleration = std::min(along.acceleration, 2 * top / least);
+    along.jerk = std::min(along.jerk, 4 * top / (least * least));
+    return along;
+  }
+
   /// From one rest to the next.
   struct Stretch {
     std::size_t begin, end;              ///< segments
     std::size_t first_phase, end_phase;  ///< of the plan
+    std::size_t first_start;             ///< phase of the start
     ArcMotion motion = {};               ///< empty where the plan's own stays
   };
 
@@ -63,18 +90,22 @@ class PlanRetimer {
     while (end < path_.size() && limits_.node_cap[end] > 0) ++end;
     const std::size_t first = phase_;
     while (phase_ < plan_.phases.size() && plan_.phases[phase_].begin + kTimeRounding < node_time_[end]) ++phase_;
-    return {begin, end, first, phase_};
+    const std::size_t first_start = start_phase_;
+    while (start_phase_ < start_.phases.size() &&
+           start_.phases[start_phase_].begin + kTimeRounding < start_time_[end]) {
+      ++start_phase_;
+    }
+    return {begin, end, first, phase_, first_start};
   }
 
   void time_anew(Stretch& s, const Monitor& monitor) const {
     if (!may_gain(s.begin, s.end)) return;
-    detail::retime::StretchRetimer retimer({path_, machine_, speed_, s.begin, s.end});
-    ArcMotion motion = retimer.run(start(s.begin, s.end, s.first_phase), {monitor.stop, {}});
+    detail::retime::StretchRetimer retimer({path_, axes_, along_, speed_, corner_, s.begin, s.end});
+    ArcMotion motion = retimer.run(start(s.begin, s.end, s.first_start), {monitor.stop, {}});
     if (!motion.empty() && motion.duration() < node_time_[s.end] - node_time_[s.begin]) s.motion = std::move(motion);
   }
 
-  /// Lines alone are run as fast as they can be; speed steps at corners are the corner rule's. Every moving axis of X, Y, Z
-  /// has to be limited.
+  /// Lines alone are run as fast as they can be. Every moving axis of X, Y, Z has to be limited.
   bool may_gain(std::size_t begin, std::size_t end) const {
     bool is_curved = false;
     double least = 0;
@@ -82,14 +113,12 @@ class PlanRetimer {
       is_curved |= path_.kind[i] != SegmentKind::line;
       least += path_.length[i] / speed_[i];
       if (is_rotary_only(path_, i)) return false;
-      if (i > begin && limits_.node_cap[i] < std::min(limits_.block_cap[i - 1], limits_.block_cap[i])) return false;
     }
     const double duration = node_time_[end] - node_time_[begin];
     if (!is_curved || duration <= kWorthwhile * least || !(duration <= kLongest)) return false;
     for (std::size_t a = 0; a < 3; ++a) {
-      const AxisLimits& axis = machine_.axes[a];
-      if ((axis.acceleration < kUnlimited && axis.jerk < kUnlimited) || !moves(a, begin, end)) continue;
-      return false;
+      const bool is_limited = axes_[a].acceleration < kUnlimited && (!keeps_jerk_ || axes_[a].jerk < kUnlimited);
+      if (!is_limited && moves(a, begin, end)) return false;
     }
     return true;
   }
@@ -103,7 +132,10 @@ class PlanRetimer {
   }
 
   void add(const Stretch& s) {
-    if (!s.motion.empty()) return add(s.motion, position_[s.begin]);
+    if (!s.motion.empty()) {
+      is_faster_ = true;
+      return add(s.motion, position_[s.begin]);
+    }
     const double from = node_time_[s.begin], to = node_time_[s.end];
     for (std::size_t i = s.first_phase; i < s.end_phase; ++i) {
       out_.phases.push_back(plan_.phases[i]);
@@ -121,17 +153,17 @@ class PlanRetimer {
     }
   }
 
-  /// The plan's own motion, on knots.
+  /// The start, on knots.
   ArcMotion start(std::size_t begin, std::size_t end, std::size_t phase) const {
     using detail::retime::kInterval;
-    const double from = node_time_[begin], duration = node_time_[end] - from;
+    const double from = start_time_[begin], duration = start_time_[end] - from;
     const auto n = std::max(detail::retime::kLeastIntervals, static_cast<std::size_t>(std::ceil(duration / kInterval)));
     const double step = duration / static_cast<double>(n), length = position_[end] - position_[begin];
     std::vector<double> position(n + 1);
     for (std::size_t k = 0; k <= n; ++k) {
       const double t = from + static_cast<double>(k) * step;
-      while (phase + 1 < plan_.phases.size() && plan_.phases[phase + 1].begin <= t) ++phase;
-      const Phase& p = plan_.phases[phase];
+      while (phase + 1 < start_.phases.size() && start_.phases[phase + 1].begin <= t) ++phase;
+      const Phase& p = start_.phases[phase];
       const double at = evaluate(p, std::clamp(t - p.begin, 0.0, p.duration)).distance - position_[begin];
       position[k] = std::clamp(at, k > 0 ? position[k - 1] : 0.0, length);
     }
@@ -141,21 +173,25 @@ class PlanRetimer {
   }
 
   const Path& path_;
-  const Machine& machine_;
   const SpeedLimits& limits_;
-  std::vector<double> speed_;  // at most, of each segment, curvature aside
-  const MotionPlan& plan_;
-  std::vector<double> node_time_, position_;
-  std::size_t phase_ = 0;
+  bool keeps_jerk_;
+  std::array<AxisLimits, kAxisCount> axes_;
+  detail::retime::AlongLimits along_;
+  std::vector<double> speed_;   // at most, of each segment, curvature aside
+  std::vector<double> corner_;  // at most, of each node; infinite where only its segments hold it down
+  const MotionPlan &plan_, &start_;
+  std::vector<double> node_time_, start_time_, position_;
+  std::size_t phase_ = 0, start_phase_ = 0;
   double time_ = 0;
+  bool is_faster_ = false;
   MotionPlan out_;
 };
 
 }  // namespace
 
-MotionPlan retime(const Path& path, const Commands& commands, const Machine& machine, const SpeedLimits& limits,
-                  const MotionPlan& plan, const ForEach& for_each, const Monitor& monitor) {
-  return PlanRetimer(path, commands, machine, limits, plan).run(for_each, monitor);
+std::optional<MotionPlan> retime(const RetimeTask& task, const MotionPlan& plan, const MotionPlan& start,
+                                 const ForEach& for_each, const Monitor& monitor) {
+  return PlanRetimer(task, plan, start).run(for_each, monitor);
 }
 
 }  // namespace toolpace

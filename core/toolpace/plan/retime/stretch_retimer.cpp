@@ -64,8 +64,7 @@ StretchRetimer::StretchRetimer(const StretchTask& task) : task_(task) {
     }
     if (moves) axes_.push_back(a);
   }
-  const PathLimits& p = task.machine.path;
-  is_limited_along_ = std::min({p.acceleration, p.deceleration, p.jerk, p.jerk_deceleration}) < kUnlimited;
+  is_limited_along_ = std::min(task.along.acceleration, task.along.jerk) < kUnlimited;
 }
 
 ArcMotion StretchRetimer::run(ArcMotion motion, const Monitor& monitor) {
@@ -87,13 +86,12 @@ void StretchRetimer::set_limits(double step, double share) {
   const double square = step * step * share, cube = step * step * step * share;
   limits_.count = axes_.size();
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    limits_.acceleration[i] = task_.machine.axes[axes_[i]].acceleration * square;
-    limits_.jerk[i] = task_.machine.axes[axes_[i]].jerk * cube;
+    limits_.acceleration[i] = task_.axes[axes_[i]].acceleration * square;
+    limits_.jerk[i] = task_.axes[axes_[i]].jerk * cube;
   }
   if (!is_limited_along_) return;
-  const PathLimits& p = task_.machine.path;
-  limits_.acceleration[limits_.count] = std::min(p.acceleration, p.deceleration) * square;
-  limits_.jerk[limits_.count] = std::min(p.jerk, p.jerk_deceleration) * cube;
+  limits_.acceleration[limits_.count] = task_.along.acceleration * square;
+  limits_.jerk[limits_.count] = task_.along.jerk * cube;
   ++limits_.count;
 }
 
@@ -114,7 +112,7 @@ StretchRetimer::Sample StretchRetimer::sample_along(const ArcMotion::State& s, c
     r.first[i] = d.first[k] * v;
     r.second[i] = d.second[k] * v * v + d.first[k] * a;
     r.third[i] = d.third[k] * v * v * v + 3 * d.second[k] * v * a + d.first[k] * s.jerk;
-    r.speed_ratio = std::max(r.speed_ratio, std::abs(r.first[i]) / task_.machine.axes[axes_[i]].speed);
+    r.speed_ratio = std::max(r.speed_ratio, std::abs(r.first[i]) / task_.axes[axes_[i]].speed);
   }
   if (is_limited_along_) {
     r.first[axes_.size()] = v;
@@ -126,11 +124,16 @@ StretchRetimer::Sample StretchRetimer::sample_along(const ArcMotion::State& s, c
 
 /// Of each axis the sample counts that comes nearest to a limit.
 void StretchRetimer::measure_interval(const ArcMotion& motion, std::size_t k, int samples, PathSampler& sampler) {
+  const double last = motion.knot(k + 1).distance;
   IntervalUse& use = use_[k];
   const double h = motion.step(k), scale = motion.step(0) / h;
   std::array<double, kMostAxes> nearest;
   nearest.fill(-1.0);
   double fastest = 1 / std::sqrt(kOpen);
+  sampler.go(motion.knot(k).distance);
+  for (; sampler.end() < last && sampler.segment() + 1 < task_.end; sampler.enter_next()) {
+    fastest = std::max(fastest, corner_ratio(motion, k, sampler));
+  }
   for (int q = 0; q < samples; ++q) {
     const ArcMotion::State state = motion.at(k, (q + 0.5) / samples);
     sampler.go(state.distance);
@@ -147,6 +150,12 @@ void StretchRetimer::measure_interval(const ArcMotion& motion, std::size_t k, in
     }
   }
   use.fastest = std::max(1 / (fastest * fastest), kTouch);
+}
+
+/// Speed at the node at which the sampler's segment ends, inside interval k, as a part of what the corner allows.
+double StretchRetimer::corner_ratio(const ArcMotion& motion, std::size_t k, const PathSampler& sampler) const {
+  const double most = task_.corner[sampler.segment() + 1];
+  return most < kUnlimited ? motion.at(k, motion.share_at(k, sampler.end(), 0.0)).speed / most : 0.0;
 }
 
 void StretchRetimer::measure(const ArcMotion& motion, int samples) {
@@ -199,6 +208,7 @@ double StretchRetimer::peak_of_interval(const ArcMotion& motion, std::size_t k, 
     const double to = ends_beyond ? 1.0 : motion.share_at(k, sampler.end(), from);
     excess = std::max(excess, peak_of_piece(motion, k, from, to, sampler));
     if (ends_beyond) return excess;
+    excess = std::max(excess, corner_ratio(motion, k, sampler));
     sampler.enter_next();
     from = to;
   }

@@ -15,12 +15,19 @@ namespace toolpace::detail::retime {
 inline constexpr double kInterval = 0.002;  ///< between knots [s]
 inline constexpr std::size_t kLeastIntervals = 8;
 
+/// Limits along the path; may be infinite.
+struct AlongLimits {
+  double acceleration, jerk;  ///< [mm/s², mm/s³]
+};
+
 /// What a stretch runs along, and at most how fast.
 struct StretchTask {
   const Path& path;
-  const Machine& machine;
-  const std::vector<double>& speed;  ///< commanded, of each segment [mm/s]
-  std::size_t begin, end;            ///< segments begin … end − 1
+  const std::array<AxisLimits, kAxisCount>& axes;
+  const AlongLimits& along;
+  const std::vector<double>& speed;   ///< commanded, of each segment [mm/s]
+  const std::vector<double>& corner;  ///< at each node [mm/s]; infinite for none
+  std::size_t begin, end;             ///< segments begin … end − 1
 };
 
 /// Rounds of faster (in windows that move by half from round to round) and slower, until every limit is kept everywhere.
@@ -37,6 +44,7 @@ class StretchRetimer {
   void set_limits(double step, double share);
   void measure(const ArcMotion& motion, int samples);
   void measure_interval(const ArcMotion& motion, std::size_t k, int samples, PathSampler& sampler);
+  double corner_ratio(const ArcMotion& motion, std::size_t k, const PathSampler& sampler) const;
   double find_peaks(const ArcMotion& motion);
   double peak_of_interval(const ArcMotion& motion, std::size_t k, PathSampler& sampler) const;
   double peak_of_piece(const ArcMotion& motion, std::size_t k, double from, double to, PathSampler& sampler) const;

@@ -1,0 +1,27 @@
+#pragma once
+/// How fast to go round curves: the cap of each, and so what it leaves for changes of speed.
+
+#include "toolpace/base/monitor.h"
+#include "toolpace/law/law.h"
+#include "toolpace/limits/curve_budget.h"
+#include "toolpace/limits/speed_limits.h"
+
+namespace toolpace {
+
+/// What the choice is made for.
+struct CurveUse {
+  LawKind law;
+  AtCap at_cap;  ///< rests: only for plans whose ramps end inside their blocks
+};
+
+/// Limits of a chain with the curves' caps and ramp limits chosen for a law.
+///
+/// The fastest speed round a curve leaves nothing to reach it with. So between rests (and corners that are nearly rests) the
+/// curves' caps are tried at a share of their top speeds, the same for all, and the share is searched that makes the law's own
+/// plan of ramps inside blocks fastest; where a curve is then run through at constant speed it gets its top speed, and where its
+/// cap is not reached one that is, if that saves time, too. Caps that the feed sets stay where they are. Chains without curves stay as they are; others cost about
+/// a dozen plans' scans.
+/// @param widest  of limit_speed()
+SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor& monitor = {});
+
+}  // namespace toolpace
