@@ -12,8 +12,6 @@
 namespace toolpace {
 namespace {
 
-constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
-
 TomlPath path_of(const std::string& section) {
   const std::size_t dot = section.find('.');
   if (dot == std::string::npos) return {section};

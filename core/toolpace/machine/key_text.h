@@ -3,11 +3,14 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "toolpace/machine/setup_keys.h"
 
 namespace toolpace {
+
+inline constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";  ///< that some editors put in front of the text
 
 struct KeyText {
   std::string name;

@@ -10,6 +10,7 @@
 #include "toolpace/base/nearest_word.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
+#include "toolpace/machine/key_text.h"
 #include "toolpace/machine/setup_keys.h"
 #include "toolpace/machine/toml_library.h"
 
@@ -283,7 +284,6 @@ Setup default_setup() {
 }
 
 Result<Setup> parse_setup(std::string_view text, const std::string& name, UnknownKeys unknown) {
-  constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
   if (text.rfind(kUtf8Mark, 0) == 0) text.remove_prefix(kUtf8Mark.size());
   // The parser is not safe against every letter outside of ASCII where there should be none: the structure is read
   // without them first.
