@@ -50,7 +50,7 @@ class BackgroundTest : public QObject {
     QSignalSpy finished(&worker, &Background::finished);
     worker.start(std::move(task), [this](const Error& error) { errors_.push_back(error); });
     QVERIFY(worker.isBusy());
-    QTRY_COMPARE(finished.count(), 1);
+    TOOLPACE_EVENTUALLY_EQUAL(finished.count(), 1);
     QVERIFY(!worker.isBusy());
   }
 
@@ -89,7 +89,7 @@ class BackgroundTest : public QObject {
     {
       const MemoryLimit limit(kLittle);
       window.workspace().openText(winding_text(kBlocks), "long.ngc");
-      QTRY_VERIFY(!window.workspace().isBusy());
+      TOOLPACE_EVENTUALLY(!window.workspace().isBusy());
     }
     QCOMPARE(failed.count(), 1);
     QCOMPARE(failed[0][0].value<Error>().code, std::string("out-of-memory"));
@@ -106,7 +106,7 @@ class BackgroundTest : public QObject {
     {
       const MemoryLimit limit(kLittle);
       window.workspace().tuning().edit("a", "a", [](Tuning& t) { t.machine.path.acceleration = 1500; });
-      QTRY_VERIFY(!window.workspace().isBusy());
+      TOOLPACE_EVENTUALLY(!window.workspace().isBusy());
     }
     QVERIFY(has_problem(window.workspace(), "out-of-memory"));
     QVERIFY(window.workspace().isStale());
@@ -127,7 +127,7 @@ class BackgroundTest : public QObject {
         if (workspace.plan() && !limit) limit.emplace(kLittle);
       });
       workspace.openText(winding_text(kBlocks), "long.ngc");
-      QTRY_VERIFY_WITH_TIMEOUT(has_problem(workspace, "out-of-memory"), 60'000);
+      TOOLPACE_EVENTUALLY(has_problem(workspace, "out-of-memory"));
     }
     QVERIFY(MemoryLimit::refusals() > before);
     QVERIFY(has_problem(window.workspace(), "out-of-memory"));
@@ -145,7 +145,7 @@ class BackgroundTest : public QObject {
       const MemoryLimit limit(kLittle);
       sweep.compute();
       what_if.compute();
-      QTRY_COMPARE_WITH_TIMEOUT(swept.count() + saved.count(), 2, 60'000);
+      TOOLPACE_EVENTUALLY_EQUAL(swept.count() + saved.count(), 2);
     }
     QCOMPARE(window.the<QLabel>("sweepVerdict").text(), QString("there is not enough memory for this"));
     QVERIFY(window.the<QPushButton>("sweepButton").isEnabled());
@@ -160,7 +160,7 @@ class BackgroundTest : public QObject {
     {
       const MemoryLimit limit(kLittle);
       window.saveSetpoints(folder.filePath("out.csv"));
-      QTRY_VERIFY(window.isSettled());
+      TOOLPACE_EVENTUALLY(window.isSettled());
     }
     QCOMPARE(failed.count(), 1);
     QVERIFY(QDir(folder.path()).isEmpty(QDir::Files | QDir::Hidden));

@@ -60,14 +60,14 @@ class EditTest : public QObject {
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X105"));
     QVERIFY(window.isWindowModified());
     QVERIFY(window.windowTitle().startsWith("square.ngc[*]"));
-    QTRY_VERIFY(window.the<QLabel>("programDockBadge").isVisible());
+    TOOLPACE_EVENTUALLY(window.the<QLabel>("programDockBadge").isVisible());
     QVERIFY(window.actions().save_program->isEnabled());
     QVERIFY2(!window.view().findChild<QLineEdit*>(), "Enter ends the edit and begins no other");
     studio::settle(window);
     screenshot(window, "edited");
     window.actions().undo->trigger();
     QVERIFY(!window.isWindowModified());
-    QTRY_VERIFY(!window.the<QLabel>("programDockBadge").isVisible());
+    TOOLPACE_EVENTUALLY(!window.the<QLabel>("programDockBadge").isVisible());
   }
 
   void an_edit_is_seen_at_once_and_none_is_lost_while_the_one_before_is_read() {

@@ -34,8 +34,8 @@ class Editing : public Opened {
   void save() {
     QSignalSpy saved(&workspace(), &Workspace::saved);
     actions().save_program->trigger();
-    QTRY_COMPARE(saved.count(), 1);
-    QTRY_VERIFY(!workspace().isSaving());
+    TOOLPACE_EVENTUALLY_EQUAL(saved.count(), 1);
+    TOOLPACE_EVENTUALLY(!workspace().isSaving());
   }
 };
 

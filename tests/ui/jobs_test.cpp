@@ -15,14 +15,13 @@
 #include "jobs/mailbox.h"
 #include "jobs/tune_service.h"
 #include "jobs/workspace.h"
+#include "support/patience.h"
 #include "support/ui_test.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
 
 namespace {
-
-constexpr int kPatience = 60000;  // ms
 
 const QByteArray kSquare = "G21 G90 G94\nG1 F1200 X10\nY10\nX0\nY0\nM2\n";
 const QByteArray kTurn = "G21 G90 G94\nG1 F600 X5 A90\nG2 X10 I2.5\nG4 P0.1\nG1 Y3\nM2\n";
@@ -65,7 +64,7 @@ class Hurry {
 };
 
 bool comes_to_rest(const Workspace& workspace) {
-  return QTest::qWaitFor([&] { return !workspace.isBusy() && !workspace.isProving(); }, kPatience);
+  return eventually([&] { return !workspace.isBusy() && !workspace.isProving(); });
 }
 
 }  // namespace
@@ -92,7 +91,7 @@ class JobsTest : public QObject {
       });
     }
     const auto is_done = [&] { return done[0].size() + done[1].size() == 2 * kLetters; };
-    QVERIFY(QTest::qWaitFor(is_done, kPatience));
+    QVERIFY(eventually(is_done));
     for (auto& writer : writers) writer.join();
     std::vector<int> in_order(kLetters);
     std::iota(in_order.begin(), in_order.end(), 0);
@@ -104,9 +103,9 @@ class JobsTest : public QObject {
   void a_letter_that_waits_for_the_next_one_gets_it() {
     Mailbox mailbox;
     bool is_next_done = false, has_waited = false;
-    mailbox.post([&] { has_waited = QTest::qWaitFor([&] { return is_next_done; }, kPatience); });
+    mailbox.post([&] { has_waited = eventually([&] { return is_next_done; }); });
     mailbox.post([&] { is_next_done = true; });
-    QVERIFY(QTest::qWaitFor([&] { return has_waited; }, kPatience));
+    QVERIFY(eventually([&] { return has_waited; }));
   }
 
   void letters_that_are_left_when_the_mailbox_goes_are_never_done() {
@@ -117,11 +116,11 @@ class JobsTest : public QObject {
       mailbox.reset();
     });
     mailbox->post([&] { ++done; });
-    QVERIFY(QTest::qWaitFor([&] { return !mailbox; }, kPatience));
+    QVERIFY(eventually([&] { return !mailbox; }));
     Mailbox later;
     bool is_later = false;
     later.post([&] { is_later = true; });
-    QVERIFY(QTest::qWaitFor([&] { return is_later; }, kPatience));
+    QVERIFY(eventually([&] { return is_later; }));
     QCOMPARE(done, 1);
   }
 
@@ -164,7 +163,7 @@ class JobsTest : public QObject {
     savings.findSavings(job, workspace.timeline()->duration());
     exporter.start(workspace.timeline()->outcome(), folder.filePath("out.npz"));
     workspace.tuning().edit("edit", "key", [](Tuning& t) { t.machine.path.speed = 30; });
-    QTRY_VERIFY_WITH_TIMEOUT(!swept.isEmpty() && !found.isEmpty() && !saved.isEmpty(), kPatience);
+    TOOLPACE_EVENTUALLY(!swept.isEmpty() && !found.isEmpty() && !saved.isEmpty());
     QVERIFY(comes_to_rest(workspace));
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{"out.npz"});
   }

@@ -78,7 +78,7 @@ class MachineTest : public QObject {
     Tuned window;
     window.openMachine(in("mill.toml"));
     write(in("mill.toml"), with_speed("77"));
-    QTRY_COMPARE(window.speed(), 77.0);
+    TOOLPACE_EVENTUALLY_EQUAL(window.speed(), 77.0);
     QVERIFY(!window.hasStar());
     QVERIFY(window.bar().isHidden());
   }
@@ -89,7 +89,7 @@ class MachineTest : public QObject {
     window.openMachine(in("mill.toml"));
     window.setSpeed(99);
     write(in("mill.toml"), with_speed("77"));
-    QTRY_VERIFY(!window.bar().isHidden());
+    TOOLPACE_EVENTUALLY(!window.bar().isHidden());
     QCOMPARE(window.speed(), 99.0);
     screenshot(window, "machine-changed-outside");
     QTest::mouseClick(window.bar().findChild<QPushButton*>("machineBarTakeFile"), Qt::LeftButton);
@@ -101,7 +101,7 @@ class MachineTest : public QObject {
     QVERIFY(window.hasStar());
 
     write(in("mill.toml"), "# newer\n" + with_speed("66"));
-    QTRY_VERIFY(!window.bar().isHidden());
+    TOOLPACE_EVENTUALLY(!window.bar().isHidden());
     QTest::mouseClick(window.bar().findChild<QPushButton*>("machineBarKeepMine"), Qt::LeftButton);
     QCOMPARE(window.speed(), 99.0);
     QVERIFY(window.hasStar());
@@ -135,7 +135,7 @@ class MachineTest : public QObject {
     window.openMachine(in("mill.toml"));
     write(in("mill.toml"), "[path\n");
     auto& problems = window.the<QTableView>("problemTable");
-    QTRY_VERIFY(problems.model()->rowCount() > 0);
+    TOOLPACE_EVENTUALLY(problems.model()->rowCount() > 0);
     QCOMPARE(window.speed(), 120.0);
     window.setSpeed(99);
     NextDialog replace("replaceButton");

@@ -37,7 +37,7 @@ class OutsideChangeTest : public QObject {
     window.save();
     // A change from outside is noticed, once, and nothing was noticed before it.
     write(square_, QByteArray(kSquare).replace("X10", "X300"));
-    QTRY_COMPARE(read.count(), 2);
+    TOOLPACE_EVENTUALLY_EQUAL(read.count(), 2);
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X300"));
     QCOMPARE(asked.count(), 0);
   }
@@ -46,7 +46,7 @@ class OutsideChangeTest : public QObject {
     Editing window(square_);
     window.program().replaceLine(2, "G1 F1200 X20");
     window.actions().reload->trigger();
-    QTRY_VERIFY(window.bar().isVisible());
+    TOOLPACE_EVENTUALLY(window.bar().isVisible());
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X20"));
     studio::settle(window);
     screenshot(window, "reload-question");
@@ -59,7 +59,7 @@ class OutsideChangeTest : public QObject {
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X20"));
     QVERIFY(window.isWindowModified());
     window.actions().reload->trigger();
-    QTRY_VERIFY(window.bar().isVisible());
+    TOOLPACE_EVENTUALLY(window.bar().isVisible());
     QTest::mouseClick(&window.the<QPushButton>("changeBarKeepMine"), Qt::LeftButton);
     QVERIFY(!window.bar().isVisible());
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X20"));
@@ -71,7 +71,7 @@ class OutsideChangeTest : public QObject {
     Editing window(square_);
     window.program().replaceLine(2, "G1 F1200 X20");
     write(square_, QByteArray(kSquare).replace("X10", "X300"));
-    QTRY_VERIFY(window.bar().isVisible());
+    TOOLPACE_EVENTUALLY(window.bar().isVisible());
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X20"));
     QVERIFY(!QApplication::activeModalWidget());
     screenshot(window, "changed-outside");
@@ -97,7 +97,7 @@ class OutsideChangeTest : public QObject {
     NextDialog replace("replaceButton");
     window.save();
     QCOMPARE(content(square_), QByteArray(kSquare).replace("X10", "X20"));
-    QTRY_VERIFY(!window.bar().isVisible());
+    TOOLPACE_EVENTUALLY(!window.bar().isVisible());
   }
 };
 

@@ -50,7 +50,7 @@ class SaveTest : public QObject {
     studio::settle(window);
     QSignalSpy failed(&window.workspace(), &Workspace::saveFailed);
     window.storeProgramAs(folder_.filePath("no/such/folder.ngc"));
-    QTRY_COMPARE(failed.count(), 1);
+    TOOLPACE_EVENTUALLY_EQUAL(failed.count(), 1);
     QVERIFY(window.isWindowModified());
     QCOMPARE(window.program().path(), square_);
     QCOMPARE(content(square_), QByteArray(kSquare));
@@ -59,7 +59,7 @@ class SaveTest : public QObject {
     emit window.workspace().problemsChanged();  // as by a plan that comes later: it tells of its own alone
     QCOMPARE(problems->rowCount(), 1);
     window.storeProgramAs(folder_.filePath("there.ngc"));
-    QTRY_COMPARE(problems->rowCount(), 0);
+    TOOLPACE_EVENTUALLY_EQUAL(problems->rowCount(), 0);
   }
 
   void a_program_saved_under_another_name_stays_where_it_was_looked_at() {
@@ -68,7 +68,7 @@ class SaveTest : public QObject {
     window.workspace().setCursorTime(0.5);
     const QString copy = folder_.filePath("copy.ngc");
     window.storeProgramAs(copy);
-    QTRY_COMPARE(window.program().path(), copy);
+    TOOLPACE_EVENTUALLY_EQUAL(window.program().path(), copy);
     studio::settle(window);
     QCOMPARE(content(copy), QByteArray(kSquare));
     QCOMPARE(window.workspace().document()->path, copy);
@@ -85,7 +85,7 @@ class SaveTest : public QObject {
     const QString path = folder_.filePath("mine.ngc");
     const auto dialog = file_named(path);
     window.actions().save_program->trigger();
-    QTRY_COMPARE(window.workspace().program().path(), path);
+    TOOLPACE_EVENTUALLY_EQUAL(window.workspace().program().path(), path);
     QVERIFY(content(path).startsWith("G21 G90 G94 (mine)\n"));
     QVERIFY(!window.isWindowModified());
     QVERIFY(QFile::remove(path));
@@ -110,7 +110,7 @@ class SaveTest : public QObject {
     QTest::keyClicks(&window.field(), "5");
     NextDialog save("saveChangesButton");
     QVERIFY(!window.close());  // the file is written first
-    QTRY_VERIFY(!window.isVisible());
+    TOOLPACE_EVENTUALLY(!window.isVisible());
     QCOMPARE(content(square_), QByteArray(kSquare).replace("X10", "X105"));
   }
 
@@ -131,7 +131,7 @@ class SaveTest : public QObject {
     }
     NextDialog save("saveChangesButton");
     window.openProgram(other_);
-    QTRY_COMPARE(window.program().path(), other_);
+    TOOLPACE_EVENTUALLY_EQUAL(window.program().path(), other_);
     QCOMPARE(content(square_), QByteArray(kSquare).replace("X10", "X20"));
     QVERIFY(!window.isWindowModified());
     QVERIFY(!window.actions().undo->isEnabled());

@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include "support/files.h"
+#include "support/patience.h"
 #include "support/ui_test.h"
 
 using toolpace::ui::write;
@@ -154,7 +155,7 @@ class StudioCommandTest : public QObject {
         }
         return false;
       };
-      QTRY_VERIFY_WITH_TIMEOUT(caught(), 60'000);
+      TOOLPACE_EVENTUALLY(caught());
       QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signal), 0);
       QVERIFY(process.waitForFinished(60'000));
       QCOMPARE(process.exitStatus(), QProcess::NormalExit);

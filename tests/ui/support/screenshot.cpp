@@ -8,13 +8,18 @@
 #include "theme/appearance.h"
 
 namespace toolpace::ui {
+namespace {
+
+constexpr int kQuickly = 85;  // least compression but none: a smaller file takes longer than drawing what is in it
+
+}  // namespace
 
 QImage screenshot(QWidget& widget, const QString& name) {
   QApplication::processEvents();
   const QImage image = widget.grab().toImage();
   const QDir folder(QString::fromStdString((test::source_dir() / "build/screenshots").string()));
   folder.mkpath(".");
-  image.save(folder.filePath(name + ".png"));
+  image.save(folder.filePath(name + ".png"), "PNG", kQuickly);
   return image;
 }
 
