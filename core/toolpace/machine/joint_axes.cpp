@@ -7,12 +7,14 @@ namespace toolpace {
 namespace {
 
 constexpr std::string_view kAllLetters = "XYZABCUVW";
+constexpr std::size_t kMostJoints = 16;  // of LinuxCNC
 
 /// The letter at each place is the axis of the joint with that number; letters that are no axes here (U, V, W) count, too.
 void assign(JointAxes& joints, std::string_view letters) {
   std::size_t joint = 0;
   for (const char letter : letters) {
     if (std::isspace(static_cast<unsigned char>(letter))) continue;
+    if (joint == kMostJoints) return;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       if (kAxisNames[axis] == letter) joints.of_axis[axis].push_back(joint);
     }
