@@ -1,0 +1,183 @@
+/// What the window writes: setpoints, pulses, pictures, reports, and never over what is open.
+
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "main_window.h"
+#include "panels/stepper_page.h"
+#include "preferences.h"
+#include "preview/contour_view.h"
+#include "screenshot.h"
+#include "support/files.h"
+#include "support/ui_test.h"
+
+using namespace toolpace;
+using namespace toolpace::studio;
+using ui::kSquare;
+using ui::write;
+
+class ExportTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir folder_;
+  QString in(const QString& name) const { return folder_.filePath(name); }
+
+ private slots:
+  void initTestCase() { QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path()); }
+
+  void setpoints_are_saved_in_every_format() {
+    MainWindow window(false);
+    window.show();
+    window.openExample();
+    settle(window);
+    for (const char* name : {"out.csv", "out.npy", "out.npz", "out.halstream", "out.semicolon.csv"}) {
+      window.saveSetpoints(in(name));
+      settle(window);
+      QVERIFY2(QFileInfo(in(name)).size() > 10000, name);
+    }
+    QFile csv(in("out.csv"));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QVERIFY(csv.readLine().startsWith("t_s,x_mm,y_mm,z_mm,v_mm_s,a_mm_s2,j_mm_s3,line"));
+  }
+
+  void the_export_menu_names_every_format_and_what_else_is_asked_for_is_in_the_file() {
+    MainWindow window(false);
+    window.setLanguage("en");
+    window.show();
+    window.workspace().openText(kSquare, "square.ngc");
+    settle(window);
+    QStringList names;
+    for (const auto* action : window.findChildren<QAction*>()) names << action->objectName();
+    for (const char* format : {"export.csv", "export.npy", "export.npz", "export.halstream", "export.semicolon.csv"}) {
+      QVERIFY2(names.contains(format), format);
+    }
+    window.actions().axis_derivatives->trigger();
+    window.actions().decimal_comma->trigger();
+    for (const char* name : {"axes.csv", "comma.semicolon.csv"}) {
+      window.saveSetpoints(in(name));
+      settle(window);
+    }
+    QFile csv(in("axes.csv"));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QVERIFY(csv.readLine().contains(",v_x_mm_s"));
+    QFile comma(in("comma.semicolon.csv"));
+    QVERIFY(comma.open(QIODevice::ReadOnly));
+    comma.readLine();
+    QVERIFY(comma.readLine().contains(';'));
+    QVERIFY(comma.readLine().contains("0,001;"));
+  }
+
+  void step_pulses_of_a_whole_program_are_saved_and_a_machine_without_steppers_says_so() {
+    MainWindow window(false);
+    window.setLanguage("en");
+    window.show();
+    window.workspace().openText(kSquare, "square.ngc");
+    settle(window);
+    const QString file = in("square.pulses.csv");
+    window.saveSetpoints(file);
+    settle(window);
+    QVERIFY(!QFile::exists(file));
+    auto& problems = *window.findChild<QTableView*>("problemTable");
+    QVERIFY(problems.model()->rowCount() > 0);
+    window.workspace().tuning().edit("steps", "steps", [](ui::Tuning& t) {
+      for (std::size_t axis = 0; axis < 3; ++axis) t.machine.axes[axis].steps_per_unit = 100;
+    });
+    settle(window);
+    window.setTimerFrequency(1e6);
+    window.saveSetpoints(file);
+    settle(window);
+    QFile csv(file);
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QCOMPARE(csv.readLine().trimmed(), QByteArray("t_ticks,axis,direction"));
+    // 10 mm there and back in X and in Y at 100 steps a millimetre.
+    int rows = 0;
+    while (!csv.atEnd()) rows += csv.readLine().isEmpty() ? 0 : 1;
+    QCOMPARE(rows, 4000);
+  }
+
+  void the_colour_map_and_the_export_choices_are_remembered() {
+    {
+      MainWindow window(true);
+      window.show();
+      window.findChild<ui::ContourView*>("contourView")->setColourMap(ui::ColourMap::turbo);
+      window.actions().axis_derivatives->setChecked(false);
+      window.actions().axis_derivatives->trigger();
+      window.close();
+    }
+    MainWindow window(true);
+    window.show();
+    QCOMPARE(window.findChild<ui::ContourView*>("contourView")->colourMap(), ui::ColourMap::turbo);
+    QVERIFY(window.actions().axis_derivatives->isChecked());
+  }
+
+  void pictures_are_saved_as_png_svg_and_pdf() {
+    MainWindow window(false);
+    window.show();
+    window.openExample();
+    settle(window);
+    using Picture = MainWindow::Picture;
+    for (const char* ending : {".png", ".svg", ".pdf"}) {
+      QVERIFY(window.savePicture(Picture::contour, in(QString("contour") + ending)));
+      QVERIFY(window.savePicture(Picture::plots, in(QString("plots") + ending)));
+      QVERIFY(QFileInfo(in(QString("contour") + ending)).size() > 1000);
+      QVERIFY(QFileInfo(in(QString("plots") + ending)).size() > 1000);
+    }
+    QVERIFY(window.savePicture(Picture::window, in("window.png")));
+    QVERIFY(!window.savePicture(Picture::window, in("no/such/folder.png")));
+  }
+
+  void a_report_holds_the_figures_and_the_pictures() {
+    MainWindow window(false);
+    window.setLanguage("en");
+    window.show();
+    window.openExample();
+    settle(window);
+    QVERIFY(window.saveReport(in("report.html")));
+    QFile file(in("report.html"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray html = file.readAll();
+    QVERIFY(html.contains("Cycle time"));
+    QVERIFY(html.contains("max_acceleration_mm_s2"));
+    QCOMPARE(html.count("data:image/png;base64,"), 2);
+  }
+
+  void nothing_that_is_open_is_written_over() {
+    write(in("main.ngc"), "G21 G90 G94\nG1 F1200 X10\nO<sub> call\nM2\n");
+    write(in("sub.ngc"), "O<sub> sub\nG1 X20\nO<sub> endsub\n");
+    write(in("open.toml"), "[path]\nmax_speed_mm_s = 50\n");
+    MainWindow window(false);
+    window.show();
+    QVERIFY(window.openMachine(in("open.toml")));
+    window.openProgram(in("main.ngc"));
+    settle(window);
+    QSignalSpy saved(&window.workspace(), &ui::Workspace::saved);
+    auto* stepper = window.findChild<ui::StepperPage*>();
+    QVERIFY(stepper);
+    QSignalSpy exported(stepper, &ui::StepperPage::exported);
+    for (const char* name : {"main.ngc", "sub.ngc", "open.toml"}) {
+      QFile file(in(name));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      const QByteArray before = file.readAll();
+      if (name != QByteArray("main.ngc")) window.storeProgramAs(in(name));
+      QVERIFY(!window.workspace().isSaving());
+      QCOMPARE(window.storeMachineAs(in(name)), name == QByteArray("open.toml"));
+      QVERIFY(!window.saveReport(in(name)));
+      window.saveSetpoints(in(name));
+      stepper->exportTo(in(name));
+      QCOMPARE(exported.takeFirst()[1].toBool(), false);
+      const auto picture = take_screenshot(window, in(name));
+      QVERIFY(!picture);
+      QCOMPARE(QString::fromStdString(picture.error().code), QString("output-is-input"));
+      file.seek(0);
+      QCOMPARE(file.readAll(), before);
+    }
+    QCOMPARE(saved.size(), 0);
+  }
+};
+
+TOOLPACE_UI_TEST(ExportTest)
+#include "export_test.moc"
