@@ -20,9 +20,9 @@ constexpr int kMostSteps = 40;
 double squared(double x) { return x * x; }
 
 /// Largest acceleration of a ramp that ends (begins) at the cap with jerk j: y = a² with y/A² + (cap − y/2j)⁴/Q² = 1. The left
-/// side is convex in y, so Newton's steps from above do not pass the root. Beyond y = j·cap no ramp gets.
+/// side is convex in y, so Newton's steps from above do not pass the root. Neither y = j·cap nor A² is passed by any ramp.
 double acceleration_towards(double cap, double jerk, const CurveBudget& b) {
-  double y = jerk * cap;
+  double y = std::min(jerk * cap, squared(b.acceleration));
   const double by_square = 1 / squared(b.acceleration);
   for (int i = 0; i < 30; ++i) {
     const double u = cap - y / (2 * jerk), turned = squared(u * u / b.square);
