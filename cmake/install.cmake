@@ -3,8 +3,13 @@ include(CMakePackageConfigHelpers)
 set(TOOLPACE_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/toolpace)
 
 install(TARGETS toolpace EXPORT toolpace_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/core/toolpace DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
-        FILES_MATCHING PATTERN "*.h")
+include(${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake)
+toolpace_needed_headers(headers)
+foreach(header IN LISTS headers)
+  get_filename_component(room ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/core/toolpace/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/toolpace/${room}
+          COMPONENT development)
+endforeach()
 install(EXPORT toolpace_targets FILE toolpaceTargets.cmake NAMESPACE toolpace:: DESTINATION ${TOOLPACE_CMAKE_DIR} COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/toolpaceConfig.cmake.in ${PROJECT_BINARY_DIR}/toolpaceConfig.cmake
                               INSTALL_DESTINATION ${TOOLPACE_CMAKE_DIR})

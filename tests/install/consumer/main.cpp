@@ -1,11 +1,21 @@
 /// Uses the installed library for all it does: reads a program, plans it, writes and reads setpoints. Fails unless headers,
 /// library and CMake package fit together.
 
+// The whole public face (cmake/public_headers.cmake).
+#include <toolpace/bound/lower_bound.h>
 #include <toolpace/io/setpoint_writer.h>
-#include <toolpace/machine/setup.h>
+#include <toolpace/law/single_move.h>
+#include <toolpace/machine/read_machine.h>
 #include <toolpace/nc/reader.h>
 #include <toolpace/pipeline/job.h>
+#include <toolpace/pipeline/prove.h>
+#include <toolpace/pipeline/replan.h>
+#include <toolpace/report/report_page.h>
+#include <toolpace/sample/motion.h>
+#include <toolpace/sample/program_pulses.h>
 #include <toolpace/sample/sampler.h>
+#include <toolpace/tune/sweep.h>
+#include <toolpace/verify/verify.h>
 
 #include <cmath>
 #include <cstdio>
