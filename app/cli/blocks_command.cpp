@@ -19,21 +19,12 @@ struct BlocksFlags {
   bool json = false;
 };
 
-const char* dialect_text(Dialect dialect) {
-  switch (dialect) {
-    case Dialect::fanuc: return "fanuc";
-    case Dialect::grbl: return "grbl";
-    case Dialect::linuxcnc:
-    case Dialect::automatic: break;
-  }
-  return "linuxcnc";
-}
-
 Json blocks_json(const BlocksFlags& flags, const Reading& reading) {
   std::size_t motion = 0;
   for (const MoveKind kind : reading.moves.kind) motion += is_motion(kind) ? 1 : 0;
   return {{"program", flags.reading.program},
-          {"dialect", dialect_text(reading.dialect)},
+          {"dialect", std::string(dialect_name(reading.dialect))},
+          {"dialect_reasons", reading.dialect_reasons},
           {"refused", reading.refused},
           {"rows", reading.moves.size()},
           {"motion_blocks", motion},

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <filesystem>
-#include <map>
 
 #include "interrupt.h"
 #include "report.h"
@@ -11,8 +10,14 @@
 namespace toolpace::cli {
 namespace {
 
-const std::map<std::string, Dialect> kDialects = {
-    {"auto", Dialect::automatic}, {"linuxcnc", Dialect::linuxcnc}, {"fanuc", Dialect::fanuc}, {"grbl", Dialect::grbl}};
+constexpr double kWidestArcTolerance = 1000.0;  // [mm]
+
+std::string dialect_names() {
+  std::string names;
+  for (const Dialect dialect : all_dialects())
+    names += (names.empty() ? "" : ", ") + std::string(dialect_name(dialect));
+  return names;
+}
 
 }  // namespace
 
@@ -25,7 +30,9 @@ void ReadingFlags::add_to(Command& command) {
 void ReadingFlags::add_options_to(Command& command) {
   files_ = &command.files();
   Flags flags = command.titled("Reading the program");
-  flags.word("--dialect NAME", dialect, "auto (default), linuxcnc, fanuc or grbl");
+  flags.word("--dialect NAME", dialect, "One of " + dialect_names() + "; auto (default) finds it in the text");
+  flags.number("--arc-tolerance-mm T", arc_tolerance,
+               "How far an arc may end off its radius; less is mended with a warning, more refused; default by dialect");
   flags.toggle("--strict", strict, "Treat every warning as an error");
   flags.toggle("--block-delete", block_delete, "Skip lines that start with '/'");
   flags.input("--tools FILE", tools, "the tool table", "Tool table, as LinuxCNC writes it");
@@ -42,7 +49,8 @@ void ReadingFlags::add_options_to(Command& command) {
 
 ReadOptions ReadingFlags::options() const {
   ReadOptions options;
-  options.dialect = kDialects.at(dialect);
+  options.dialect = dialect_named(dialect).value_or(Dialect::automatic);
+  options.arc_tolerance = arc_tolerance;
   options.strict = strict;
   options.block_delete = block_delete;
   options.tools = tools;
@@ -53,9 +61,13 @@ ReadOptions ReadingFlags::options() const {
 }
 
 tl::expected<Reading, Failure> ReadingFlags::read() const {
-  if (kDialects.find(dialect) == kDialects.end()) {
-    return tl::unexpected<Failure>(usage_error("bad-flag", "--dialect does not know '" + dialect + "'",
-                                               "give one of auto, linuxcnc, fanuc, grbl"));
+  if (!dialect_named(dialect)) {
+    return tl::unexpected<Failure>(
+        usage_error("bad-flag", "--dialect does not know '" + dialect + "'", "give one of " + dialect_names()));
+  }
+  if (arc_tolerance && !(*arc_tolerance >= 0.0 && *arc_tolerance <= kWidestArcTolerance)) {
+    return tl::unexpected<Failure>(
+        usage_error("bad-flag", "--arc-tolerance-mm is out of range", "give a number from 0 to 1000"));
   }
   for (const std::string& folder : sub_paths) {
     if (folder.empty()) {

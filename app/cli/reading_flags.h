@@ -1,6 +1,7 @@
 #pragma once
 /// The flags of every command that reads a program.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct ReadingFlags {
   bool block_delete = false;
   std::string tools, parameters;
   std::vector<std::string> sub_paths;
+  std::optional<double> arc_tolerance;  ///< [mm]
   ReadLimits limits = {};
 
   /// Adds PROGRAM and the reading flags to a command.

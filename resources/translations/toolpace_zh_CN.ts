@@ -1142,6 +1142,54 @@
             <source>machine-unwritable</source>
             <translation>无法写成机床文件</translation>
         </message>
+        <message>
+            <source>arc-mended</source>
+            <translation>圆弧终点偏离半径，已按螺线处理</translation>
+        </message>
+        <message>
+            <source>dialect-uncertain</source>
+            <translation>方言不能确定</translation>
+        </message>
+        <message>
+            <source>corner-off-plane</source>
+            <translation>拐角不在平面内</translation>
+        </message>
+        <message>
+            <source>corner-size</source>
+            <translation>拐角尺寸无效</translation>
+        </message>
+        <message>
+            <source>corner-too-large</source>
+            <translation>拐角放不下</translation>
+        </message>
+        <message>
+            <source>corner-without-move</source>
+            <translation>拐角之后没有移动</translation>
+        </message>
+        <message>
+            <source>corner-word</source>
+            <translation>逗号后的词无效</translation>
+        </message>
+        <message>
+            <source>increment-twice</source>
+            <translation>同一轴给出两次</translation>
+        </message>
+        <message>
+            <source>program-abort</source>
+            <translation>程序自行中止</translation>
+        </message>
+        <message>
+            <source>spindle-number</source>
+            <translation>没有这个主轴</translation>
+        </message>
+        <message>
+            <source>system-number</source>
+            <translation>没有这个坐标系</translation>
+        </message>
+        <message>
+            <source>text-behind-percent</source>
+            <translation>% 之后的文字未读取</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -2240,6 +2288,66 @@
         <message>
             <source>the gain must be 1e-3 to 1e5 1/s, bandwidth and resonance 0.01 to 1e5 Hz, damping 1e-3 to 100</source>
             <translation>增益须为 1e-3 到 1e5 1/s，带宽和谐振频率 0.01 到 1e5 Hz，阻尼 1e-3 到 100</translation>
+        </message>
+        <message>
+            <source>$ names the spindle of M3 M4 M5 M19 S G33 G33.1 G76 G96 G97</source>
+            <translation>$ 指定 M3 M4 M5 M19 S G33 G33.1 G76 G96 G97 的主轴</translation>
+        </message>
+        <message>
+            <source>P1 to P300 are G54.1 P1 to P300</source>
+            <translation>P1 到 P300 即 G54.1 P1 到 P300</translation>
+        </message>
+        <message>
+            <source>check G17 G18 G19; --dialect grbl and others leave the word out</source>
+            <translation>请检查 G17 G18 G19；--dialect grbl 等方言会忽略该词</translation>
+        </message>
+        <message>
+            <source>check the centre words I J K, G90.1/G91.1, and the plane; --arc-tolerance-mm lets more pass</source>
+            <translation>请检查圆心词 I J K、G90.1/G91.1 和平面；--arc-tolerance-mm 可放宽</translation>
+        </message>
+        <message>
+            <source>check the number of the line</source>
+            <translation>请检查行号</translation>
+        </message>
+        <message>
+            <source>corners are made in the plane of G17, G18 or G19 alone</source>
+            <translation>拐角只能在 G17、G18 或 G19 的平面内</translation>
+        </message>
+        <message>
+            <source>give P1 to P300</source>
+            <translation>请给出 P1 到 P300</translation>
+        </message>
+        <message>
+            <source>give X or U, and Z or W</source>
+            <translation>请给出 X 或 U，以及 Z 或 W</translation>
+        </message>
+        <message>
+            <source>give a smaller ,C or ,R</source>
+            <translation>请给出更小的 ,C 或 ,R</translation>
+        </message>
+        <message>
+            <source>give it with F</source>
+            <translation>请用 F 给出</translation>
+        </message>
+        <message>
+            <source>give the move that the corner leads to in the next block</source>
+            <translation>请在下一程序段给出拐角之后的移动</translation>
+        </message>
+        <message>
+            <source>spindles are $0 to $7; $-1 is all of them</source>
+            <translation>主轴为 $0 到 $7；$-1 表示全部</translation>
+        </message>
+        <message>
+            <source>write ,C for a chamfer or ,R for a rounding; numbers have a decimal point, not a comma</source>
+            <translation>倒角写 ,C，倒圆写 ,R；数字用小数点而不用逗号</translation>
+        </message>
+        <message>
+            <source>remove the %, or begin the program with one, too</source>
+            <translation>请删去 %，或在程序开头也写一个</translation>
+        </message>
+        <message>
+            <source>give more decimals; --arc-tolerance-mm decides what is refused</source>
+            <translation>请多给几位小数；--arc-tolerance-mm 决定何时拒绝</translation>
         </message>
     </context>
     <context>

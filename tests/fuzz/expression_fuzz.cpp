@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const bool fanuc = (data[0] & 1u) != 0;
   const std::string_view line(reinterpret_cast<const char*>(data) + 1, size - 1);
   Parameters parameters;
-  if (fanuc) parameters.set_dialect(kFanucLocals, true);
+  if (fanuc) parameters.use_macro_variables();
   FaultSink faults;
   Scanner text(line);
   double value = 0.0;
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   faults.clear();
   Scanner again(line);
   Block block;
-  BlockReader reader(parameters, faults, fanuc ? toolpace::Dialect::fanuc : toolpace::Dialect::linuxcnc);
+  BlockReader reader(parameters, faults, rules_of(fanuc ? toolpace::Dialect::fanuc : toolpace::Dialect::linuxcnc));
   if (!reader.read(again, block) && faults.empty()) std::abort();
   return 0;
 }

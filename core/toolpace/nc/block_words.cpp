@@ -8,7 +8,11 @@ namespace toolpace::nc {
 namespace {
 
 // Codes outside the motion group that take the block's axis words for themselves.
-constexpr bool takes_axes(Code code) { return code == 100 || code == 280 || code == 300 || code == 520 || code == 920; }
+constexpr bool takes_axes(Code code) {
+  return code == 100 || code == 280 || code == 300 || code == 520 || code == 920 || code == kLatheOrigin;
+}
+
+constexpr std::uint32_t kSpindleBit = 1u << kSpindleWord;
 
 std::uint32_t words_of_motion(Code motion) {
   switch (motion) {
@@ -18,10 +22,10 @@ std::uint32_t words_of_motion(Code motion) {
     case 51: return word_bit('i') | word_bit('j');
     case 52: return word_bit('p') | word_bit('l');
     case 330:
-    case 331: return word_bit('k') | word_bit('i');
+    case 331: return word_bit('k') | word_bit('i') | kSpindleBit;
     case 760:
       return kCentreBits | word_bit('p') | word_bit('q') | word_bit('r') | word_bit('h') | word_bit('e') |
-             word_bit('l');
+             word_bit('l') | kSpindleBit;
     case 700: return word_bit('q') | word_bit('d') | word_bit('e') | word_bit('p');
     case 710:
     case 711:
@@ -30,6 +34,10 @@ std::uint32_t words_of_motion(Code motion) {
     case 721:
     case 722: return word_bit('q') | word_bit('d') | word_bit('i') | word_bit('r') | word_bit('u') | word_bit('w');
     case 740: return word_bit('r') | word_bit('p') | word_bit('q') | kCentreBits;  // LinuxCNC does not repeat it by L
+    case kLatheThread: return word_bit('q');
+    case kLatheTurning:
+    case kLatheFacing:
+    case kLatheThreading: return word_bit('r') | word_bit('q') | word_bit('i') | word_bit('k');
     default: return is_cycle(motion) ? word_bit('r') | word_bit('l') | word_bit('p') | word_bit('q') | kCentreBits : 0;
   }
 }
@@ -42,13 +50,15 @@ std::uint32_t words_of_settings(const Block& block) {
   if (block.has(GGroup::compensation)) words |= word_bit('d') | word_bit('l');
   if (block.has(GGroup::tool_length)) words |= word_bit('h');
   if (block.has(GGroup::path_control)) words |= word_bit('p') | word_bit('q');
-  if (block.has(GGroup::spindle_mode)) words |= word_bit('d');
+  if (block.has(GGroup::spindle_mode)) words |= word_bit('d') | kSpindleBit;
+  if (block.has('s')) words |= kSpindleBit;
+  if (block.code(GGroup::system) == 541) words |= word_bit('p');
   if (block.has(GGroup::macro)) words |= ~0u;
   if (block.has(GGroup::turn_plane)) words |= word_bit('r') | kCentreBits;
   if (block.has(MGroup::tool)) words |= word_bit('q');
   if (block.has(MGroup::io)) words |= word_bit('p') | word_bit('q') | word_bit('e') | word_bit('l');
   if (block.has(MGroup::override_) || block.has(MGroup::user)) words |= word_bit('p') | word_bit('q');
-  if (block.has(MGroup::spindle)) words |= word_bit('r') | word_bit('q') | word_bit('p');
+  if (block.has(MGroup::spindle)) words |= word_bit('r') | word_bit('q') | word_bit('p') | kSpindleBit;
   if (block.has(MGroup::subprogram)) words |= word_bit('p') | word_bit('l') | word_bit('q');
   if (block.has(MGroup::ignored) || block.has(GGroup::ignored)) words |= ~0u;
   return words;
@@ -56,26 +66,39 @@ std::uint32_t words_of_settings(const Block& block) {
 
 }  // namespace
 
+namespace {
+
+std::uint32_t axis_words(const Context& context) {
+  return context.rules.lathe_words ? kAxisBits | kIncrementBits | word_bit('h') : kAxisBits;
+}
+
+}  // namespace
+
 bool find_motion(Context& context, const Block& block, Code& motion) {
-  const bool axes = block.has_any(kAxisBits);
+  const bool axes = block.has_any(axis_words(context));
   const Code once = block.code(GGroup::once);
   const Code named = block.code(GGroup::motion);
   motion = kNoCode;
   const bool claimed = takes_axes(once) || block.code(GGroup::tool_length) == 431 ||
                        block.code(GGroup::tool_length) == 432 || block.has(GGroup::macro) ||
-                       block.has(GGroup::turn_plane) || (once == 40 && context.dialect != Dialect::linuxcnc) ||
-                       (block.has(MGroup::ignored) && context.dialect == Dialect::grbl);  // M92 X80, M205 X8: settings
+                       block.has(GGroup::turn_plane) || (once == 40 && context.rules.dwells_by_axis_words) ||
+                       (block.has(MGroup::ignored) && context.rules.extruder);  // M92 X80, M205 X8: settings
+  const bool only_sets_motion = context.rules.motion_beside_home && (named == 0 || named == 10);
   if (claimed && named != kNoCode && named != 800 && takes_axes(once)) {
+    if (only_sets_motion) {
+      context.state.modal.motion = context.state.plain_motion = named;
+      return true;
+    }
     return context.faults.fail(
         "two-codes-want-axes",
         fmt::format("{} and {} both use the axis words", code_text('G', once), code_text('G', named)),
         "put them into blocks of their own", block.column_of(GGroup::motion));
   }
-  if (once == 40 && !block.has('p') && context.dialect == Dialect::linuxcnc) {
+  if (once == 40 && !block.has('p') && context.rules.refuses_doubtful) {
     return context.faults.fail("dwell-without-time", "G4 without a time", "give it in seconds with P",
                                block.column_of(GGroup::once));
   }
-  const bool extruder_alone = context.dialect == Dialect::grbl && once == 920 && block.has('e');
+  const bool extruder_alone = context.rules.extruder && once == 920 && block.has('e');
   if ((once == 920 || once == 520) && !axes && !extruder_alone) {
     return context.faults.fail("axes-missing", fmt::format("{} without axis words", code_text('G', once)),
                                "give at least one axis", block.column_of(GGroup::once));
@@ -102,14 +125,19 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
 }
 
 bool check_words(Context& context, const Block& block, Code motion) {
-  constexpr std::uint32_t kAlways = kAxisBits | word_bit('f') | word_bit('s') | word_bit('t');
-  std::uint32_t unused = block.words & ~kAlways;
+  const std::uint32_t always = axis_words(context) | kCornerBits | word_bit('f') | word_bit('s') | word_bit('t');
+  std::uint32_t unused = block.words & ~always;
   if (unused == 0) return true;
   unused &= ~(words_of_motion(motion) | words_of_settings(block));
   if (unused == 0) return true;
+  if ((unused & (1u << kSpindleWord)) != 0) {
+    return context.faults.fail("word-unused", "nothing in this block uses word $",
+                               "$ names the spindle of M3 M4 M5 M19 S G33 G33.1 G76 G96 G97",
+                               block.column[kSpindleWord]);
+  }
   for (std::size_t i = 0; i < 26; ++i) {
     if ((unused & (1u << i)) == 0) continue;
-    if (context.dialect == Dialect::grbl && i == word_index('e')) {
+    if (context.rules.extruder && i == word_index('e')) {
       if (!std::exchange(context.state.extruder_told, true)) {
         context.faults.warn("extruder-ignored", "the extruder E is left out of the path", "", block.column[i]);
       }
@@ -120,7 +148,7 @@ bool check_words(Context& context, const Block& block, Code motion) {
                                  "axes are X Y Z A B C", block.column[i]);
     }
     const std::string what = fmt::format("nothing in this block uses word {}", static_cast<char>('A' + i));
-    if (context.dialect == Dialect::linuxcnc) {
+    if (context.rules.refuses_doubtful) {
       const char* const remedy = i == word_index('e') ? "remove it; numbers have no exponent here: write them out"
                                                       : "remove it, or add the code it belongs to";
       return context.faults.fail("word-unused", what, remedy, block.column[i]);

@@ -1,7 +1,7 @@
 #pragma once
 /// What every part of the interpreter works on, passed down by reference.
 
-#include "toolpace/nc/dialect.h"
+#include "toolpace/nc/dialects/rules.h"
 #include "toolpace/nc/fault.h"
 #include "toolpace/nc/move_writer.h"
 #include "toolpace/nc/state.h"
@@ -14,8 +14,8 @@ struct Context {
   Parameters& parameters;
   MoveWriter& out;
   FaultSink& faults;
-  Dialect dialect = Dialect::linuxcnc;
-  bool dwells_in_milliseconds = false;  ///< P of G4
+  const DialectRules& rules;
+  ArcTolerance arc;
 };
 
 /// Stores lengths of `position` (mm) in parameters first … first+5 (machine units, which are mm and degrees).

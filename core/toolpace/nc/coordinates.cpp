@@ -11,7 +11,12 @@
 namespace toolpace::nc {
 namespace {
 
-int first_parameter(int system) { return kFirstSystem + (system - 1) * kSystemStride; }
+// G54 … G59.3, then G54.1 P1 … P48 and P49 … P300 at the numbers that Fanuc gives them.
+int first_parameter(int system) {
+  if (system <= kSystemCount) return kFirstSystem + (system - 1) * kSystemStride;
+  const int further = system - kSystemCount - 1;
+  return (further < kNearSystems ? kFirstFurtherSystem : kFirstOfManySystems) + further * kSystemStride;
+}
 
 // Changes the offsets and keeps the machine where it is.
 void change_offsets(State& state, const Offsets& offsets) {
@@ -38,6 +43,15 @@ bool take_system_number(Context& context, const Block& block, int& system) {
   if (!block.has('p')) {
     return context.faults.fail("g10-without-p", "G10 without P", "name the coordinate system with P",
                                block.column_of(GGroup::once));
+  }
+  if (context.rules.incremental_g10 && block.of('l', 2.0) == 20.0) {
+    const auto further = whole_number(p, 1, kFurtherSystems);
+    if (!further) {
+      return context.faults.fail("g10-system", fmt::format("there is no coordinate system G54.1 P{:g}", p),
+                                 "P1 to P300 are G54.1 P1 to P300", block.column_of('p'));
+    }
+    system = kSystemCount + *further;
+    return true;
   }
   const auto number = whole_number(p, 0, kSystemCount);
   if (!number) {
@@ -73,7 +87,7 @@ bool set_system_origin(Context& context, const Block& block, bool from_position)
     for (std::size_t i = 0; i < kAxisCount; ++i) {
       if (!block.has(kAxisLetters[i])) continue;
       const double value = word_value(state, block, i);
-      origin[i] = context.dialect == Dialect::fanuc && state.modal.incremental() ? origin[i] + value : value;
+      origin[i] = context.rules.incremental_g10 && state.modal.incremental() ? origin[i] + value : value;
     }
   }
   store_position(parameters, first, origin);
@@ -82,14 +96,19 @@ bool set_system_origin(Context& context, const Block& block, bool from_position)
 }
 
 bool run_g10(Context& context, const Block& block) {
-  const double l = block.of('l', context.dialect == Dialect::linuxcnc ? -1.0 : 2.0);
+  const double l = block.of('l', context.rules.incremental_g10 ? 2.0 : -1.0);
   const int form = whole_number(l, 0, 100).value_or(-1);
-  if (form == 2 || form == 20) {
-    return refuse_with_compensation(context, block, "G10") && set_system_origin(context, block, form == 20);
+  const bool tool_offset = !block.has('l') && (context.rules.lathe_words || !block.has_any(kLinearBits | kRotaryBits));
+  if ((form == 2 || form == 20) && !(context.rules.incremental_g10 && tool_offset)) {
+    return refuse_with_compensation(context, block, "G10") &&
+           set_system_origin(context, block, form == 20 && !context.rules.incremental_g10);
   }
   if (form == 1 || form == 10 || form == 11) return write_tool_entry(context, block, form);
-  if (context.dialect == Dialect::fanuc) {
-    context.faults.warn("g10-ignored", fmt::format("G10 L{:g} is not followed", l), "", block.column_of(GGroup::once));
+  if (!context.rules.refuses_doubtful) {
+    context.faults.warn("g10-ignored",
+                        block.has('l') ? fmt::format("G10 L{:g} is not followed", l)
+                                       : "G10 without L sets a tool's offset, which is not followed",
+                        "", block.column_of(GGroup::once));
     return true;
   }
   return context.faults.fail("g10-form", "G10 needs L1, L2, L10, L11 or L20", "check the L word",
@@ -136,10 +155,11 @@ bool go_home(Context& context, const Block& block, int stored) {
   if (!find_end(context, block, way)) return false;
   const Position home = load_position(context.parameters, stored);
   Position machine = to_machine(state.offsets, way);
-  const bool names_axes = block.has_any(kLinearBits | kRotaryBits);
+  bool names_axes = false;
+  for (std::size_t i = 0; i < kAxisCount; ++i) names_axes = names_axes || names_axis(context, block, i);
   if (names_axes) context.out.line(MoveKind::rapid, state.offsets, way);
   for (std::size_t i = 0; i < kAxisCount; ++i) {
-    if (!names_axes || block.has(kAxisLetters[i])) machine[i] = home[i];
+    if (!names_axes || names_axis(context, block, i)) machine[i] = home[i];
   }
   state.position = to_work(state.offsets, machine);
   context.out.line(MoveKind::rapid, state.offsets, state.position);
@@ -165,6 +185,15 @@ void activate_system(Context& context, int system) {
 bool set_system(Context& context, const Block& block) {
   const Code code = block.code(GGroup::system);
   if (!refuse_with_compensation(context, block, "a change of the coordinate system")) return false;
+  if (code == 541) {
+    const auto further = block.has('p') ? whole_number(block.of('p'), 1, kFurtherSystems) : std::nullopt;
+    if (!further) {
+      return context.faults.fail("system-number", "G54.1 without the number of a coordinate system", "give P1 to P300",
+                                 block.column_of(GGroup::system));
+    }
+    activate_system(context, kSystemCount + *further);
+    return true;
+  }
   activate_system(context, code <= 590 ? (code - 530) / 10 : 6 + (code - 590));
   return true;
 }
@@ -180,6 +209,7 @@ bool run_once_code(Context& context, const Block& block) {
       store_position(context.parameters, code == 281 ? kHomeG28 : kHomeG30,
                      to_machine(context.state.offsets, context.state.position));
       return true;
+    case kLatheOrigin: return !block.has_any(kLinearBits | kRotaryBits) || run_g92(context, block, code);
     case 520:
     case 920:
     case 921:

@@ -7,6 +7,7 @@
 #include "toolpace/nc/block_words.h"
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/dwell.h"
+#include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/settings.h"
 #include "toolpace/nc/text/whole_number.h"
@@ -18,15 +19,32 @@ namespace {
 constexpr std::uint32_t kMotionGroup = 1u << static_cast<unsigned>(GGroup::motion);
 constexpr std::uint32_t kPlainWords = kLinearBits | kRotaryBits | word_bit('f');
 
+// Whether the block is a move that a corner leads to, and changes nothing that the corner depends on.
+bool goes_on_from_corner(const Block& block, Code motion) {
+  constexpr auto bit = [](GGroup group) { return 1u << static_cast<unsigned>(group); };
+  constexpr std::uint32_t kBreaks = bit(GGroup::once) | bit(GGroup::plane) | bit(GGroup::units) |
+                                    bit(GGroup::compensation) | bit(GGroup::system) | bit(GGroup::macro) |
+                                    bit(GGroup::tool_length) | bit(GGroup::turn_plane) | bit(GGroup::feed_mode);
+  return (motion == 10 || motion == 20 || motion == 30) && (block.g_groups & kBreaks) == 0;
+}
+
 }  // namespace
 
 bool Executor::run(const Block& block) {
+  if (!block.has_any(1u << kSpindleWord)) return run_in_order(block);
+  if (!exchange_spindle(context_, block)) return false;
+  const bool good = run_in_order(block);
+  return exchange_spindle(context_, block) && good;
+}
+
+bool Executor::run_in_order(const Block& block) {
   if (block.g_groups == 0 && block.m_groups == 0 && block.words == 0) {
     return block.message.empty() || raise_alarm(context_, block);
   }
   Code motion = kNoCode;
   if (!find_motion(context_, block, motion) || !check_words(context_, block, motion)) return false;
   const bool plain = (block.g_groups & ~kMotionGroup) == 0 && block.m_groups == 0 && (block.words & ~kPlainWords) == 0;
+  if (context_.state.waiting && !goes_on_from_corner(block, motion) && !release_corner(context_)) return false;
   if (!plain) {
     if (block.has(GGroup::feed_mode) && !set_feed_mode(context_, block)) return false;
     if (block.has(GGroup::spindle_mode) && !set_spindle_mode(context_, block)) return false;
@@ -90,11 +108,11 @@ bool Executor::run_saved_state(Code code) {
 bool Executor::run_dwell(const Block& block) {
   if (block.code(GGroup::once) != 40) return true;
   const std::size_t column = block.column_of(GGroup::once);
-  const bool milliseconds = context_.dwells_in_milliseconds;
+  const bool milliseconds = context_.rules.dwells_in_milliseconds;
   double seconds = 0.0;
   if (block.has('p')) {
     seconds = milliseconds ? block.of('p') / 1000.0 : block.of('p');
-  } else if (context_.dialect != Dialect::linuxcnc && (block.has('x') || block.has('s'))) {
+  } else if (context_.rules.dwells_by_axis_words && (block.has('x') || block.has('s'))) {
     seconds = block.of(block.has('x') ? 'x' : 's');
   } else {
     return context_.faults.fail("dwell-without-time", "G4 without a time", "give it with P", column);
@@ -126,6 +144,7 @@ bool Executor::run_subprogram_code(const Block& block) {
       if (const auto modal = flow_.take_restored()) restore_modal(context_, *modal);
       return true;
     }
+    if (to && context_.rules.macro_statements) return flow_.go_to_number(*to, block.column_of('p'));
     context_.faults.warn("program-repeats", "M99 makes the program begin again without end; it is read once",
                          "end it with M30", column);
     context_.out.note(MoveKind::end, "M99");
@@ -136,7 +155,7 @@ bool Executor::run_subprogram_code(const Block& block) {
     return context_.faults.fail("m98-without-p", "M98 without P", "name the sub-program with P", column);
   double number = block.of('p');
   double repeats = block.of('l', 1.0);
-  if (context_.dialect == Dialect::fanuc && !block.has('l') && number >= 10000.0) {  // P00021000: twice O1000
+  if (context_.rules.repeats_within_p && !block.has('l') && number >= 10000.0) {  // P00021000: twice O1000
     repeats = std::floor(number / 10000.0);
     number -= repeats * 10000.0;
   }

@@ -20,6 +20,7 @@ class Executor {
   bool has_ended() const { return ended_; }
 
  private:
+  bool run_in_order(const Block& block);
   bool run_machine_codes(const Block& block);
   bool run_saved_state(Code code);
   bool run_dwell(const Block& block);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "toolpace/base/file_name.h"
+#include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/settings.h"
 
 namespace toolpace::nc {
@@ -11,29 +13,46 @@ namespace {
 
 constexpr std::size_t kLongestLine = 65536;
 
+// "O1234" or ":1234": the head of a program, and nothing that it does.
+bool begins_program_number(Scanner text) {
+  const char c = text.peek();
+  if (c != 'o' && c != ':') return false;
+  text.take();
+  double number = 0.0;
+  if (text.take_number(number) != NumberStatus::ok) return false;
+  const char next = text.peek();
+  return next == '\0' || next == '(' || next == ';';
+}
+
 }  // namespace
 
-Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, Dialect dialect, std::size_t most_blocks,
-                         Reading& reading)
+Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, const DialectRules& rules,
+                         std::size_t most_blocks, Reading& reading)
     : out_(reading.moves, most_blocks),
-      context_{state_, parameters_, out_, faults_, dialect},
-      reader_(parameters_, faults_, dialect),
+      context_{state_, parameters_, out_, faults_, rules, rules.arc},
+      reader_(parameters_, faults_, rules),
       flow_(files, parameters_, faults_, reader_, options.limits),
       log_(reading.diagnostics, options.strict),
       recorder_(reading.modal),
-      values_(state_, flow_, dialect),
+      values_(state_, flow_, rules),
       contours_(context_, flow_, log_, [this] { return run_next_line(); }),
       executor_(context_, flow_, contours_),
       files_(files),
       options_(options),
-      dialect_(dialect),
+      rules_(rules),
       reading_(reading) {
   parameters_.numbered_state = [this](int index) { return values_.numbered(index); };
   parameters_.named_state = [this](std::string_view name) { return values_.named(name); };
-  if (dialect == Dialect::fanuc) parameters_.set_dialect(kFanucLocals, true);
-  context_.dwells_in_milliseconds =
-      dialect == Dialect::fanuc || (dialect == Dialect::grbl && looks_like_printing(files.at(0).text));
-  if (dialect != Dialect::linuxcnc) state_.modal.motion = 0;
+  if (options.arc_tolerance) {
+    context_.arc.metric = context_.arc.inch = *options.arc_tolerance;
+    context_.arc.relative = 0.0;
+  }
+  if (rules.macro_statements) parameters_.use_macro_variables();
+  state_.modal.motion = rules.first_motion;
+  state_.modal.retract = rules.first_retract;
+  state_.modal.plane = rules.first_plane;
+  state_.modal.feed_mode = rules.first_feed_mode;
+  state_.modal.lathe_diameter = rules.first_lathe_diameter;
 }
 
 bool Interpreter::run(const Monitor& monitor) {
@@ -44,6 +63,7 @@ bool Interpreter::run(const Monitor& monitor) {
   if (end_ == End::cancelled) return false;
   for (std::size_t i = reading_.moves.files.size(); i < files_.size(); ++i)
     reading_.moves.files.push_back(files_.at(i).name);
+  report_mended_arcs();
   log_.finish(files_.at(0).name);
   reading_.refused = log_.has_errors();
   return true;
@@ -116,13 +136,37 @@ void Interpreter::report_faults(std::string_view line) {
 void Interpreter::end_of_text() {
   if (flow_.return_from_call()) return;  // a sub-program file without an end of its own
   end_ = End::ended;
+  release_corner(context_);
   // Senders and printers stream their programs: those end where the text ends.
-  if (dialect_ == Dialect::grbl) {
+  if (rules_.ends_with_text) {
     out_.note(MoveKind::end, "");
     return;
   }
-  faults_.fail("program-without-end", "the program ends without M2, M30 or a second %", "end it with M2 or M30");
+  const char* const what = "the program ends without M2, M30 or a second %";
+  const char* const remedy = "end it with M2 or M30";
+  if (must_end()) {
+    faults_.fail("program-without-end", what, remedy);
+  } else {
+    faults_.warn("program-without-end", what, remedy);
+    out_.note(MoveKind::end, "");
+  }
   report_faults({});
+}
+
+// LinuxCNC refuses what has no end, where it is LinuxCNC that the program is meant for.
+bool Interpreter::must_end() {
+  if (!rules_.refuses_doubtful) return false;
+  return options_.dialect == rules_.dialect || extension_of(files_.at(0).name) == ".ngc";
+}
+
+void Interpreter::report_mended_arcs() {
+  const MendedArcs& mended = state_.mended;
+  if (mended.count == 0) return;
+  const std::string others = mended.count == 1 ? "" : fmt::format(", the worst of {} arcs", mended.count);
+  log_.add({"arc-mended",
+            fmt::format("the arc ends {:.4f} mm off its radius{}; it is taken as a spiral", mended.worst, others),
+            "give more decimals; --arc-tolerance-mm decides what is refused", 0, Severity::warning},
+           files_.at(mended.file).name, mended.line, {});
 }
 
 bool Interpreter::run_percent() {
@@ -132,11 +176,30 @@ bool Interpreter::run_percent() {
   }
   if (percent_seen_ || anything_read_) {
     end_ = End::ended;
+    release_corner(context_);
     out_.set_place(flow_.line_number(), flow_.file());
     out_.note(MoveKind::end, "");
+    if (!percent_seen_) warn_of_text_behind();
   }
   percent_seen_ = true;
   return true;
+}
+
+// A % that no other one stands before is rather a slip than the end.
+void Interpreter::warn_of_text_behind() {
+  const std::string_view rest = flow_.rest();
+  if (rest.find_first_not_of(" \t\r\n%") == std::string_view::npos) return;
+  const std::size_t first = flow_.line_number() + 1;
+  const std::string_view upto = rest.substr(0, rest.find_last_not_of(" \t\r\n") + 1);
+  const auto more = static_cast<std::size_t>(std::count(upto.begin(), upto.end(), '\n'));
+  const std::string what =
+      fmt::format("% ends the program; lines {} to {} behind it are not read", first, first + more);
+  const char* const remedy = "remove the %, or begin the program with one, too";
+  if (must_end()) {
+    faults_.fail("text-behind-percent", what, remedy);
+  } else {
+    faults_.warn("text-behind-percent", what, remedy);
+  }
 }
 
 bool Interpreter::run_sender_command(Scanner& text) {
@@ -157,11 +220,11 @@ bool Interpreter::run_line(std::string_view line) {
   char c = text.peek();
   if (c == '\0') return reader_.is_at_end(text);
   if (c == '%') return run_percent();
-  if (dialect_ == Dialect::grbl && is_sender_command(text)) return run_sender_command(text);
+  if (rules_.sender_lines && c == '$') return run_sender_command(text);
   if (c == '/') {
     if (options_.block_delete) return true;
     text.take();
-    if (dialect_ == Dialect::fanuc && is_digit(text.peek())) text.take();
+    if (rules_.macro_statements && is_digit(text.peek())) text.take();
     c = text.peek();
   }
   while (c == 'n') {
@@ -173,14 +236,20 @@ bool Interpreter::run_line(std::string_view line) {
     }
     c = text.peek();
   }
-  anything_read_ = anything_read_ || (c != '(' && c != ';' && c != '\0');
-  if (c == 'o' || (c == ':' && dialect_ == Dialect::fanuc)) {
+  if (rules_.sender_lines) {
+    while (is_real_time(c)) {
+      text.take();
+      c = text.peek();
+    }
+  }
+  anything_read_ = anything_read_ || (c != '(' && c != ';' && c != '\0' && !begins_program_number(text));
+  if (c == 'o' || (c == ':' && rules_.macro_statements)) {
     text.take();
     const bool good = flow_.run_o_word(text);
     if (const auto modal = flow_.take_restored()) restore_modal(context_, *modal);
     return good;
   }
-  if (dialect_ == Dialect::fanuc && (c == 'i' || c == 'w' || c == 'd' || c == 'e' || c == 'g')) {
+  if (rules_.macro_statements && (c == 'i' || c == 'w' || c == 'd' || c == 'e' || c == 'g')) {
     bool good = true;
     if (flow_.run_fanuc_statement(text, good)) return good;
   }
@@ -193,6 +262,7 @@ bool Interpreter::run_block(Scanner& text) {
   }
   out_.set_place(flow_.line_number(), flow_.file());
   const bool read = reader_.read(text, block_);
+  if (reader_.take_aborted()) end_ = End::ended;
   if (!read) return false;
   const bool executed = executor_.run(block_);
   if (executor_.has_ended()) end_ = End::ended;

@@ -19,7 +19,7 @@ class Interpreter {
  public:
   /// @param most_blocks  more are an error
   /// @param reading      receives moves, modal log and diagnostics
-  Interpreter(ProgramFiles& files, const ReadOptions& options, Dialect dialect, std::size_t most_blocks,
+  Interpreter(ProgramFiles& files, const ReadOptions& options, const DialectRules& rules, std::size_t most_blocks,
               Reading& reading);
 
   /// @return false if it was cancelled
@@ -39,6 +39,9 @@ class Interpreter {
   bool run_sender_command(Scanner& text);
   bool run_block(Scanner& text);
   void end_of_text();
+  bool must_end();
+  void warn_of_text_behind();
+  void report_mended_arcs();
   bool check_bounds();
   void report_faults(std::string_view line);
 
@@ -56,7 +59,7 @@ class Interpreter {
   Executor executor_;
   ProgramFiles& files_;
   ReadOptions options_;
-  Dialect dialect_;
+  const DialectRules& rules_;
   Reading& reading_;
   Block block_;
   End end_ = End::running;

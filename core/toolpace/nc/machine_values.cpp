@@ -35,7 +35,7 @@ std::optional<double> fanuc_value(const State& state, int index) {
   if (index >= 5021 && index <= 5026) return in_units(modal, to_machine(state.offsets, p)[axis(5021)], axis(5021));
   if (index >= 5041 && index <= 5046) return in_units(modal, p[axis(5041)], axis(5041));
   switch (index) {
-    case 4001: return modal.motion / 10.0;
+    case 4001: return (modal.motion >= kForeignCodes ? modal.motion - kForeignCodes : modal.motion) / 10.0;
     case 4002: return modal.plane / 10.0;
     case 4003: return modal.distance / 10.0;
     case 4005: return modal.feed_mode / 10.0;
@@ -52,7 +52,7 @@ std::optional<double> fanuc_value(const State& state, int index) {
 }  // namespace
 
 std::optional<double> MachineValues::numbered(int index) const {
-  if (dialect_ == Dialect::fanuc) {
+  if (rules_.macro_statements) {
     if (const auto value = fanuc_value(state_, index)) return value;
   }
   if (index >= 5420 && index <= 5425) {

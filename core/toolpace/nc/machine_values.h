@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "toolpace/nc/dialect.h"
+#include "toolpace/nc/dialects/rules.h"
 #include "toolpace/nc/flow/flow.h"
 #include "toolpace/nc/state.h"
 
@@ -12,8 +12,8 @@ namespace toolpace::nc {
 
 class MachineValues {
  public:
-  MachineValues(const State& state, const Flow& flow, Dialect dialect)
-      : state_(state), flow_(flow), dialect_(dialect) {}
+  MachineValues(const State& state, const Flow& flow, const DialectRules& rules)
+      : state_(state), flow_(flow), rules_(rules) {}
 
   /// None where parameter #index is an ordinary one.
   std::optional<double> numbered(int index) const;
@@ -23,7 +23,7 @@ class MachineValues {
  private:
   const State& state_;
   const Flow& flow_;
-  Dialect dialect_;
+  const DialectRules& rules_;
 };
 
 }  // namespace toolpace::nc

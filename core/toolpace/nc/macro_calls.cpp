@@ -64,7 +64,7 @@ bool MacroCalls::run(const Block& block) {
 }
 
 bool raise_alarm(Context& context, const Block& block) {
-  if (context.dialect != Dialect::fanuc) return true;
+  if (!context.rules.macro_statements) return true;
   const double alarm = context.parameters.numbered(3000);
   const double stop = context.parameters.numbered(3006);
   context.parameters.set_numbered(3000, 0.0);

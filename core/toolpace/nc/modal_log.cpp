@@ -14,6 +14,7 @@ constexpr std::size_t kLookBack = 64;  // distinct states compared with, newest 
 }  // namespace
 
 std::string ModalSnapshot::work_offset() const {
+  if (system > 9) return "G54.1 P" + std::to_string(system - 9);
   return nc::code_text('G', static_cast<std::int16_t>(system <= 6 ? 530 + 10 * system : 590 + (system - 6)));
 }
 

@@ -38,6 +38,8 @@ class MoveWriter {
     line_ = static_cast<std::uint32_t>(line);
     file_ = static_cast<std::uint16_t>(file);
   }
+  std::size_t line_number() const { return line_; }
+  std::size_t file() const { return file_; }
   void set_mode(const Modal& modal, bool exact_path = false, bool synchronised = false);
 
   /// Straight rows and rows without motion. `feed` is ignored for rapids.

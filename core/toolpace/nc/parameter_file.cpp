@@ -41,7 +41,7 @@ void read_parameter_file(std::string_view text, Parameters& parameters,
     int index = 0;
     double value = 0.0;
     if (!parse(first, index) || !parse(second, value) || !std::isfinite(value) || index < 1 ||
-        index >= kParameterCount) {
+        index >= parameters.count()) {
       on_fault(number, {"parameter-file-line", "this is no line of a parameter file",
                         "a line is a parameter number and a value", 1, Severity::error});
       continue;

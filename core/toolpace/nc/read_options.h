@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "toolpace/nc/dialect.h"
@@ -24,6 +25,8 @@ struct ReadOptions {
   std::filesystem::path tools = {};                   ///< LinuxCNC tool table; empty = none
   std::filesystem::path parameters = {};              ///< numbered parameters; empty = none
   std::vector<std::filesystem::path> sub_paths = {};  ///< folders searched for sub-programs, besides the program's own
+  std::optional<double> arc_tolerance =
+      {};  ///< [mm] how far an arc may end off its radius; none = as the dialect has it
   ReadLimits limits = {};
 };
 

@@ -1,5 +1,7 @@
 #include "toolpace/nc/reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -7,10 +9,10 @@
 #include "toolpace/base/input_file.h"
 #include "toolpace/base/part_monitor.h"
 #include "toolpace/nc/coordinates.h"
+#include "toolpace/nc/dialects/detect.h"
 #include "toolpace/nc/interpreter.h"
 #include "toolpace/nc/parameter_file.h"
 #include "toolpace/nc/polyline.h"
-#include "toolpace/nc/text/dialects.h"
 #include "toolpace/nc/tool_table.h"
 
 namespace toolpace {
@@ -80,15 +82,27 @@ std::vector<std::filesystem::path> program_folders(const std::string& name, cons
   return folders;
 }
 
+nc::Fault uncertain_dialect(const nc::DialectGuess& guess) {
+  return {
+      "dialect-uncertain",
+      fmt::format("this is read as a program of the dialect {}; it may be one of {}", dialect_name(guess.dialect),
+                  dialect_name(guess.other)),
+      fmt::format("choose with --dialect {} or --dialect {}", dialect_name(guess.dialect), dialect_name(guess.other)),
+      0, Severity::warning};
+}
+
 Result<Reading> read_program(std::string_view text, const std::string& name, const ReadOptions& options,
                              const Monitor& monitor) {
   Reading reading;
-  reading.dialect = options.dialect == Dialect::automatic ? nc::detect_dialect(text) : options.dialect;
+  nc::DialectGuess guess{options.dialect, {}};
+  if (options.dialect == Dialect::automatic) guess = nc::detect_dialect(text, name);
+  reading.dialect = guess.dialect;
+  reading.dialect_reasons = guess.reasons;
   reading.moves.files = {name};
   const std::size_t lines = count_lines(text);
   reserve(reading.moves, lines);
   nc::ProgramFiles files(text, name, program_folders(name, options), monitor);
-  nc::Interpreter interpreter(files, options, reading.dialect, options.limits.blocks + lines, reading);
+  nc::Interpreter interpreter(files, options, nc::rules_of(reading.dialect), options.limits.blocks + lines, reading);
   const auto tools =
       read_beside(options.tools, interpreter, monitor, [&](std::string_view content, const auto& on_fault) {
         nc::read_tool_table(content, interpreter.state(), on_fault);
@@ -100,6 +114,7 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
         nc::adopt_parameters(interpreter.context());
       });
   if (!parameters) return tl::unexpected(parameters.error());
+  if (guess.other != Dialect::automatic) interpreter.log().add(uncertain_dialect(guess), name, 1, {});
   if (!interpreter.run(monitor)) return tl::unexpected(cancelled_error());
   if (files.failure()) return tl::unexpected(*files.failure());
   return reading;

@@ -3,16 +3,19 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <utility>
 
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/motion/compensation.h"
 #include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/text/whole_number.h"
 #include "toolpace/nc/tool_table.h"
 
 namespace toolpace::nc {
 namespace {
 
 constexpr double kHighestFeed = 1e9;  // [units/min]
+constexpr int kHighestSpindle = 7;
 
 bool set_plane(Context& context, const Block& block) {
   const Code code = block.code(GGroup::plane);
@@ -72,22 +75,43 @@ bool set_feed(Context& context, const Block& block) {
   return true;
 }
 
+bool exchange_spindle(Context& context, const Block& block) {
+  const auto number = whole_number(block.value[kSpindleWord], -1, kHighestSpindle);
+  if (!number) {
+    return context.faults.fail("spindle-number", fmt::format("there is no spindle ${:g}", block.value[kSpindleWord]),
+                               "spindles are $0 to $7; $-1 is all of them", block.column[kSpindleWord]);
+  }
+  if (*number <= 0) return true;
+  Modal& modal = context.state.modal;
+  OtherSpindle& other = context.state.spindles[*number];
+  std::swap(modal.spindle_mode, other.mode);
+  std::swap(modal.spindle_speed, other.speed);
+  std::swap(modal.spindle_limit, other.limit);
+  std::swap(modal.spindle_direction, other.direction);
+  return true;
+}
+
 bool set_speed(Context& context, const Block& block) {
   const double speed = block.of('s');
   if (!(speed >= 0.0))
     return context.faults.fail("speed-negative", fmt::format("a spindle speed of {:g}", speed),
                                "a spindle speed is not below 0", block.column_of('s'));
+  if (block.code(GGroup::once) == kLatheOrigin) {  // G50 S: never faster than that
+    context.state.modal.spindle_limit = speed > 0.0 ? speed : std::numeric_limits<double>::infinity();
+    return true;
+  }
   context.state.modal.spindle_speed = speed;
   return true;
 }
 
 bool set_spindle_mode(Context& context, const Block& block) {
   const Code code = block.code(GGroup::spindle_mode);
-  if (code == 960 && !block.has('s') && context.dialect == Dialect::linuxcnc) {
+  if (code == 960 && !block.has('s') && context.rules.refuses_doubtful) {
     return context.faults.fail("g96-without-s", "G96 without S", "give the cutting speed with S",
                                block.column_of(GGroup::spindle_mode));
   }
-  const double limit = block.of('d', std::numeric_limits<double>::infinity());
+  const double none = std::numeric_limits<double>::infinity();
+  const double limit = block.of('d', context.rules.lathe_words ? context.state.modal.spindle_limit : none);
   if (!(limit > 0.0)) {
     return context.faults.fail("g96-limit", fmt::format("D{:g} is no highest speed of the spindle", limit),
                                "D of G96 is above 0, in turns a minute", block.column_of('d'));

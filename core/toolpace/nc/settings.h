@@ -9,6 +9,8 @@ namespace toolpace::nc {
 bool set_feed_mode(Context& context, const Block& block);
 /// G96 G97
 bool set_spindle_mode(Context& context, const Block& block);
+/// $: exchanges the first spindle with the one that the block names; once more puts them back.
+bool exchange_spindle(Context& context, const Block& block);
 /// F
 bool set_feed(Context& context, const Block& block);
 /// S

@@ -59,6 +59,14 @@ struct Modal {
   bool incremental() const { return distance == 910; }
 };
 
+/// What a spindle besides the first is told: blocks with $ exchange it with the first one's while they run.
+struct OtherSpindle {
+  Code mode = 970;
+  double speed = 0.0;
+  double limit = std::numeric_limits<double>::infinity();
+  int direction = 0;
+};
+
 /// Where work coordinates lie in the machine: machine = R(rotation)·(work + shift) + origin + tool_length.
 struct Offsets {
   Position origin{};      ///< of the active system
@@ -82,6 +90,14 @@ struct CycleMemory {
   double r = 0.0, bottom = 0.0, dwell = 0.0, peck = 0.0, i = 0.0, j = 0.0, k = 0.0;
   bool has_r = false, has_bottom = false;
   std::optional<double> initial_level;  ///< level before the first cycle of a series, in the plane's normal axis
+};
+
+/// Sticky words of G90, G92 and G94 of lathes.
+struct TurningMemory {
+  Code code = kNoCode;
+  Position end{};
+  std::array<bool, kAxisCount> given{};
+  double taper = 0.0;  ///< [mm] R: where the cut begins, seen from where it ends
 };
 
 /// Cutter radius compensation in progress.
@@ -114,9 +130,27 @@ struct SplineMemory {
   std::vector<std::array<double, 3>> points;  ///< x, y, weight
 };
 
+/// A move with ,C or ,R: it waits for the next one, with which it makes the corner.
+struct WaitingMove {
+  Block block;
+  Code code = kNoCode;                   ///< 10, 20 or 30
+  Position end{};                        ///< work coordinates
+  std::array<double, 2> centre{};        ///< of an arc, in the plane
+  int turns = 0;                         ///< of an arc, + counter-clockwise
+  double feed = 0.0, feed_linear = 0.0;  ///< modal where it was read
+  std::size_t line = 0, file = 0;
+};
+
 struct SavedModal {
   Modal modal;
   bool automatic = false;  ///< M73: restored at the end of the call
+};
+
+/// Arcs whose end lies off their radius by more than rounding, and were accepted.
+struct MendedArcs {
+  std::size_t count = 0;
+  double worst = 0.0;  ///< [mm]
+  std::size_t line = 0, file = 0;
 };
 
 struct State {
@@ -130,8 +164,12 @@ struct State {
   std::map<int, Tool> tools;
   bool has_tool_table = false;
   CycleMemory cycle;
+  TurningMemory turning;
   Compensation compensation;
   SplineMemory spline;
+  std::optional<WaitingMove> waiting;
+  std::map<int, OtherSpindle> spindles;  ///< by number, from 1
+  MendedArcs mended;
   bool extruder_told = false;  ///< that E is left out has been said
 };
 

@@ -112,11 +112,32 @@ bool find_tool(Context& context, int number, std::size_t column, Tool& tool) {
                              "add it to the tool table", column);
 }
 
+namespace {
+
+// T0101 of lathes: tool 1 with offset 1. The turret turns at once.
+bool turn_turret(Context& context, const Block& block, int word) {
+  State& state = context.state;
+  const int number = word >= 100 ? word / 100 : word;
+  const int offset = word >= 100 ? word % 100 : word;
+  Tool tool, with_offset;
+  if (!find_tool(context, number, block.column_of('t'), tool)) return false;
+  if (offset != 0 && !find_tool(context, offset, block.column_of('t'), with_offset)) return false;
+  state.selected_tool = number;
+  state.tool_selected = true;
+  if (state.loaded.number != number) context.out.note(MoveKind::tool, fmt::format("T{}", number));
+  state.loaded = tool;
+  set_length_offset(context, with_offset.offset);
+  return true;
+}
+
+}  // namespace
+
 bool select_tool(Context& context, const Block& block) {
   int number = 0;
   Tool tool;
   if (!take_tool_number(context, block, 't', number)) return false;
-  if (context.dialect == Dialect::linuxcnc && !find_tool(context, number, block.column_of('t'), tool)) return false;
+  if (context.rules.lathe_words) return turn_turret(context, block, number);
+  if (context.rules.refuses_doubtful && !find_tool(context, number, block.column_of('t'), tool)) return false;
   context.state.selected_tool = number;
   context.state.tool_selected = true;
   return true;
@@ -143,7 +164,7 @@ bool change_tool(Context& context, const Block& block) {
   Tool tool;
   if (!find_tool(context, number, column, tool)) return false;
   state.loaded = tool;
-  if (!declared && context.dialect == Dialect::linuxcnc) state.modal.spindle_direction = 0;  // the change stops it
+  if (!declared && context.rules.refuses_doubtful) state.modal.spindle_direction = 0;  // the change stops it
   if (!declared) context.out.note(MoveKind::tool, fmt::format("T{}", number));
   return true;
 }
@@ -159,7 +180,7 @@ bool set_tool_length(Context& context, const Block& block) {
   }
   Position offset{};
   if (code == 431) {
-    if (!block.has_any(kLinearBits | kRotaryBits) && context.dialect == Dialect::linuxcnc) {
+    if (!block.has_any(kLinearBits | kRotaryBits) && context.rules.refuses_doubtful) {
       return context.faults.fail("g43.1-without-axes", "G43.1 without axis words", "give the offset, such as Z10",
                                  column);
     }

@@ -1,4 +1,4 @@
-#include "toolpace/nc/text/dialects.h"
+#include "toolpace/nc/dialects/detect.h"
 
 #include <fmt/format.h>
 
@@ -10,15 +10,15 @@ namespace toolpace::nc {
 namespace {
 
 TEST(Dialects, AreRecognisedByWhatOnlyTheyHave) {
-  EXPECT_EQ(detect_dialect("G21\nG1 X1 F5\nM2\n"), Dialect::linuxcnc);
-  EXPECT_EQ(detect_dialect("%\nO1234 (BRACKET)\nG90 G54\nM30\n%\n"), Dialect::fanuc);
-  EXPECT_EQ(detect_dialect("G90\nIF [#1 GT 2] GOTO 10\nM30\n"), Dialect::fanuc);
-  EXPECT_EQ(detect_dialect("G90\nG65 P9010 A1\nM30\n"), Dialect::fanuc);
-  EXPECT_EQ(detect_dialect("O100 SUB\nG1 X1\nO100 ENDSUB\n"), Dialect::linuxcnc);
-  EXPECT_EQ(detect_dialect("o<x> call [1]\n"), Dialect::linuxcnc);
-  EXPECT_EQ(detect_dialect("$X\nG21\n"), Dialect::grbl);
-  EXPECT_EQ(detect_dialect("M117 hi\nG1 X1 F5\n"), Dialect::grbl);
-  EXPECT_EQ(detect_dialect("(IF [GOTO] G65P)\nG1 X1\n"), Dialect::linuxcnc) << "comments do not count";
+  EXPECT_EQ(detect_dialect("G21\nG1 X1 F5\nM2\n").dialect, Dialect::linuxcnc);
+  EXPECT_EQ(detect_dialect("%\nO1234 (BRACKET)\nG90 G54\nM30\n%\n").dialect, Dialect::fanuc);
+  EXPECT_EQ(detect_dialect("G90\nIF [#1 GT 2] GOTO 10\nM30\n").dialect, Dialect::fanuc);
+  EXPECT_EQ(detect_dialect("G90\nG65 P9010 A1\nM30\n").dialect, Dialect::fanuc);
+  EXPECT_EQ(detect_dialect("O100 SUB\nG1 X1\nO100 ENDSUB\n").dialect, Dialect::linuxcnc);
+  EXPECT_EQ(detect_dialect("o<x> call [1]\n").dialect, Dialect::linuxcnc);
+  EXPECT_EQ(detect_dialect("$X\nG21\n").dialect, Dialect::grbl);
+  EXPECT_EQ(detect_dialect("M117 hi\nG1 X1 F5\n").dialect, Dialect::marlin);
+  EXPECT_EQ(detect_dialect("(IF [GOTO] G65P)\nG1 X1\n").dialect, Dialect::linuxcnc) << "comments do not count";
 }
 
 TEST(Fanuc, LoopsJumpsAndBranchesRun) {
@@ -125,7 +125,7 @@ TEST(Printers, SettingsWithAxisLettersMoveNothing) {
   const auto reading = read_program(
       "M104 S200\nG28\nM92 X80 Y80 Z400 E93\nM201 X500 Y500\nM205 X8 Y8\nG92 E0\nG1 X5 E1 F600\n"
       "G1 X6 E2\nG92 X0 E0\n");
-  EXPECT_EQ(reading.dialect, Dialect::grbl);
+  EXPECT_EQ(reading.dialect, Dialect::marlin);
   EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
   EXPECT_EQ(ends(reading), (Values{0, 5, 6}));
   const Codes all = codes(reading);
@@ -141,8 +141,8 @@ TEST(Printers, DwellInMillisecondsByPAndInSecondsByS) {
 }
 
 TEST(Printers, AreKnownByTheirChecksums) {
-  EXPECT_EQ(detect_dialect("N1 G28*18\nN2 G1 X10 F600*82\n"), Dialect::grbl);
-  EXPECT_EQ(detect_dialect("G1 X[2*3]\nG1 Y#1\n"), Dialect::linuxcnc);
+  EXPECT_EQ(detect_dialect("N1 G28*18\nN2 G1 X10 F600*82\n").dialect, Dialect::marlin);
+  EXPECT_EQ(detect_dialect("G1 X[2*3]\nG1 Y#1\n").dialect, Dialect::linuxcnc);
 }
 
 TEST(Grbl, AWordThatTheDialectLacksIsNamed) {

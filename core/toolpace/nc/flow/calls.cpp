@@ -8,6 +8,7 @@ namespace toolpace::nc {
 
 bool Flow::call_label(const std::string& label, Scanner& text, std::size_t column) {
   std::vector<double> arguments;
+  if (!reader_.skip_comments(text)) return false;
   while (text.peek() == '[') {
     const std::size_t argument_column = text.column();
     double value = 0.0;
@@ -17,6 +18,7 @@ bool Flow::call_label(const std::string& label, Scanner& text, std::size_t colum
                           "use global parameters", argument_column);
     }
     arguments.push_back(value);
+    if (!reader_.skip_comments(text)) return false;
   }
   if (!end_of_line(text) || !enter(label, column, 1, false)) return false;
   parameters_.enter_call(arguments);
@@ -30,7 +32,7 @@ bool Flow::enter(const std::string& label, std::size_t column, int repeats, bool
     return lose("calls-too-deep", fmt::format("more than {} calls within each other", limits_.call_depth),
                 "check for a sub-program that calls itself; --max-call-depth raises the bound", column);
   }
-  const bool fanuc = reader_.dialect() == Dialect::fanuc;
+  const bool fanuc = reader_.rules().macro_statements;
   Call call;
   call.back = here_;
   call.repeats = repeats;

@@ -4,16 +4,21 @@
 
 namespace toolpace::nc {
 
-bool Flow::run_goto(Scanner& text) {
-  const std::size_t column = text.column();
-  double number = 0.0;
-  if (!reader_.expressions().read_value(text, number)) {
-    lost_ = true;
-    return false;
-  }
+namespace {
+
+// Macro words may be cut off behind their second letter: WH, GO, EN.
+bool take_macro_word(Scanner& text, std::string_view word) {
+  if (!text.take_word(word.substr(0, 2))) return false;
+  for (std::size_t i = 2; i < word.size() && text.peek() == word[i]; ++i) text.take();
+  return !is_letter(text.peek());
+}
+
+}  // namespace
+
+bool Flow::go_to_number(double number, std::size_t column) {
   std::size_t offset = 0, line = 0;
   if (!index().find_number(number, here_.offset, offset, line)) {
-    return lose("line-number-unknown", fmt::format("there is no line N{:g}", number), "check the number behind GOTO",
+    return lose("line-number-unknown", fmt::format("there is no line N{:g}", number), "check the number of the line",
                 column);
   }
   const bool backward = offset <= begin_;
@@ -21,10 +26,20 @@ bool Flow::run_goto(Scanner& text) {
   return !backward || count_turn();
 }
 
+bool Flow::run_goto(Scanner& text) {
+  const std::size_t column = text.column();
+  double number = 0.0;
+  if (!reader_.expressions().read_value(text, number)) {
+    lost_ = true;
+    return false;
+  }
+  return go_to_number(number, column);
+}
+
 bool Flow::run_fanuc_statement(Scanner& text, bool& good) {
   good = true;
   Scanner ahead = text;
-  if (ahead.take_word("goto")) {
+  if (take_macro_word(ahead, "goto")) {
     text = ahead;
     good = run_goto(text);
     return true;
@@ -34,11 +49,11 @@ bool Flow::run_fanuc_statement(Scanner& text, bool& good) {
     bool holds = false;
     good = read_condition(text, holds);
     if (!good) return true;
-    if (text.take_word("goto")) {
+    if (take_macro_word(text, "goto")) {
       if (holds) good = run_goto(text);
       return true;
     }
-    if (text.take_word("then")) {
+    if (take_macro_word(text, "then")) {
       if (!holds) return true;
       return false;  // the rest of the line is a block
     }
@@ -47,9 +62,10 @@ bool Flow::run_fanuc_statement(Scanner& text, bool& good) {
     return true;
   }
   ahead = text;
-  const bool has_condition = ahead.take_word("while") && ahead.peek() == '[';
+  const bool has_condition = take_macro_word(ahead, "while") && ahead.peek() == '[';
   const bool is_do = !has_condition && (ahead = text, ahead.take_word("do")) && is_digit(ahead.peek());
-  const bool is_end = !has_condition && !is_do && (ahead = text, ahead.take_word("end")) && is_digit(ahead.peek());
+  const bool is_end =
+      !has_condition && !is_do && (ahead = text, take_macro_word(ahead, "end")) && is_digit(ahead.peek());
   if (!has_condition && !is_do && !is_end) return false;
   text = ahead;
   bool holds = true;

@@ -104,7 +104,7 @@ bool Flow::run_o_word(Scanner& text) {
   }
   const std::size_t keyword_column = text.column();
   Control control = read_control(text);
-  if (control == Control::unknown && reader_.dialect() == Dialect::fanuc) control = Control::none;
+  if (control == Control::unknown && reader_.rules().macro_statements) control = Control::none;
   if (control == Control::unknown) {
     return lose("o-word-unknown", fmt::format("O{} is followed by no control word", label),
                 "sub endsub call return if elseif else endif while endwhile do repeat "

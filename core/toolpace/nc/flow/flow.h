@@ -55,6 +55,11 @@ class Flow {
   /// M99 and the end of a sub-program file. @return false if no call is running
   bool return_from_call(std::optional<double> to_number = {});
 
+  /// M99 P of a program itself: goes on at line N<number>.
+  bool go_to_number(double number, std::size_t column);
+  /// What stands behind the line taken last, in its file.
+  std::string_view rest() { return files_.at(here_.file).text.substr(here_.offset); }
+
   double returned_value() const { return returned_value_; }
   bool has_returned_value() const { return has_returned_value_; }
 
@@ -74,7 +79,7 @@ class Flow {
     std::optional<SavedModal> saved;
   };
 
-  FlowIndex& index() { return files_.at(here_.file).flow(reader_.dialect() == Dialect::fanuc); }
+  FlowIndex& index() { return files_.at(here_.file).flow(reader_.rules().macro_statements); }
   const ControlLine* current_line(int& at);
   bool lose(const char* code, std::string what, std::string remedy, std::size_t column = 0);
   void jump(std::size_t offset, std::size_t line);

@@ -131,8 +131,11 @@ void FlowIndex::scan_line(std::string_view line, std::size_t begin, std::size_t 
     entry.control = read_control(text);
     if (entry.control == Control::unknown && fanuc_) entry.control = Control::none;
   } else if (fanuc_ && (c == 'w' || c == 'd' || c == 'e')) {
-    const bool ends = text.take_word("end");
-    if (!ends && text.take_word("while")) skip_brackets(text);
+    const bool ends = text.take_word("end") || text.take_word("en");
+    if (!ends && (text.take_word("while") || text.take_word("wh"))) {
+      while (is_letter(text.peek())) text.take();
+      skip_brackets(text);
+    }
     double which = 0.0;
     if (!ends && !text.take_word("do")) return;
     if (text.take_number(which) != NumberStatus::ok) return;

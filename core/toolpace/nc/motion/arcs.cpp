@@ -2,27 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "toolpace/nc/motion/compensation.h"
+#include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/text/whole_number.h"
 
 namespace toolpace::nc {
 namespace {
 
-// Start and end radius may differ by as much as LinuxCNC allows.
-constexpr double kRadiusDifference = 0.005;  // [mm]
-constexpr double kRadiusDifferenceInch = 0.0005 * kMmPerInch;
-constexpr double kSpiralRelative = 0.001;
-constexpr double kSpiralAbsolute = 0.5;   // [mm]
-constexpr double kNearSemicircle = 1e-5;  // of the radius: half chord nearly as long as the radius
+// By how much a radius may be too short to reach the end, as LinuxCNC allows it.
+constexpr double kShortRadius = 0.005;  // [mm]
+constexpr double kShortRadiusInch = 0.0005 * kMmPerInch;
+constexpr double kSemicircle = 1e-12;  // of the radius: half the chord is as long as the radius but for rounding
 
-// The same under cutter compensation, as measured on LinuxCNC 2.9: arcs are not rejected until 0.0283 mm.
-constexpr double kRadiusFactorCompensated = 4.0 * std::numbers::sqrt2;
+// What is mended is told: less is the rounding of numbers with three decimals, or of large radii.
+constexpr double kRounding = 0.005;  // [mm]
+constexpr double kRoundingRelative = 0.001;
 
-double radius_tolerance(const Modal& modal) { return modal.units == 200 ? kRadiusDifferenceInch : kRadiusDifference; }
+double short_radius(const Modal& modal) { return modal.units == 200 ? kShortRadiusInch : kShortRadius; }
+
+void remember_mended(Context& context, double difference, double radius) {
+  if (difference <= kRounding || difference <= kRoundingRelative * radius) return;
+  MendedArcs& mended = context.state.mended;
+  ++mended.count;
+  if (difference <= mended.worst) return;
+  mended.worst = difference;
+  mended.line = context.out.line_number();
+  mended.file = context.out.file();
+}
 
 bool find_centre_by_offset(Context& context, const Block& block, PlaneArc& arc) {
   const Modal& modal = context.state.modal;
@@ -57,12 +67,12 @@ bool find_centre_by_radius(Context& context, const Block& block, bool clockwise,
   }
   const double half = chord / 2.0;
   double size = std::fabs(radius);
-  if (half - size > radius_tolerance(context.state.modal)) {
+  if (half - size > short_radius(context.state.modal)) {
     return context.faults.fail("arc-radius-too-small",
                                fmt::format("radius {:.4f} mm cannot reach the end point {:.4f} mm away", size, chord),
                                fmt::format("the radius must be at least {:.4f} mm", half), block.column_of('r'));
   }
-  if (half / size > 1.0 - kNearSemicircle) size = half;
+  if (half / size > 1.0 - kSemicircle) size = half;
   // The centre lies beside the middle of the chord; short arcs that go clockwise have it on the right.
   const double beside = std::sqrt(std::max(0.0, size * size - half * half));
   const double side = clockwise == (radius > 0.0) ? -1.0 : 1.0;
@@ -99,13 +109,13 @@ bool check_words(Context& context, const Block& block, const PlaneAxes& plane) {
     return context.faults.fail(code, std::move(what), remedy, block.column_of(GGroup::motion));
   };
   const bool by_radius = block.has('r');
-  if (by_radius && block.has_any(kCentreBits)) {
+  if (by_radius && block.has_any(kCentreBits) && context.rules.refuses_doubtful) {
     return fail("arc-radius-and-centre", "an arc with both a radius and a centre", "give R, or I J K, not both");
   }
-  if (!by_radius && block.has(normal)) {
+  if (!by_radius && block.has(normal) && !context.rules.ignores_centre_off_plane) {
     return fail("arc-centre-off-plane",
                 fmt::format("{} does not belong to the plane of this arc", static_cast<char>(normal - 32)),
-                "check G17 G18 G19");
+                "check G17 G18 G19; --dialect grbl and others leave the word out");
   }
   const bool in_plane =
       block.has(kAxisLetters[plane.first]) || block.has(kAxisLetters[plane.second]) || block.has_any(kPolarBits);
@@ -154,21 +164,22 @@ void write_arc(Context& context, const PlaneArc& arc, const Position& from, cons
 }
 
 bool check_radii(Context& context, double at_start, double at_end, std::size_t column) {
-  const double tolerance = radius_tolerance(context.state.modal);
-  if (at_start < tolerance || at_end < tolerance) {
+  const ArcTolerance& arc = context.arc;
+  if (at_start < arc.least_radius || at_end < arc.least_radius) {
     return context.faults.fail("arc-radius-zero", "an arc with its centre at its start or end",
                                "check the centre words I J K", column);
   }
   const double difference = std::fabs(at_start - at_end);
-  const bool compensated = context.state.compensation.radius > 0.0;
-  const double allowed = compensated ? tolerance * kRadiusFactorCompensated : tolerance;
-  if (difference > kSpiralAbsolute || (difference > allowed && difference > kSpiralRelative * at_start)) {
+  const double tolerance = context.state.modal.units == 200 ? arc.inch : arc.metric;
+  const double relative = arc.relative * std::max(at_start, at_end);
+  if (difference > tolerance && (difference > relative || difference > arc.most * tolerance)) {
     return context.faults.fail(
         "arc-radius-differs",
         fmt::format("the end of the arc lies {:.4f} mm off its radius: {:.4f} mm at the start, {:.4f} mm at the end",
                     difference, at_start, at_end),
-        "check the centre words I J K, G90.1/G91.1, and the plane");
+        "check the centre words I J K, G90.1/G91.1, and the plane; --arc-tolerance-mm lets more pass");
   }
+  remember_mended(context, difference, at_start);
   return true;
 }
 
@@ -190,7 +201,8 @@ bool run_arc(Context& context, const Block& block, Code code) {
   if (!find_turns(context, block, clockwise, arc.turns)) return false;
   const bool found = block.has('r') ? find_centre_by_radius(context, block, clockwise, arc)
                                     : find_centre_by_offset(context, block, arc);
-  return found && go_around(context, block, arc, end);
+  if (!found) return false;
+  return meets_corner(state, block) ? run_cornered_arc(context, block, arc, end) : go_around(context, block, arc, end);
 }
 
 bool go_around(Context& context, const Block& block, const PlaneArc& arc, const Position& end) {

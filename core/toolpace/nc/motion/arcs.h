@@ -19,7 +19,7 @@ bool run_arc(Context& context, const Block& block, Code code);
 /// Goes around `arc` to `end`, with cutter compensation where it is on.
 bool go_around(Context& context, const Block& block, const PlaneArc& arc, const Position& end);
 
-/// Whether an arc's radii at its start and end are alike, as far as LinuxCNC wants it.
+/// Whether an arc's radii at its start and end are alike, as far as the dialect wants it, or --arc-tolerance-mm.
 bool check_radii(Context& context, double at_start, double at_end, std::size_t column);
 
 /// Appends the arc as a row; `end` gives the axes outside the plane.

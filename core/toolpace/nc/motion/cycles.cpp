@@ -15,7 +15,19 @@ namespace {
 
 constexpr double kPeckClearance = 0.254;  // [mm] 0.010 in, of G73 and G83
 constexpr double kMostPecks = 100000;
+constexpr double kWholeDepth = 1e9;  // [mm] the peck of a hole that is drilled at once
 constexpr int kMostRepeats = 1'000'000;
+
+// Lathes drill along Z by G83 to G85 and along X by G87 to G89, whatever the plane.
+PlaneAxes cycle_plane(const Context& context, Code code) {
+  if (!context.rules.lathe_words) return plane_axes(context.state.modal.plane);
+  return code >= 870 ? PlaneAxes{1, 2, 0} : PlaneAxes{0, 1, 2};
+}
+
+// G87 to G89 of lathes are G83 to G85 from the side.
+Code cycle_of(const Context& context, Code code) {
+  return context.rules.lathe_words && code >= 870 ? static_cast<Code>(code - 40) : code;
+}
 
 // One hole, in work coordinates; levels along the plane's normal axis.
 struct Hole {
@@ -71,11 +83,11 @@ bool check_spindle(Context& context, const Block& block, Code code) {
   const int direction = context.state.modal.spindle_direction;
   const bool needs_any = code == 860 || code == 870 || code == 880;
   const int wanted = code == 740 ? -1 : code == 840 ? 1 : 0;
-  if (needs_any && direction == 0 && context.dialect == Dialect::linuxcnc) {
+  if (needs_any && direction == 0 && context.rules.refuses_doubtful) {
     return fail(context, block, "spindle-stopped", code_text('G', code) + " while the spindle stands still",
                 "start it with M3 or M4");
   }
-  if (wanted == 0 || wanted == direction || context.dialect != Dialect::linuxcnc) return true;
+  if (wanted == 0 || wanted == direction || !context.rules.refuses_doubtful) return true;
   return fail(context, block, "spindle-direction",
               fmt::format("{} while the spindle does not turn that way", code_text('G', code)),
               wanted > 0 ? "start it with M3 before G84" : "start it with M4 before G74");
@@ -98,7 +110,7 @@ bool drill(Context& context, CycleRun& run, const Block& block, const Hole& hole
   const CycleMemory& memory = context.state.cycle;
   if (!check_spindle(context, block, code)) return false;
   const bool incremental = context.state.modal.incremental();
-  const bool as_linuxcnc = context.dialect == Dialect::linuxcnc;
+  const bool as_linuxcnc = context.rules.linuxcnc_cycles;
   switch (code) {
     case 730:
     case 830: peck(run, hole, memory.peck, code == 830); return true;
@@ -159,36 +171,39 @@ bool remember(Context& context, const Block& block, Code code, bool same_series)
   State& state = context.state;
   CycleMemory& memory = state.cycle;
   if (!same_series) begin_cycle(memory, code);
-  const PlaneAxes plane = plane_axes(state.modal.plane);
+  const PlaneAxes plane = cycle_plane(context, code);
   const char depth_word = kAxisLetters[plane.normal];
   if (block.has('r')) {
     memory.r = length_of(state, block, 'r');
     memory.has_r = true;
   }
   if (block.has(depth_word)) {
-    memory.bottom = block.of(depth_word) * state.modal.unit();
+    memory.bottom = length_of(state, block, depth_word);
+    if (depth_word == 'x' && state.modal.lathe_diameter == 70) memory.bottom /= 2.0;
     memory.has_bottom = true;
   }
   const std::string name = code_text('G', code);
-  if (!memory.has_r)
+  if (!memory.has_r && !context.rules.lathe_words)
     return fail(context, block, "cycle-without-r", name + " without R", "give the retract level with R");
   if (!memory.has_bottom) {
     return fail(context, block, "cycle-without-depth",
                 fmt::format("{} without {}", name, static_cast<char>(depth_word - 32)),
                 fmt::format("give the depth with {}", static_cast<char>(depth_word - 32)));
   }
-  if (code == 730 || code == 830) {
+  const Code form = cycle_of(context, code);
+  if (form == 730 || form == 830) {
     if (block.has('q')) memory.peck = length_of(state, block, 'q');
+    if (!(memory.peck > 0.0) && context.rules.lathe_words) memory.peck = kWholeDepth;
     if (!(memory.peck > 0.0))
       return fail(context, block, "cycle-peck", name + " without a positive Q", "give the depth of a peck with Q");
   }
-  if (block.has('p')) memory.dwell = block.of('p');
-  if ((code == 820 || code == 860 || code == 880 || code == 890) && !block.has('p') && !same_series) {
-    if (context.dialect == Dialect::linuxcnc)
+  if (block.has('p')) memory.dwell = block.of('p') / (context.rules.dwells_in_milliseconds ? 1000.0 : 1.0);
+  if ((form == 820 || form == 860 || form == 880 || form == 890) && !block.has('p') && !same_series) {
+    if (context.rules.refuses_doubtful)
       return fail(context, block, "cycle-without-dwell", name + " without P", "give the dwell in s with P");
     memory.dwell = 0.0;
   }
-  if (code == 870 && !remember_back_boring(context, block, same_series)) return false;
+  if (form == 870 && !remember_back_boring(context, block, same_series)) return false;
   if (!is_dwell(memory.dwell)) {
     return fail(context, block, "dwell-negative", fmt::format("a dwell of {:g} s", memory.dwell),
                 "give a time of 0 to 1e9 s");
@@ -197,7 +212,7 @@ bool remember(Context& context, const Block& block, Code code, bool same_series)
 }
 
 bool find_repeats(Context& context, const Block& block, int& repeats) {
-  const char letter = context.dialect == Dialect::fanuc && block.has('k') ? 'k' : 'l';
+  const char letter = context.rules.repeats_by_k && block.has('k') ? 'k' : 'l';
   const double value = block.of(letter, 1.0);
   const auto number = whole_number(value, 0, kMostRepeats);
   if (!number) {
@@ -230,7 +245,8 @@ bool run_cycle(Context& context, const Block& block, Code code) {
   const bool first_of_series = !state.cycle.initial_level.has_value();
   const bool same_series = !first_of_series && state.cycle.code == code;
   if (!check_cycle(context, block) || !remember(context, block, code, same_series)) return false;
-  const PlaneAxes plane = plane_axes(state.modal.plane);
+  const PlaneAxes plane = cycle_plane(context, code);
+  const Code form = cycle_of(context, code);
   int repeats = 1;
   Feedrate feed;
   if (!find_repeats(context, block, repeats) ||
@@ -244,13 +260,15 @@ bool run_cycle(Context& context, const Block& block, Code code) {
   const double initial = *memory.initial_level;
   const bool incremental = state.modal.incremental();
   Hole hole{plane, target[plane.first], target[plane.second], memory.r, memory.bottom, 0.0};
-  if (incremental) {
+  if (context.rules.lathe_words) {
+    hole.retract = memory.has_r ? initial + memory.r : initial;
+  } else if (incremental) {
     hole.retract = memory.r + initial;
     hole.bottom = memory.bottom + hole.retract;
   }
   if (hole.retract < hole.bottom)
     return fail(context, block, "cycle-r-below-depth", "R lies below the bottom of the hole", "check R and the depth");
-  if ((code == 730 || code == 830) && (hole.retract - hole.bottom) / memory.peck > kMostPecks) {
+  if ((form == 730 || form == 830) && (hole.retract - hole.bottom) / memory.peck > kMostPecks) {
     return fail(context, block, "cycle-peck", fmt::format("more than {:g} pecks in one hole", kMostPecks),
                 "give a larger Q");
   }
@@ -269,7 +287,7 @@ bool run_cycle(Context& context, const Block& block, Code code) {
     }
     run.rapid_to(hole.first, hole.second, approach);
     if (approach != hole.retract) run.rapid(hole.retract);
-    if (!drill(context, run, block, hole, code)) return false;
+    if (!drill(context, run, block, hole, form)) return false;
     approach = hole.clear;
   }
   context.out.set_mode(state.modal);

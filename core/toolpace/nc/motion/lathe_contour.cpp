@@ -6,36 +6,13 @@
 #include <cmath>
 
 #include "toolpace/nc/motion/arcs.h"
+#include "toolpace/nc/motion/corner_geometry.h"
 #include "toolpace/nc/motion/motion.h"
 
 namespace toolpace::nc {
 namespace {
 
-constexpr double kNoCorner = 1e-9;  // [rad] smoother than this there is no corner to finish
-
 bool is_plain_motion(Code code) { return code == 0 || code == 10 || code == 20 || code == 30; }
-
-// The foot of `centre` on the element's line or circle.
-Point foot_on(const OffsetElement& e, Point centre) {
-  if (e.turn == 0) return foot_on_line(e, centre);
-  const Point out = centre - e.centre;
-  return e.centre + out * (norm(e.start - e.centre) / norm(out));
-}
-
-// The element moved to its left by `distance`; none where an arc would vanish.
-bool move_left(OffsetElement& e, double distance) {
-  if (e.turn == 0) {
-    const Point aside = turned(e.end - e.start, 1.0) * (distance / norm(e.end - e.start));
-    e.start = e.start + aside;
-    e.end = e.end + aside;
-    return true;
-  }
-  const double radius = norm(e.start - e.centre);
-  const double factor = (radius - (e.turn > 0 ? distance : -distance)) / radius;
-  e.start = e.centre + (e.start - e.centre) * factor;
-  e.end = e.centre + (e.end - e.centre) * factor;
-  return factor > 0.0;
-}
 
 }  // namespace
 
@@ -159,24 +136,10 @@ bool LatheContourReader::add(const Block& block, std::uint32_t line) {
 // A circle that touches both elements, on the side that the corner is open to; a chamfer joins where it touches.
 bool LatheContourReader::finish_corner(ContourElement& before, ContourElement& after, const Corner& corner,
                                        ContourElement& between) {
-  const double angle = angle_between(direction_at_end(before), direction_at_start(after));
-  if (corner.size == 0.0 || std::fabs(angle) < kNoCorner) return false;
-  const double side = angle > 0.0 ? 1.0 : -1.0;
-  OffsetElement a = before, b = after;
-  bool fits = move_left(a, side * corner.size) && move_left(b, side * corner.size);
-  const auto centre = fits ? meeting_of(a, b, before.end) : std::nullopt;
-  if (centre) {
-    between.start = foot_on(before, *centre);
-    between.end = foot_on(after, *centre);
-    between.centre = *centre;
-    between.turn = corner.kind == CornerKind::fillet ? (angle > 0.0 ? 1 : -1) : 0;
+  if (corner.size == 0.0 || !is_corner(before, after)) return false;
+  if (round_corner(before, after, corner.size, between)) {
+    if (corner.kind != CornerKind::fillet) between.turn = 0;
     between.line = before.line;
-    OffsetElement back{after.end, after.start, after.centre, -after.turn};
-    fits = lies_on(before, between.start) && lies_on(back, between.end);
-  }
-  if (centre && fits) {
-    before.end = between.start;
-    after.start = between.end;
     return true;
   }
   context_.faults.fail("lathe-corner-too-large",

@@ -3,20 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "toolpace/nc/motion/arcs.h"
 #include "toolpace/nc/motion/compensation.h"
+#include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/motion/cycles.h"
 #include "toolpace/nc/motion/spindle.h"
 #include "toolpace/nc/motion/splines.h"
 #include "toolpace/nc/motion/threading.h"
+#include "toolpace/nc/motion/turning.h"
 
 namespace toolpace::nc {
 namespace {
 
-constexpr double kSlowestInverseTime = 0.1;  // [units/min] what LinuxCNC makes of slower inverse-time moves
 constexpr double kNoLength = 1e-12;
+constexpr std::array<char, kAxisCount> kIncrementLetters = {'u', 'v', 'w', '\0', '\0', 'h'};
 
 bool resolve_polar(Context& context, const Block& block, const Position& from, Position& end) {
   const State& state = context.state;
@@ -56,9 +59,26 @@ double axis_value(const State& state, const Block& block, std::size_t axis) {
   return axis == 0 && state.modal.lathe_diameter == 70 ? value / 2.0 : value;
 }
 
+// U V W H of lathes, whatever G90 or G91 would say.
+bool add_increments(Context& context, const Block& block, Position& end) {
+  const State& state = context.state;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const char letter = kIncrementLetters[i];
+    if (letter == '\0' || !block.has(letter)) continue;
+    if (block.has(kAxisLetters[i])) {
+      const char shown = static_cast<char>(letter - 32), axis = static_cast<char>(kAxisLetters[i] - 32);
+      return context.faults.fail("increment-twice", fmt::format("both {} and {} in a block", axis, shown),
+                                 "give one of them", block.column_of(letter));
+    }
+    const double value = is_rotary(i) ? block.of(letter) : block.of(letter) * state.modal.unit();
+    end[i] += i == 0 && state.modal.lathe_diameter == 70 ? value / 2.0 : value;
+  }
+  return true;
+}
+
 bool find_machine_end(Context& context, const Block& block, Position& end) {
   const State& state = context.state;
-  if (state.modal.incremental()) {
+  if (state.modal.incremental() && !context.rules.machine_moves_incremental) {
     return context.faults.fail("g53-incremental", "G53 under G91", "use G90 with G53", block.column_of(GGroup::once));
   }
   if (block.has_any(kPolarBits)) {
@@ -80,7 +100,9 @@ bool run_straight(Context& context, const Block& block, Code code) {
                                "end it with G40 first", block.column_of(GGroup::once));
   }
   Position end;
-  return find_end(context, block, end) && go_straight(context, block, code, end);
+  if (!find_end(context, block, end)) return false;
+  if (code == 10 && meets_corner(state, block)) return run_cornered_line(context, block, code, end);
+  return go_straight(context, block, code, end);
 }
 
 bool run_probe(Context& context, const Block& block, Code code) {
@@ -107,7 +129,10 @@ bool run_probe(Context& context, const Block& block, Code code) {
   if (!find_straight_feedrate(context, block, state.position, end, feed)) return false;
   context.out.line(MoveKind::probe, state.offsets, end, feed);
   state.position = end;
-  store_position(context.parameters, kProbedPosition, end);
+  // In the units of the program at this moment, as LinuxCNC keeps them.
+  Position result = end;
+  for (std::size_t i = 0; i < kAxisCount; ++i) result[i] /= is_rotary(i) ? 1.0 : state.modal.unit();
+  store_position(context.parameters, kProbedPosition, result);
   return true;
 }
 
@@ -124,8 +149,14 @@ Position load_position(const Parameters& parameters, int first) {
 }
 
 const Position& programmed_position(const State& state) {
+  if (state.waiting) return state.waiting->end;
   const Compensation& compensation = state.compensation;
   return compensation.radius > 0.0 && !compensation.first_move_pending ? compensation.programmed : state.position;
+}
+
+bool names_axis(const Context& context, const Block& block, std::size_t axis) {
+  const char increment = kIncrementLetters[axis];
+  return block.has(kAxisLetters[axis]) || (context.rules.lathe_words && increment != '\0' && block.has(increment));
 }
 
 double length_of(const State& state, const Block& block, char letter) { return block.of(letter) * state.modal.unit(); }
@@ -141,6 +172,7 @@ bool find_end(Context& context, const Block& block, Position& end) {
     const double value = axis_value(state, block, i);
     end[i] = incremental ? from[i] + value : value;
   }
+  if (context.rules.lathe_words && !add_increments(context, block, end)) return false;
   return !block.has_any(kPolarBits) || resolve_polar(context, block, from, end);
 }
 
@@ -153,9 +185,8 @@ bool find_feedrate(Context& context, const Block& block, const Way& way, Feedrat
                                  "a feed move in inverse-time mode (G93) without an F word",
                                  "give F in every block with a feed move, or use G94");
     }
-    const double slowest = kSlowestInverseTime * modal.unit();
-    feed.linear = std::max(slowest, linear_length * block.of('f'));
-    feed.angular = std::max(kSlowestInverseTime, angular_length * block.of('f'));
+    feed.linear = linear_length * block.of('f');
+    feed.angular = angular_length * block.of('f');
     if (block.of('f') > 0.0) return true;
     return context.faults.fail("no-feed", "a feed of zero", "give a positive F", block.column_of('f'));
   }
@@ -209,7 +240,8 @@ bool go_straight(Context& context, const Block& block, Code code, const Position
 bool run_motion(Context& context, const Block& block, Code code) {
   if (code == 0 || code == 10 || code == 20 || code == 30) context.state.plain_motion = code;
   // On Fanuc controllers G80 ends cycles alone; the motion code before them goes on.
-  context.state.modal.motion = code == 800 && context.dialect == Dialect::fanuc ? context.state.plain_motion : code;
+  context.state.modal.motion = code == 800 && context.rules.g80_keeps_motion ? context.state.plain_motion : code;
+  if (code < kForeignCodes) context.state.turning.code = kNoCode;
   if (code != 50) context.state.spline.after_cubic = false;
   if (context.state.spline.collecting && code != 52 && code != 53) {
     context.faults.warn("spline-not-closed", "another motion before G5.3 gives the spline up",
@@ -233,6 +265,10 @@ bool run_motion(Context& context, const Block& block, Code code) {
     case 385: return run_probe(context, block, code);
     case 760: return run_threading(context, block);
     case 800: return true;
+    case kLatheThread: return run_lathe_thread(context, block);
+    case kLatheTurning:
+    case kLatheFacing:
+    case kLatheThreading: return run_turning(context, block, code);
     default: return run_cycle(context, block, code);
   }
 }

@@ -14,6 +14,9 @@ bool find_end(Context& context, const Block& block, Position& end);
 /// Where the program thinks the tool is: the contour while compensation is active, else the tool.
 const Position& programmed_position(const State& state);
 
+/// Whether the block gives this axis a value: by its letter, or in lathe programs by that of its increment.
+bool names_axis(const Context& context, const Block& block, std::size_t axis);
+
 /// A length word in mm.
 double length_of(const State& state, const Block& block, char letter);
 

@@ -23,8 +23,7 @@ bool find_pitch(Context& context, const Block& block, char letter, Feedrate& fee
                 fmt::format("a thread without a positive {}", static_cast<char>(letter - 32)), "give the pitch");
   }
   const double speed = spindle_turns(state, state.position[0], state.position[0]);
-  if (speed == 0.0 || std::isinf(speed) ||
-      (state.modal.spindle_direction == 0 && context.dialect == Dialect::linuxcnc)) {
+  if (speed == 0.0 || std::isinf(speed) || (state.modal.spindle_direction == 0 && context.rules.refuses_doubtful)) {
     return fail(context, block, "spindle-stopped", "a thread while the spindle stands still",
                 "give S and M3 or M4 before");
   }

@@ -15,6 +15,9 @@ constexpr double kCodeWithin = 1e-3;  // tenths
 std::string word_text(std::size_t index) {
   if (index == kRadiusWord) return "@";
   if (index == kAngleWord) return "^";
+  if (index == kChamferWord) return ",C";
+  if (index == kFilletWord) return ",R";
+  if (index == kSpindleWord) return "$";
   return std::string(1, static_cast<char>('A' + index));
 }
 
@@ -25,6 +28,7 @@ bool follows_digit(const Scanner& text, std::size_t column) {
 }  // namespace
 
 std::string code_text(char letter, Code code) {
+  if (code >= kForeignCodes) return code_text(letter, static_cast<Code>(code - kForeignCodes));
   return code % 10 == 0 || letter == 'M' ? fmt::format("{}{}", letter, letter == 'M' ? code : code / 10)
                                          : fmt::format("{}{}.{}", letter, code / 10, code % 10);
 }
@@ -41,9 +45,15 @@ bool BlockReader::skip_comments(Scanner& text, std::string* last_comment) {
       return faults_.fail("comment-not-closed", "a comment that begins with '(' has no ')'",
                           "close the comment with ')'", text.column());
     }
-    if (dialect_ == Dialect::linuxcnc && rest.substr(1, close - 1).find('(') != std::string_view::npos) {
+    if (rules_.refuses_doubtful && rest.substr(1, close - 1).find('(') != std::string_view::npos) {
       return faults_.fail("comment-nested", "a comment within a comment",
                           "comments do not nest: remove the inner parenthesis", text.column());
+    }
+    if (rules_.acts_by_comment && Scanner(rest.substr(1, close - 1)).take_word("abort,")) {
+      aborted_ = true;
+      const std::string_view why = rest.substr(0, close);
+      return faults_.fail("program-abort", fmt::format("the program gives up:{}", why.substr(why.find(',') + 1)),
+                          "see to what the program complains of", text.column());
     }
     if (last_comment != nullptr) *last_comment = rest.substr(1, close - 1);
     text.move_to(text.position() + close + 1);
@@ -54,7 +64,7 @@ bool BlockReader::skip_comments(Scanner& text, std::string* last_comment) {
 bool BlockReader::read(Scanner& text, Block& block) {
   block.clear();
   assignments_.clear();
-  std::string* const message = dialect_ == Dialect::fanuc ? &block.message : nullptr;
+  std::string* const message = rules_.macro_statements ? &block.message : nullptr;
   for (char c = text.peek(); c != '\0'; c = text.peek()) {
     if (is_letter(c)) {
       if (!read_word(text, c, block)) return false;
@@ -62,13 +72,18 @@ bool BlockReader::read(Scanner& text, Block& block) {
       if (!skip_comments(text, message)) return false;
     } else if (c == '#') {
       if (!read_assignment(text)) return false;
-    } else if (c == '@' || c == '^') {
+    } else if (c == '@' || c == '^' || c == '$') {
       const std::size_t column = text.column();
       text.take();
       double value = 0.0;
       if (!expressions_.read_value(text, value)) return false;
-      if (!store_word(c == '@' ? kRadiusWord : kAngleWord, value, column, block)) return false;
-    } else if (c == '*' && dialect_ == Dialect::grbl) {
+      const std::size_t index = c == '@' ? kRadiusWord : c == '^' ? kAngleWord : kSpindleWord;
+      if (!store_word(index, value, column, block)) return false;
+    } else if (c == ',' && rules_.corner_words) {
+      if (!read_corner(text, block)) return false;
+    } else if (rules_.sender_lines && is_real_time(c)) {
+      text.take();
+    } else if (c == '*' && rules_.line_checksums) {
       text.move_to(text.end());  // a sender's checksum
     } else {
       return faults_.fail("bad-character", fmt::format("{} begins no word", shown_character(text.rest())),
@@ -76,6 +91,21 @@ bool BlockReader::read(Scanner& text, Block& block) {
     }
   }
   return is_at_end(text) && (assignments_.empty() || assign());
+}
+
+bool BlockReader::read_corner(Scanner& text, Block& block) {
+  const std::size_t column = text.column();
+  text.take();
+  const char c = text.peek();
+  if (c != 'c' && c != 'r') {
+    return faults_.fail("corner-word", "behind a comma stands neither C nor R",
+                        "write ,C for a chamfer or ,R for a rounding; numbers have a decimal point, not a comma",
+                        column);
+  }
+  text.take();
+  double value = 0.0;
+  return expressions_.read_value(text, value) &&
+         store_word(c == 'c' ? kChamferWord : kFilletWord, value, column, block);
 }
 
 bool BlockReader::is_at_end(const Scanner& text) {
@@ -105,7 +135,7 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
   if (is_argument) return store_word(word_index(letter), value, column, block);  // M U V W too
   if (letter == 'm') return read_m(value, column, block) && skip_printer_text(text, block);
   if (letter == 'n') {
-    if (dialect_ == Dialect::linuxcnc) {
+    if (rules_.refuses_doubtful) {
       return faults_.fail("bad-line-number", "a line number within a block", "N stands at the beginning of the line",
                           column);
     }
@@ -136,20 +166,20 @@ bool BlockReader::store_word(std::size_t index, double value, std::size_t column
 bool BlockReader::read_g(double value, std::size_t column, Block& block) {
   const double tenths = std::round(value * 10.0);
   const bool plausible = std::fabs(value * 10.0 - tenths) < kCodeWithin && tenths >= 0.0 && tenths < 10000.0;
-  const auto use = plausible ? g_code_use(static_cast<Code>(tenths), dialect_) : std::nullopt;
+  const auto use = plausible ? rules_.g_code(static_cast<Code>(tenths)) : std::nullopt;
   if (!use) {
-    if (const char* const does = plausible ? unfollowed_code(static_cast<Code>(tenths), dialect_) : nullptr) {
+    if (const char* const does = plausible ? rules_.unfollowed(static_cast<Code>(tenths)) : nullptr) {
       return faults_.fail("g-code-unfollowed", fmt::format("G{:g} {}, which is not followed here", value, does),
                           "post the program without it", column);
     }
     return faults_.fail("g-code-unknown", fmt::format("unknown code G{:g}", value), "check the code or the dialect",
                         column);
   }
-  const auto code = static_cast<Code>(tenths);
+  const Code code = use->means == kNoCode ? static_cast<Code>(tenths) : use->means;
   if (!use->by_dialect) {
     const std::string what =
-        fmt::format("{} is no code of the dialect {}", code_text('G', code), dialect_name(dialect_));
-    if (dialect_ == Dialect::linuxcnc)
+        fmt::format("{} is no code of the dialect {}", code_text('G', code), dialect_name(rules_.dialect));
+    if (rules_.refuses_doubtful)
       return faults_.fail("g-code-unknown", what, "choose the dialect with --dialect", column);
     faults_.warn("code-not-in-dialect", what + "; it is read as LinuxCNC reads it",
                  "check what your controller does with it", column);
@@ -179,14 +209,15 @@ bool BlockReader::read_g(double value, std::size_t column, Block& block) {
 bool BlockReader::read_m(double value, std::size_t column, Block& block) {
   const double whole = std::round(value);
   const bool plausible = std::fabs(value - whole) < kCodeWithin && whole >= 0.0 && whole < 30000.0;
-  const auto use = plausible ? m_code_use(static_cast<int>(whole), dialect_) : std::nullopt;
+  const auto use = plausible ? rules_.m_code(static_cast<int>(whole)) : std::nullopt;
   if (!use) {
     return faults_.fail("m-code-unknown", fmt::format("unknown code M{:g}", value), "check the code or the dialect",
                         column);
   }
   const auto code = static_cast<Code>(whole);
   if (!use->by_dialect) {
-    faults_.warn("code-not-in-dialect", fmt::format("M{} is no code of the dialect {}", code, dialect_name(dialect_)),
+    faults_.warn("code-not-in-dialect",
+                 fmt::format("M{} is no code of the dialect {}", code, dialect_name(rules_.dialect)),
                  "check what your controller does with it", column);
   }
   if (use->group == MGroup::ignored) {
@@ -206,7 +237,7 @@ bool BlockReader::read_m(double value, std::size_t column, Block& block) {
 
 // M117 and its like carry free text up to the end of the line.
 bool BlockReader::skip_printer_text(Scanner& text, const Block& block) {
-  if (dialect_ != Dialect::grbl || !block.has(MGroup::ignored)) return true;
+  if (!rules_.extruder || !block.has(MGroup::ignored)) return true;
   const Code code = block.code(MGroup::ignored);
   if (code == 117 || code == 118 || code == 23 || code == 28) text.move_to(text.end());
   return true;

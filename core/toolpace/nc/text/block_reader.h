@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "toolpace/nc/text/dialects.h"
+#include "toolpace/nc/dialects/rules.h"
 #include "toolpace/nc/text/expression.h"
 #include "toolpace/nc/text/words.h"
 
@@ -12,11 +12,11 @@ namespace toolpace::nc {
 
 class BlockReader {
  public:
-  BlockReader(Parameters& parameters, FaultSink& faults, Dialect dialect)
+  BlockReader(Parameters& parameters, FaultSink& faults, const DialectRules& rules)
       : parameters_(parameters),
         faults_(faults),
-        dialect_(dialect),
-        expressions_(parameters, faults, dialect == Dialect::fanuc) {}
+        rules_(rules),
+        expressions_(parameters, faults, rules.macro_statements) {}
 
   /// Reads all words from the cursor to the end of the line into `block`; then makes the line's assignments.
   /// @return false after recording an error
@@ -28,8 +28,11 @@ class BlockReader {
   /// What ends a line is its end, not a NUL byte.
   bool is_at_end(const Scanner& text);
 
+  /// True once after a comment that ends the program, (abort, …).
+  bool take_aborted() { return std::exchange(aborted_, false); }
+
   ExpressionReader& expressions() { return expressions_; }
-  Dialect dialect() const { return dialect_; }
+  const DialectRules& rules() const { return rules_; }
 
  private:
   struct Assignment {
@@ -40,6 +43,7 @@ class BlockReader {
 
   bool read_word(Scanner& text, char letter, Block& block);
   bool fail_without_value(const Scanner& text, char letter, std::size_t column);
+  bool read_corner(Scanner& text, Block& block);
   bool read_g(double value, std::size_t column, Block& block);
   bool read_m(double value, std::size_t column, Block& block);
   bool read_assignment(Scanner& text);
@@ -49,8 +53,9 @@ class BlockReader {
 
   Parameters& parameters_;
   FaultSink& faults_;
-  Dialect dialect_;
+  const DialectRules& rules_;
   ExpressionReader expressions_;
+  bool aborted_ = false;
   std::vector<Assignment> assignments_;
 };
 

@@ -29,11 +29,18 @@ bool ExpressionReader::read_exists(Scanner& text, double& value) {
   if (text.peek() != '#')
     return faults_.fail("exists-needs-name", "EXISTS needs a named parameter", "write EXISTS[#<name>]", column);
   text.take();
-  if (!read_target(text, target)) return false;
+  if (text.peek() != '<') {
+    double number = 0.0;
+    if (!read_value(text, number)) return false;
+    const double whole = std::round(number);
+    target.index = whole >= 0.0 && whole < parameters_.count() ? static_cast<int>(whole) : -1;
+  } else if (!read_name(text, faults_, target.name)) {
+    return false;
+  }
   if (text.peek() != ']')
     return faults_.fail("bracket-missing", "']' is missing after EXISTS", "close the bracket", text.column());
   text.take();
-  value = target.index >= 0 || parameters_.named(target.name) ? 1.0 : 0.0;
+  value = target.index > 0 || (!target.name.empty() && parameters_.named(target.name)) ? 1.0 : 0.0;
   return true;
 }
 

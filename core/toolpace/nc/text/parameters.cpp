@@ -10,13 +10,12 @@ double vacant() { return std::numeric_limits<double>::quiet_NaN(); }
 
 Parameters::Parameters() : numbered_(kParameterCount, 0.0), frames_(1) { numbered_[kActiveSystem] = 1.0; }
 
-void Parameters::set_dialect(int local_count, bool vacant_locals) {
-  local_count_ = local_count;
-  vacant_locals_ = vacant_locals;
-  if (vacant_locals) {
-    std::fill_n(numbered_.begin() + 1, local_count, vacant());
-    std::fill(numbered_.begin() + 100, numbered_.begin() + 200, vacant());
-  }
+void Parameters::use_macro_variables() {
+  local_count_ = kFanucLocals;
+  vacant_locals_ = true;
+  numbered_.resize(kMacroVariables, 0.0);
+  std::fill_n(numbered_.begin() + 1, kFanucLocals, vacant());
+  std::fill(numbered_.begin() + 100, numbered_.begin() + 200, vacant());
 }
 
 double Parameters::numbered(int index) const {
@@ -28,7 +27,8 @@ double Parameters::numbered(int index) const {
 }
 
 bool Parameters::is_read_only(int index) const {
-  return index == 0 || (index >= 5400 && index <= 5413) || (index >= 5420 && index <= 5428) || index >= 5599;
+  if (vacant_locals_) return index == 0;
+  return index == 0 || (index >= 5400 && index <= 5413) || (index >= 5420 && index <= 5428) || index > 5599;
 }
 
 std::optional<double> Parameters::named(std::string_view name) const {

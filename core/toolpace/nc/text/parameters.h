@@ -13,6 +13,7 @@
 namespace toolpace::nc {
 
 inline constexpr int kParameterCount = 5602;       ///< #1 … #5601
+inline constexpr int kMacroVariables = 20000;      ///< the same of Fanuc's kind
 inline constexpr int kLinuxcncLocals = 30;         ///< #1 … #30 belong to the call
 inline constexpr int kFanucLocals = 33;            ///< #1 … #33 belong to the macro call
 inline constexpr std::size_t kMostNames = 100000;  ///< named parameters of one program, all calls together
@@ -27,6 +28,10 @@ inline constexpr int kActiveSystem = 5220;
 inline constexpr int kFirstSystem = 5221;  ///< 20 numbers a system, X … W, then R
 inline constexpr int kSystemStride = 20;
 inline constexpr int kSystemCount = 9;
+inline constexpr int kFurtherSystems = 300;  ///< of Fanuc: G54.1 P1 …
+inline constexpr int kNearSystems = 48;      ///< of them have their numbers in the first block
+inline constexpr int kFirstFurtherSystem = 7001;
+inline constexpr int kFirstOfManySystems = 14001;
 inline constexpr int kRotationWithinSystem = 9;
 
 /// A vacant variable (Fanuc #0) is a NaN that no calculation makes.
@@ -42,12 +47,13 @@ class Parameters {
 
   Parameters();
 
-  /// @param local_count  how many of #1… belong to a call: kLinuxcncLocals or kFanucLocals
-  void set_dialect(int local_count, bool vacant_locals);
+  /// As Fanuc's macros have them: kFanucLocals of them belong to a call, and begin vacant; numbers go further.
+  void use_macro_variables();
 
   double numbered(int index) const;
   void set_numbered(int index, double value) { numbered_[static_cast<std::size_t>(index)] = value; }
-  bool has_number(int index) const { return index >= (vacant_locals_ ? 0 : 1) && index < kParameterCount; }
+  bool has_number(int index) const { return index >= (vacant_locals_ ? 0 : 1) && index < count(); }
+  int count() const { return static_cast<int>(numbered_.size()); }
   bool is_read_only(int index) const;
 
   /// `name` is folded: lower case without blanks. Names that begin with '_' are global.

@@ -27,6 +27,9 @@ inline constexpr std::array<char, 256> kFold = make_fold_table();
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
 
+/// What senders pass to the controller at once, wherever it stands.
+constexpr bool is_real_time(char c) { return c == '?' || c == '!' || c == '~'; }
+
 enum class NumberStatus : std::uint8_t { ok, none, two_points, too_large };
 
 class Scanner {

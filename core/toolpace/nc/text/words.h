@@ -12,6 +12,14 @@ namespace toolpace::nc {
 using Code = std::int16_t;
 inline constexpr Code kNoCode = -1;
 
+/// Codes that mean something else under the same number in other dialects: they are shown as they are written.
+inline constexpr Code kForeignCodes = 20000;
+inline constexpr Code kLatheOrigin = kForeignCodes + 500;     ///< G50
+inline constexpr Code kLatheThread = kForeignCodes + 320;     ///< G32
+inline constexpr Code kLatheTurning = kForeignCodes + 900;    ///< G90
+inline constexpr Code kLatheThreading = kForeignCodes + 920;  ///< G92
+inline constexpr Code kLatheFacing = kForeignCodes + 940;     ///< G94
+
 /// Modal groups of G codes (RS-274/NGC numbering where it has one).
 enum class GGroup : std::uint8_t {
   once,            ///< G4 G10 G28 G30 G52 G53 G92 …
@@ -48,14 +56,19 @@ enum class MGroup : std::uint8_t {
   count
 };
 
-/// Letters as indices: 'a' = 0. '@' and '^' (polar radius and angle) follow.
+/// Letters as indices: 'a' = 0. '@' and '^' (polar radius and angle) follow, and words of other characters.
 inline constexpr std::size_t kRadiusWord = 26;
 inline constexpr std::size_t kAngleWord = 27;
-inline constexpr std::size_t kWordCount = 28;
+inline constexpr std::size_t kChamferWord = 28;  ///< ",C"
+inline constexpr std::size_t kFilletWord = 29;   ///< ",R"
+inline constexpr std::size_t kSpindleWord = 30;  ///< "$"
+inline constexpr std::size_t kWordCount = 31;
 
 constexpr std::size_t word_index(char letter) { return static_cast<std::size_t>(letter - 'a'); }
 constexpr std::uint32_t word_bit(char letter) { return 1u << word_index(letter); }
 inline constexpr std::uint32_t kPolarBits = (1u << kRadiusWord) | (1u << kAngleWord);
+inline constexpr std::uint32_t kCornerBits = (1u << kChamferWord) | (1u << kFilletWord);
+inline constexpr std::uint32_t kIncrementBits = word_bit('u') | word_bit('v') | word_bit('w');
 inline constexpr std::uint32_t kLinearBits = word_bit('x') | word_bit('y') | word_bit('z');
 inline constexpr std::uint32_t kRotaryBits = word_bit('a') | word_bit('b') | word_bit('c');
 inline constexpr std::uint32_t kAxisBits = kLinearBits | kRotaryBits | kPolarBits;

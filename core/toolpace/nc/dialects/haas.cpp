@@ -1,0 +1,33 @@
+/// Haas mills: of Fanuc's kind, with codes of their own.
+
+#include "toolpace/nc/dialects/rules.h"
+
+namespace toolpace::nc {
+namespace {
+
+std::optional<CodeUse<GGroup>> haas_g_code(Code code) {
+  if (code == 1540) return CodeUse<GGroup>{GGroup::system, true, 541};  // G154 P is G54.1 P
+  // Smoothness, limiting of look-ahead, coordinates of other pallets' fixtures.
+  if (is_listed(code, {1030, 1870})) return CodeUse<GGroup>{GGroup::ignored};
+  return fanuc_g_code(code);
+}
+
+}  // namespace
+
+const DialectRules kHaasRules{.dialect = Dialect::haas,
+                              .first_retract = 980,
+                              .macro_statements = true,
+                              .corner_words = true,
+                              .dwells_in_milliseconds = true,
+                              .dwells_by_axis_words = true,
+                              .g80_keeps_motion = true,
+                              .motion_beside_home = true,
+                              .machine_moves_incremental = true,
+                              .ignores_centre_off_plane = true,
+                              .incremental_g10 = true,
+                              .arc = kLinuxcncArcs,
+                              .g_code = haas_g_code,
+                              .m_code = fanuc_m_code,
+                              .unfollowed = fanuc_unfollowed};
+
+}  // namespace toolpace::nc

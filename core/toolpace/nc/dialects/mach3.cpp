@@ -1,0 +1,47 @@
+/// Mach3 and Mach4.
+
+#include "toolpace/nc/dialects/rules.h"
+
+namespace toolpace::nc {
+namespace {
+
+std::optional<CodeUse<GGroup>> mach3_g_code(Code code) {
+  if (code == 700) return CodeUse<GGroup>{GGroup::units, true, 200};
+  if (code == 710) return CodeUse<GGroup>{GGroup::units, true, 210};
+  if (is_listed(code, {500, 401})) return CodeUse<GGroup>{GGroup::ignored};  // scaling off, no arcs at corners
+  if (is_listed(code, {680, 690})) return CodeUse<GGroup>{GGroup::turn_plane};
+  if (const auto group = common_g_group(code)) return CodeUse<GGroup>{*group};
+  if (const auto other = fanuc_g_code(code)) return CodeUse<GGroup>{other->group, false};
+  return std::nullopt;
+}
+
+std::optional<CodeUse<MGroup>> mach3_m_code(int number) {
+  if (number == 47) return CodeUse<MGroup>{MGroup::stop};  // begins again without end
+  return fanuc_m_code(number);
+}
+
+const char* mach3_unfollowed(Code code) {
+  switch (code) {
+    case 150:
+    case 160: return "switches polar coordinates";
+    case 510: return "scales the path";
+    case 310: return "moves until a signal comes";
+    default: return nullptr;
+  }
+}
+
+}  // namespace
+
+const DialectRules kMach3Rules{.dialect = Dialect::mach3,
+                               .first_retract = 980,
+                               .dwells_by_axis_words = true,
+                               .g80_keeps_motion = true,
+                               .motion_beside_home = true,
+                               .machine_moves_incremental = true,
+                               .ignores_centre_off_plane = true,
+                               .arc = kLinuxcncArcs,
+                               .g_code = mach3_g_code,
+                               .m_code = mach3_m_code,
+                               .unfollowed = mach3_unfollowed};
+
+}  // namespace toolpace::nc

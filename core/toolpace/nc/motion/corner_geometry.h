@@ -1,0 +1,18 @@
+#pragma once
+/// Corners of a contour, rounded or broken.
+
+#include "toolpace/nc/motion/offset_geometry.h"
+
+namespace toolpace::nc {
+
+/// False where the elements go on smoothly: there is no corner to finish.
+bool is_corner(const OffsetElement& before, const OffsetElement& after);
+
+/// Puts an arc of `radius` between two elements that meet, tangent to both, and shortens them.
+/// @return false where it does not fit between them; all stay as they were
+bool round_corner(OffsetElement& before, OffsetElement& after, double radius, OffsetElement& between);
+
+/// Puts a line between them that begins and ends at `length` from where they meet.
+bool break_corner(OffsetElement& before, OffsetElement& after, double length, OffsetElement& between);
+
+}  // namespace toolpace::nc

@@ -1,0 +1,14 @@
+#pragma once
+/// Single passes of Fanuc's lathes: G90 (turn), G94 (face), G92 (thread), and threads along a line, G32.
+
+#include "toolpace/nc/context.h"
+
+namespace toolpace::nc {
+
+/// Runs G90, G92 or G94 of a block: to the work, along it, off it, and back to where it began.
+bool run_turning(Context& context, const Block& block, Code code);
+
+/// G32: a straight move at F a turn.
+bool run_lathe_thread(Context& context, const Block& block);
+
+}  // namespace toolpace::nc
