@@ -1190,6 +1190,14 @@
             <source>text-behind-percent</source>
             <translation>% 之后的文字未读取</translation>
         </message>
+        <message>
+            <source>lathe-contour-lines</source>
+            <translation>找不到轮廓的程序行</translation>
+        </message>
+        <message>
+            <source>lathe-system-b</source>
+            <translation>按 G 代码体系 B 读取</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -2348,6 +2356,42 @@
         <message>
             <source>give more decimals; --arc-tolerance-mm decides what is refused</source>
             <translation>请多给几位小数；--arc-tolerance-mm 决定何时拒绝</translation>
+        </message>
+        <message>
+            <source>P and Q are the numbers of the first and the last line of the contour</source>
+            <translation>P 和 Q 是轮廓首行和末行的行号</translation>
+        </message>
+        <message>
+            <source>R is a whole number from 1 to 1000</source>
+            <translation>R 为 1 到 1000 的整数</translation>
+        </message>
+        <message>
+            <source>a contour has a move to its start, and one along it</source>
+            <translation>轮廓包含一个到起点的移动和一个沿轮廓的移动</translation>
+        </message>
+        <message>
+            <source>give a deeper first cut</source>
+            <translation>请给出更深的第一刀</translation>
+        </message>
+        <message>
+            <source>give it with D, or with U of a block before (G72: W)</source>
+            <translation>请用 D 给出，或在前一程序段用 U（G72 用 W）给出</translation>
+        </message>
+        <message>
+            <source>give larger steps</source>
+            <translation>请给出更大的步距</translation>
+        </message>
+        <message>
+            <source>give the height of the thread and the depth of the first cut</source>
+            <translation>请给出螺纹牙高和第一刀深度</translation>
+        </message>
+        <message>
+            <source>give their numbers with P and Q</source>
+            <translation>请用 P 和 Q 给出行号</translation>
+        </message>
+        <message>
+            <source>in system A it is a cycle: give X and Z</source>
+            <translation>在体系 A 中它是循环：请给出 X 和 Z</translation>
         </message>
     </context>
     <context>

@@ -35,6 +35,14 @@ std::uint32_t words_of_motion(Code motion) {
     case 722: return word_bit('q') | word_bit('d') | word_bit('i') | word_bit('r') | word_bit('u') | word_bit('w');
     case 740: return word_bit('r') | word_bit('p') | word_bit('q') | kCentreBits;  // LinuxCNC does not repeat it by L
     case kLatheThread: return word_bit('q');
+    case kLatheFinish:
+    case kLatheRough:
+    case kLatheFaceRough:
+    case kLatheRepeat:
+    case kLatheFaceGroove:
+    case kLatheGroove:
+    case kLatheThreads:
+      return word_bit('p') | word_bit('q') | word_bit('r') | word_bit('d') | word_bit('e') | kCentreBits;
     case kLatheTurning:
     case kLatheFacing:
     case kLatheThreading: return word_bit('r') | word_bit('q') | word_bit('i') | word_bit('k');
@@ -72,6 +80,16 @@ std::uint32_t axis_words(const Context& context) {
   return context.rules.lathe_words ? kAxisBits | kIncrementBits | word_bit('h') : kAxisBits;
 }
 
+// G90, G92 and G94 without an end are what G-code system B knows: absolute, the spindle's limit, feed a minute.
+bool read_as_system_b(Context& context, const Block& block, Code code) {
+  if (code == kLatheFacing) context.state.modal.feed_mode = 940;
+  if (code == kLatheThreading && block.has('s')) context.state.modal.spindle_limit = block.of('s');
+  context.faults.warn("lathe-system-b",
+                      fmt::format("{} without an end is read as in G-code system B", code_text('G', code)),
+                      "in system A it is a cycle: give X and Z", block.column_of(GGroup::motion));
+  return true;
+}
+
 }  // namespace
 
 bool find_motion(Context& context, const Block& block, Code& motion) {
@@ -103,6 +121,9 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
     return context.faults.fail("axes-missing", fmt::format("{} without axis words", code_text('G', once)),
                                "give at least one axis", block.column_of(GGroup::once));
   }
+  if (context.rules.lathe_words && !axes &&
+      (named == kLatheTurning || named == kLatheFacing || named == kLatheThreading))
+    return read_as_system_b(context, block, named);
   if (named == 800) {
     if (axes && !claimed) {
       return context.faults.fail("axes-with-g80", "axis words in a block with G80",

@@ -21,11 +21,14 @@ class ContourCalls {
 
   /// Runs the lathe cycle `code` of the block.
   bool turn(const Block& block, Code code);
+  /// The same of Fanuc's kind: the contour is the lines N<P> to N<Q> of the program itself.
+  bool turn_lines(const Block& block, Code code);
 
   /// Takes the blocks while a contour is read; else null.
   LatheContourReader* reader() { return reader_; }
 
  private:
+  bool read_lines(const Block& block, bool before, std::vector<ContourElement>& contour);
   bool read_contour(const Block& block, const LatheCycle& cycle, std::vector<ContourElement>& contour);
 
   Context& context_;

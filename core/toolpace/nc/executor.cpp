@@ -63,10 +63,16 @@ bool Executor::run_in_order(const Block& block) {
   }
   if (motion != kNoCode) {
     if (!is_cycle(motion)) context_.state.cycle.initial_level.reset();
-    if (!(is_lathe_cycle(motion) ? contours_.turn(block, motion) : run_motion(context_, block, motion))) return false;
+    if (!run_any_motion(block, motion)) return false;
   }
   if (plain) return !macros_.has_modal() || macros_.run(block);
   return macros_.run(block) && run_stop(block);
+}
+
+bool Executor::run_any_motion(const Block& block, Code motion) {
+  if (is_lathe_cycle(motion)) return contours_.turn(block, motion);
+  if (motion >= kLatheFinish && motion <= kLatheRepeat) return contours_.turn_lines(block, motion);
+  return run_motion(context_, block, motion);
 }
 
 bool Executor::run_machine_codes(const Block& block) {

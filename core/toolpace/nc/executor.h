@@ -21,6 +21,7 @@ class Executor {
 
  private:
   bool run_in_order(const Block& block);
+  bool run_any_motion(const Block& block, Code motion);
   bool run_machine_codes(const Block& block);
   bool run_saved_state(Code code);
   bool run_dwell(const Block& block);

@@ -100,6 +100,17 @@ struct TurningMemory {
   double taper = 0.0;  ///< [mm] R: where the cut begins, seen from where it ends
 };
 
+/// What the first blocks of G71 to G76 of lathes say for the second ones. Lengths in mm, across radii.
+struct TurningSetup {
+  double step = 1.0;     ///< depth of a pass of G71 and G72
+  double retract = 0.5;  ///< of G71, G72, G74 and G75
+  double relief_x = 0.0, relief_z = 0.0;
+  int repeats = 1;  ///< of G73
+  int finishing_passes = 1;
+  double flank_angle = 0.0;  ///< [rad] half the angle of a thread, which it is cut in along
+  double least_cut = 0.0, last_cut = 0.0;
+};
+
 /// Cutter radius compensation in progress.
 struct Compensation {
   struct Origin {
@@ -165,6 +176,7 @@ struct State {
   bool has_tool_table = false;
   CycleMemory cycle;
   TurningMemory turning;
+  TurningSetup turning_setup;
   Compensation compensation;
   SplineMemory spline;
   std::optional<WaitingMove> waiting;

@@ -19,13 +19,14 @@ std::optional<CodeUse<GGroup>> lathe_g_code(Code code) {
     case 260:
     case 690:
     case 502: return CodeUse<GGroup>{GGroup::ignored};
-    case 680:
+    case 700:
+    case 710:
+    case 720:
     case 730:
     case 740:
-    case 760:
-    case 910:
-    case 930:
-    case 950: return std::nullopt;
+    case 750:
+    case 760: return CodeUse<GGroup>{GGroup::motion, true, static_cast<Code>(kForeignCodes + code)};
+    case 680: return std::nullopt;
     default: return fanuc_g_code(code);
   }
 }
@@ -34,13 +35,6 @@ const char* lathe_unfollowed(Code code) {
   switch (code) {
     case 340: return "cuts a thread of changing lead";
     case 680: return "mirrors the path for a second turret";
-    case 700:
-    case 710:
-    case 720:
-    case 730:
-    case 740:
-    case 750:
-    case 760: return "is a cycle";
     default: return fanuc_unfollowed(code);
   }
 }

@@ -47,6 +47,7 @@ bool has_checksum(const std::string& text) {
 }
 
 bool is_offset_tool(std::string_view number) {
+  if (number.size() == 3 && number[0] == number[2] && number[1] == '0') return true;
   return number.size() == 4 && std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
          number.substr(2) != "00" && number.substr(0, 2) != "00";
 }

@@ -26,6 +26,15 @@ bool Flow::go_to_number(double number, std::size_t column) {
   return !backward || count_turn();
 }
 
+bool Flow::find_contour(double first, double last, bool before, Place& begin, std::size_t& last_line) {
+  std::size_t offset = 0, line = 0;
+  const bool found = before ? index().find_number_before(first, begin_, offset, line)
+                            : index().find_number(first, here_.offset, offset, line);
+  if (!found) return false;
+  begin = {here_.file, offset, line - 1};
+  return index().find_number(last, offset, offset, last_line) && last_line >= line;
+}
+
 bool Flow::run_goto(Scanner& text) {
   const std::size_t column = text.column();
   double number = 0.0;

@@ -57,6 +57,14 @@ class Flow {
 
   /// M99 P of a program itself: goes on at line N<number>.
   bool go_to_number(double number, std::size_t column);
+  /// Where the contour N<first> … N<last> of a lathe cycle stands: behind this line, or else before it.
+  bool find_contour(double first, double last, bool before, Place& begin, std::size_t& last_line);
+  /// The line after the one taken last.
+  const Place& here() const { return here_; }
+  void go_to(const Place& place) {
+    here_ = place;
+    jumped_ = true;
+  }
   /// What stands behind the line taken last, in its file.
   std::string_view rest() { return files_.at(here_.file).text.substr(here_.offset); }
 

@@ -250,6 +250,18 @@ void FlowIndex::index_numbers() {
                    [](const Numbered& a, const Numbered& b) { return a.number < b.number; });
 }
 
+bool FlowIndex::find_number_before(double number, std::size_t offset_limit, std::size_t& offset, std::size_t& line) {
+  if (!has_numbers_) index_numbers();
+  const Numbered* best = nullptr;
+  for (const Numbered& n : numbers_) {
+    if (n.number == number && (best == nullptr || n.offset < offset_limit)) best = &n;
+  }
+  if (best == nullptr) return false;
+  offset = best->offset;
+  line = best->line;
+  return true;
+}
+
 bool FlowIndex::find_number(double number, std::size_t from, std::size_t& offset, std::size_t& line) {
   if (!has_numbers_) index_numbers();
   const auto before = [](const Numbered& a, const Numbered& b) {

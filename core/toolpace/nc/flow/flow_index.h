@@ -59,6 +59,8 @@ class FlowIndex {
   /// The sub-program `label`, or kNoMatch.
   int find_sub(const std::string& label) const;
   /// Lines with an N number: for GOTO. @return offset and line, or false
+  /// The last line with the number before `offset_limit`, else the first one behind it.
+  bool find_number_before(double number, std::size_t offset_limit, std::size_t& offset, std::size_t& line);
   bool find_number(double number, std::size_t from, std::size_t& offset, std::size_t& line);
 
  private:

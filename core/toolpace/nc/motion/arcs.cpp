@@ -202,7 +202,8 @@ bool run_arc(Context& context, const Block& block, Code code) {
   const bool found = block.has('r') ? find_centre_by_radius(context, block, clockwise, arc)
                                     : find_centre_by_offset(context, block, arc);
   if (!found) return false;
-  return meets_corner(state, block) ? run_cornered_arc(context, block, arc, end) : go_around(context, block, arc, end);
+  return meets_corner(context, block) ? run_cornered_arc(context, block, arc, end)
+                                      : go_around(context, block, arc, end);
 }
 
 bool go_around(Context& context, const Block& block, const PlaneArc& arc, const Position& end) {

@@ -70,7 +70,9 @@ bool run_corner(Context& context, WaitingMove before, const WaitingMove& after) 
   const Position start = programmed_position(context.state);
   const AsRead as_read(context, before);
   const bool is_chamfer = before.block.has_any(1u << kChamferWord);
-  const std::size_t word = is_chamfer ? kChamferWord : kFilletWord;
+  const std::size_t word = is_chamfer                          ? kChamferWord
+                           : before.block.has_any(kCornerBits) ? kFilletWord
+                                                               : word_index('r');
   const double size = before.block.value[word] * context.state.modal.unit();
   const auto fail = [&](const char* code, std::string what, const char* remedy) {
     return context.faults.fail(code, std::move(what), remedy);
@@ -106,6 +108,11 @@ bool run_corner(Context& context, WaitingMove before, const WaitingMove& after) 
   return run_as_it_is(context, before) && run_as_it_is(context, corner);
 }
 
+// On lathes R of a straight move rounds its end.
+bool ends_in_corner(const Context& context, const WaitingMove& move) {
+  return move.block.has_any(kCornerBits) || (context.rules.lathe_words && move.code == 10 && move.block.has('r'));
+}
+
 bool run_cornered(Context& context, WaitingMove move) {
   State& state = context.state;
   if (state.waiting) {
@@ -113,7 +120,7 @@ bool run_cornered(Context& context, WaitingMove move) {
     state.waiting.reset();
     if (!run_corner(context, before, move)) return false;
   }
-  if (!move.block.has_any(kCornerBits)) return run_as_it_is(context, move);
+  if (!ends_in_corner(context, move)) return run_as_it_is(context, move);
   state.waiting = std::move(move);
   return true;
 }

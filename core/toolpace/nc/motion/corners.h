@@ -7,8 +7,10 @@
 namespace toolpace::nc {
 
 /// Whether a move has to do with a corner: it ends in one, or the move before does.
-inline bool meets_corner(const State& state, const Block& block) {
-  return state.waiting.has_value() || block.has_any(kCornerBits);
+inline bool meets_corner(const Context& context, const Block& block) {
+  return context.state.waiting.has_value() || block.has_any(kCornerBits) ||
+         (context.rules.lathe_words && block.has('r') && block.code(GGroup::motion) != 20 &&
+          block.code(GGroup::motion) != 30 && context.state.modal.motion == 10);
 }
 
 /// Goes straight to `end` with the corners before and behind.

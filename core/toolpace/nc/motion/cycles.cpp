@@ -183,6 +183,11 @@ bool remember(Context& context, const Block& block, Code code, bool same_series)
     memory.has_bottom = true;
   }
   const std::string name = code_text('G', code);
+  if (!memory.has_r && !context.rules.lathe_words && !context.rules.refuses_doubtful) {
+    memory.r = state.modal.incremental() ? 0.0 : state.position[plane.normal];
+    memory.has_r = true;
+    context.faults.warn("cycle-without-r", name + " without R: it begins where the tool stands", "", 0);
+  }
   if (!memory.has_r && !context.rules.lathe_words)
     return fail(context, block, "cycle-without-r", name + " without R", "give the retract level with R");
   if (!memory.has_bottom) {

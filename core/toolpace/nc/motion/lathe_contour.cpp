@@ -100,6 +100,15 @@ bool LatheContourReader::find_centre(const Block& block, ContourElement& arc) {
 }
 
 bool LatheContourReader::find_corner(const Block& block, Corner& corner) {
+  if (block.has_any(kCornerBits)) {
+    const bool legs = block.has_any(1u << kChamferWord);
+    corner = {legs ? CornerKind::legs : CornerKind::fillet, block.value[legs ? kChamferWord : kFilletWord] * unit()};
+    return true;
+  }
+  if (context_.rules.lathe_words) {
+    if (block.has('r') && motion_ == 10) corner = {CornerKind::fillet, std::fabs(block.of('r')) * unit()};
+    return true;
+  }
   if (!block.has('a') && !block.has('c')) return true;
   const char letter = block.has('a') ? 'a' : 'c';
   corner = {letter == 'a' ? CornerKind::fillet : CornerKind::chamfer, block.of(letter) * unit()};
@@ -118,7 +127,10 @@ bool LatheContourReader::add(const Block& block, std::uint32_t line) {
   element.start = at_;
   Corner corner;
   if (!find_motion(block) || !find_end(block, element.end) || !find_corner(block, corner)) return false;
-  warn_of_unused(block);
+  if (block.has('f')) feed_ = block.of('f');
+  element.rapid = motion_ == 0;
+  element.feed = feed_;
+  if (!context_.rules.lathe_words) warn_of_unused(block);
   if (norm(element.end - element.start) == 0.0) return true;
   if (motion_ == 20 || motion_ == 30) {
     element.turn = motion_ == 30 ? 1 : -1;
@@ -137,7 +149,13 @@ bool LatheContourReader::add(const Block& block, std::uint32_t line) {
 bool LatheContourReader::finish_corner(ContourElement& before, ContourElement& after, const Corner& corner,
                                        ContourElement& between) {
   if (corner.size == 0.0 || !is_corner(before, after)) return false;
-  if (round_corner(before, after, corner.size, between)) {
+  between.rapid = false;
+  between.feed = before.feed;
+  if (corner.kind == CornerKind::legs && break_corner(before, after, corner.size, between)) {
+    between.line = before.line;
+    return true;
+  }
+  if (corner.kind != CornerKind::legs && round_corner(before, after, corner.size, between)) {
     if (corner.kind != CornerKind::fillet) between.turn = 0;
     between.line = before.line;
     return true;

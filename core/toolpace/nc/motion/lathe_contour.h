@@ -23,10 +23,10 @@ class LatheContourReader {
   Code motion() const { return motion_; }
 
  private:
-  enum class CornerKind : std::uint8_t { none, fillet, chamfer };
+  enum class CornerKind : std::uint8_t { none, fillet, chamfer, legs };
   struct Corner {
     CornerKind kind = CornerKind::none;
-    double size = 0.0;  // [mm] radius of a fillet, legs of a chamfer
+    double size = 0.0;  // [mm] radius of a fillet or of the circle in a chamfer, length of legs
   };
 
   bool find_motion(const Block& block);
@@ -44,6 +44,7 @@ class LatheContourReader {
   std::vector<Corner> corners_;  // at the end of each element
   Point at_;
   Code motion_;
+  double feed_ = 0.0;
   bool unused_told_ = false;
 };
 

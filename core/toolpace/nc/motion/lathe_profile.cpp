@@ -52,8 +52,21 @@ LatheProfile::LatheProfile(std::vector<ContourElement> contour, bool facing, dou
     }
   }
   const Point way = elements_.back().end - elements_.front().end;
-  if (way.y < 0.0) mirror_level();
+  if (lies_below(elements_.front().start.y, way.y)) mirror_level();
   if (way.x > 0.0) mirror_along();
+}
+
+// The material lies between the contour and the level that the cycle starts at. Where that lies within the contour's own
+// levels, it is where the contour leads to.
+bool LatheProfile::lies_below(double start, double way) const {
+  double lowest = elements_.front().end.y, highest = lowest;
+  for (const auto& e : elements_) {
+    lowest = std::min(lowest, e.end.y);
+    highest = std::max(highest, e.end.y);
+  }
+  const double slack = kSlack * unit_;
+  const bool below = start <= lowest + slack, above = start >= highest - slack;
+  return below == above ? way < 0.0 : below;
 }
 
 void LatheProfile::mirror_level() {
@@ -76,6 +89,13 @@ Point LatheProfile::in_machine(Point p) const {
   if (mirrors_along_) p.x = -p.x;
   if (mirrors_level_) p.y = -p.y;
   return facing_ ? turned(p, 1.0) : p;
+}
+
+Point LatheProfile::from_machine(Point difference) const {
+  Point p = facing_ ? turned(difference, -1.0) : difference;
+  if (mirrors_along_) p.x = -p.x;
+  if (mirrors_level_) p.y = -p.y;
+  return p;
 }
 
 bool LatheProfile::goes_on(const ContourElement& e) const {

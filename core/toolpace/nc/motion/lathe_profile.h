@@ -17,6 +17,8 @@ inline constexpr double kVanishing = 1e-3;  ///< [program unit] shorter elements
 /// A line or an arc of at most half a turn, and the program's line that it stands in.
 struct ContourElement : OffsetElement {
   std::uint32_t line = 0;
+  bool rapid = false;  ///< the program goes along it by G0
+  double feed = 0.0;   ///< F that the contour gives for it, in the program's units; 0 = none
 };
 
 /// How much a cycle may still calculate: contours and passes multiply.
@@ -44,6 +46,8 @@ class LatheProfile {
   double unit() const { return unit_; }
 
   Point in_machine(Point p) const;
+  /// The way back, of a difference of two points.
+  Point from_machine(Point difference) const;
   /// Sense of an arc in the machine's XZ plane.
   int turn_in_machine(int turn) const { return mirrors_along_ != mirrors_level_ ? -turn : turn; }
 
@@ -62,6 +66,7 @@ class LatheProfile {
   void close();
 
  private:
+  bool lies_below(double start, double way) const;
   void mirror_level();
   void mirror_along();
   bool widen_step(std::vector<ContourElement>& contour, double step, WorkBudget& budget) const;

@@ -40,7 +40,7 @@ class Rougher {
  private:
   bool is_stopped() const { return budget_.left() == 0 || moves_.size() >= kMostLatheMoves; }
   const ContourElement& here() const { return elements_[at_]; }
-  double first_level() const { return elements_.front().start.y; }
+  double first_level() const { return elements_.front().start.y - (roughing_.first_pass_is_deep ? step_ : 0.0); }
 
   void go(MoveKind kind, Point end);
   void go_around(const ContourElement& arc, Point end);

@@ -17,8 +17,9 @@ enum class RoughingPart : std::uint8_t {
 
 struct Roughing {
   RoughingPart part = RoughingPart::all;
-  double step = 1.0;     ///< [mm] I, between levels, > 0
-  double retract = 0.5;  ///< [mm] R, away from the work after each pass, ≥ 0
+  double step = 1.0;                ///< [mm] I, between levels, > 0
+  bool first_pass_is_deep = false;  ///< not at the start's own level, but a step below
+  double retract = 0.5;             ///< [mm] R, away from the work after each pass, ≥ 0
 };
 
 /// A move of a cycle, in the profile's frame.

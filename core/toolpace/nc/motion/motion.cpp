@@ -14,6 +14,7 @@
 #include "toolpace/nc/motion/splines.h"
 #include "toolpace/nc/motion/threading.h"
 #include "toolpace/nc/motion/turning.h"
+#include "toolpace/nc/motion/turning_cycles.h"
 
 namespace toolpace::nc {
 namespace {
@@ -101,7 +102,7 @@ bool run_straight(Context& context, const Block& block, Code code) {
   }
   Position end;
   if (!find_end(context, block, end)) return false;
-  if (code == 10 && meets_corner(state, block)) return run_cornered_line(context, block, code, end);
+  if (code == 10 && meets_corner(context, block)) return run_cornered_line(context, block, code, end);
   return go_straight(context, block, code, end);
 }
 
@@ -266,6 +267,9 @@ bool run_motion(Context& context, const Block& block, Code code) {
     case 760: return run_threading(context, block);
     case 800: return true;
     case kLatheThread: return run_lathe_thread(context, block);
+    case kLatheFaceGroove:
+    case kLatheGroove: return run_grooving(context, block, code);
+    case kLatheThreads: return run_threads(context, block);
     case kLatheTurning:
     case kLatheFacing:
     case kLatheThreading: return run_turning(context, block, code);

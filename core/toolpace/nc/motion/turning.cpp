@@ -32,17 +32,6 @@ bool go(Context& context, const Block& block, MoveKind kind, const Position& to)
   return true;
 }
 
-bool go_threading(Context& context, const Block& block, const Position& to) {
-  State& state = context.state;
-  Feedrate feed;
-  if (!find_lead(context, block, state.position, to, feed)) return false;
-  context.out.set_mode(state.modal, false, true);
-  context.out.line(MoveKind::feed, state.offsets, to, feed);
-  context.out.set_mode(state.modal);
-  state.position = to;
-  return true;
-}
-
 // Words stick while the same cycle goes on.
 bool remember(Context& context, const Block& block, Code code, bool goes_on) {
   State& state = context.state;
@@ -67,9 +56,20 @@ bool remember(Context& context, const Block& block, Code code, bool goes_on) {
 
 }  // namespace
 
+bool cut_lathe_thread(Context& context, const Block& block, const Position& to) {
+  State& state = context.state;
+  Feedrate feed;
+  if (!find_lead(context, block, state.position, to, feed)) return false;
+  context.out.set_mode(state.modal, false, true);
+  context.out.line(MoveKind::feed, state.offsets, to, feed);
+  context.out.set_mode(state.modal);
+  state.position = to;
+  return true;
+}
+
 bool run_lathe_thread(Context& context, const Block& block) {
   Position end;
-  return find_end(context, block, end) && go_threading(context, block, end);
+  return find_end(context, block, end) && cut_lathe_thread(context, block, end);
 }
 
 bool run_turning(Context& context, const Block& block, Code code) {
@@ -90,7 +90,7 @@ bool run_turning(Context& context, const Block& block, Code code) {
   at[to_work] = memory.end[to_work];
   at[along] = memory.end[along];
   const bool threads = code == kLatheThreading;
-  if (!(threads ? go_threading(context, block, at) : go(context, block, MoveKind::feed, at))) return false;
+  if (!(threads ? cut_lathe_thread(context, block, at) : go(context, block, MoveKind::feed, at))) return false;
   at[to_work] = start[to_work];
   return go(context, block, threads ? MoveKind::rapid : MoveKind::feed, at) &&
          go(context, block, MoveKind::rapid, start);

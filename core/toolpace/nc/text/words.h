@@ -20,6 +20,14 @@ inline constexpr Code kLatheTurning = kForeignCodes + 900;    ///< G90
 inline constexpr Code kLatheThreading = kForeignCodes + 920;  ///< G92
 inline constexpr Code kLatheFacing = kForeignCodes + 940;     ///< G94
 
+inline constexpr Code kLatheFinish = kForeignCodes + 700;      ///< G70
+inline constexpr Code kLatheRough = kForeignCodes + 710;       ///< G71
+inline constexpr Code kLatheFaceRough = kForeignCodes + 720;   ///< G72
+inline constexpr Code kLatheRepeat = kForeignCodes + 730;      ///< G73
+inline constexpr Code kLatheFaceGroove = kForeignCodes + 740;  ///< G74
+inline constexpr Code kLatheGroove = kForeignCodes + 750;      ///< G75
+inline constexpr Code kLatheThreads = kForeignCodes + 760;     ///< G76
+
 /// Modal groups of G codes (RS-274/NGC numbering where it has one).
 enum class GGroup : std::uint8_t {
   once,            ///< G4 G10 G28 G30 G52 G53 G92 …
