@@ -73,7 +73,7 @@ Json move_json(const LawRow& law, const SingleMove& move) {
                       {"v_end", last.speed},
                       {"a_begin", first.acceleration},
                       {"a_end", last.acceleration},
-                      {"shape", p.shape == PhaseShape::quintic ? "quintic" : "constant_jerk"}});
+                      {"shape", shape_name(p.shape)}});
   }
   return {{"law", law.id},
           {"reaches_feed", move.reaches_feed},

@@ -3635,30 +3635,6 @@
             <translation>速度规律</translation>
         </message>
         <message>
-            <source>Trapezoid</source>
-            <translation>梯形</translation>
-        </message>
-        <message>
-            <source>Five-phase by time</source>
-            <translation>五段（按时间）</translation>
-        </message>
-        <message>
-            <source>Five-phase by jerk</source>
-            <translation>五段（按加加速度）</translation>
-        </message>
-        <message>
-            <source>Seven-phase</source>
-            <translation>七段</translation>
-        </message>
-        <message>
-            <source>Quintic</source>
-            <translation>五次多项式</translation>
-        </message>
-        <message>
-            <source>Time-optimal</source>
-            <translation>时间最优</translation>
-        </message>
-        <message>
             <source>Units</source>
             <translation>单位</translation>
         </message>
@@ -3900,30 +3876,6 @@
         <message>
             <source>The motion through the tolerance has no use for it</source>
             <translation>在公差内平滑的运动不使用此项</translation>
-        </message>
-        <message>
-            <source>Trapezoid</source>
-            <translation>梯形</translation>
-        </message>
-        <message>
-            <source>Five-phase, by time</source>
-            <translation>五段（按时间）</translation>
-        </message>
-        <message>
-            <source>Five-phase, by jerk</source>
-            <translation>五段（按加加速度）</translation>
-        </message>
-        <message>
-            <source>Seven-phase</source>
-            <translation>七段</translation>
-        </message>
-        <message>
-            <source>Quintic</source>
-            <translation>五次多项式</translation>
-        </message>
-        <message>
-            <source>Time-optimal</source>
-            <translation>时间最优</translation>
         </message>
         <message>
             <source>Axis limit</source>
@@ -4446,6 +4398,33 @@
         <message>
             <source>Semicolons</source>
             <translation>分号分隔</translation>
+        </message>
+    </context>
+    <context>
+        <name>laws</name>
+        <message>
+            <source>Trapezoid</source>
+            <translation>梯形</translation>
+        </message>
+        <message>
+            <source>Five-phase by time</source>
+            <translation>五段（按时间）</translation>
+        </message>
+        <message>
+            <source>Five-phase by jerk</source>
+            <translation>五段（按加加速度）</translation>
+        </message>
+        <message>
+            <source>Seven-phase</source>
+            <translation>七段</translation>
+        </message>
+        <message>
+            <source>Quintic</source>
+            <translation>五次多项式</translation>
+        </message>
+        <message>
+            <source>Time-optimal</source>
+            <translation>时间最优</translation>
         </message>
     </context>
 </TS>

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "models/law_names.h"
 #include "models/problem_model.h"
 #include "models/remedy_text.h"
 #include "models/units.h"
@@ -235,9 +236,7 @@ void SingleMovePage::retranslate() {
   law_label_->setText(tr("Law"));
   law_->setAccessibleName(tr("Velocity law"));
   law_->setToolTip(tr("Velocity law"));
-  const std::array laws{tr("Trapezoid"), tr("Five-phase by time"), tr("Five-phase by jerk"), tr("Seven-phase"),
-                        tr("Quintic"),   tr("Time-optimal")};
-  for (std::size_t i = 0; i < laws.size(); ++i) law_->setItemText(static_cast<int>(i), laws[i]);
+  for (const LawRow& row : law_table()) law_->setItemText(static_cast<int>(row.kind), law_title(row));
   units_label_->setText(tr("Units"));
   units_->setAccessibleName(tr("Units"));
   units_->setToolTip(tr("Names of the units; the numbers stay as they are"));

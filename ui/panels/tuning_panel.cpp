@@ -5,8 +5,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "models/law_names.h"
 #include "panels/key_range.h"
-#include "toolpace/law/law_table.h"
 
 namespace toolpace::ui {
 namespace {
@@ -29,18 +29,6 @@ enum Row {
 void select(QComboBox* box, int data) {
   const QSignalBlocker quiet(box);
   box->setCurrentIndex(box->findData(data));
-}
-
-QString law_title(const LawRow& row) {
-  switch (row.kind) {
-    case LawKind::trapezoid: return TuningPanel::tr("Trapezoid");
-    case LawKind::five_phase_time: return TuningPanel::tr("Five-phase, by time");
-    case LawKind::five_phase_jerk: return TuningPanel::tr("Five-phase, by jerk");
-    case LawKind::seven_phase: return TuningPanel::tr("Seven-phase");
-    case LawKind::quintic: return TuningPanel::tr("Quintic");
-    case LawKind::time_optimal: return TuningPanel::tr("Time-optimal");
-  }
-  return QString::fromUtf8(row.title.data(), static_cast<qsizetype>(row.title.size()));
 }
 
 QComboBox* combo(const char* name, QWidget* parent) {

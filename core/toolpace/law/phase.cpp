@@ -2,26 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace toolpace {
 namespace {
 
-PhaseExtrema quintic_extrema(const Phase& p) {
+PhaseExtrema form_extrema(const Phase& p) {
   const double last = p.speed + p.rate;
   PhaseExtrema e{std::min(p.speed, last), std::max(p.speed, last), 0.0, 0.0, 0.0};
   if (p.duration <= 0 || p.rate == 0) return e;
-  // σ′ peaks at τ = 1/2 with 15/8, |σ″| at τ = 1/2 ± √3/6 with 10/√3.
-  const double steepest = 15.0 / 8 * std::abs(p.rate) / p.duration;
-  (p.rate > 0 ? e.max_acceleration : e.max_deceleration) = steepest;
-  e.max_jerk = 10.0 * std::numbers::inv_sqrt3 * std::abs(p.rate) / (p.duration * p.duration);
+  visit_form(p.shape, [&]<class Form>(Form) {
+    const double steepest = Form::kSteepest * std::abs(p.rate) / p.duration;
+    (p.rate > 0 ? e.max_acceleration : e.max_deceleration) = steepest;
+    e.max_jerk = Form::kSharpest * std::abs(p.rate) / (p.duration * p.duration);
+  });
   return e;
 }
 
 }  // namespace
 
 PhaseExtrema extrema(const Phase& p) {
-  if (p.shape == PhaseShape::quintic) return quintic_extrema(p);
+  if (p.shape != PhaseShape::constant_jerk) return form_extrema(p);
   const PhaseState last = evaluate(p, p.duration);
   PhaseExtrema e{std::min(p.speed, last.speed), std::max(p.speed, last.speed),
                  std::max({0.0, p.acceleration, last.acceleration}),

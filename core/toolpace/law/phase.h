@@ -3,12 +3,9 @@
 
 #include <cstdint>
 
-namespace toolpace {
+#include "toolpace/law/speed_form.h"
 
-enum class PhaseShape : std::uint8_t {
-  constant_jerk,  ///< v(t) = speed + acceleration·t + rate·t²/2; rate is the jerk [mm/s³]; cruise and dwell have rate 0
-  quintic  ///< v(t) = speed + rate·σ(t/duration), σ(τ) = 10τ³ − 15τ⁴ + 6τ⁵; rate is the whole speed change [mm/s]
-};
+namespace toolpace {
 
 /// Motion from `distance` on over `duration`. Whole profiles are sequences of phases that meet without gaps.
 struct Phase {
@@ -16,8 +13,8 @@ struct Phase {
   double duration = 0.0;      ///< [s], ≥ 0
   double distance = 0.0;      ///< path position at its start [mm]
   double speed = 0.0;         ///< at its start [mm/s]
-  double acceleration = 0.0;  ///< at its start [mm/s²]; 0 for quintic
-  double rate = 0.0;          ///< see PhaseShape
+  double acceleration = 0.0;  ///< at its start [mm/s²]; 0 for forms
+  double rate = 0.0;          ///< the jerk [mm/s³]; of forms the whole change of speed [mm/s]
   PhaseShape shape = PhaseShape::constant_jerk;
 };
 
@@ -29,7 +26,7 @@ struct PhaseState {
 };
 
 /// State `time` seconds after the phase's start, 0 ≤ time ≤ duration.
-/// @source constant jerk: Zheng et al. 2014, eqs. (7)–(10); quintic: Ning et al. 2014, eqs. (2), (3)
+/// @source constant jerk: Zheng et al. 2014, eqs. (7)–(10)
 inline PhaseState evaluate(const Phase& p, double time) {
   if (p.shape == PhaseShape::constant_jerk) {
     return {p.distance + time * (p.speed + time * (p.acceleration / 2 + time * p.rate / 6)),
@@ -37,10 +34,10 @@ inline PhaseState evaluate(const Phase& p, double time) {
   }
   if (p.duration <= 0) return {p.distance, p.speed, 0.0, 0.0};
   const double u = time / p.duration;
-  const double dv = p.rate;
-  return {p.distance + time * (p.speed + dv * u * u * u * (2.5 + u * (-3 + u))),
-          p.speed + dv * u * u * u * (10 + u * (-15 + 6 * u)), dv / p.duration * 30 * u * u * (1 - u) * (1 - u),
-          dv / (p.duration * p.duration) * 60 * u * (1 - u) * (1 - 2 * u)};
+  return visit_form(p.shape, [&]<class Form>(Form) {
+    return PhaseState{p.distance + time * (p.speed + Form::mean(p.rate, u)), p.speed + Form::value(p.rate, u),
+                      Form::slope(p.rate / p.duration, u), Form::bend(p.rate / (p.duration * p.duration), u)};
+  });
 }
 
 /// Exact extrema of speed, |acceleration| and |jerk| inside the phase (of the polynomial, not of samples).

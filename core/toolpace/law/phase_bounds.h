@@ -55,17 +55,18 @@ struct PhaseBounds {
 };
 
 /// Bounds over the stretch from `from` to `to` seconds after the phase's start, 0 ≤ from ≤ to ≤ duration.
-/// @source quintic: Ning et al. 2014, eqs. (3), (4): acceleration peaks in the middle, jerk at τ = (3 ± √3)/6.
-/// Constant jerk: ends, and the speed's vertex where the acceleration is 0.
+/// Forms: acceleration peaks in the middle, jerk at two places. Constant jerk: ends, and the speed's vertex where the
+/// acceleration is 0.
 inline PhaseBounds bounds(const Phase& p, double from, double to) {
   const PhaseState a = evaluate(p, from), b = evaluate(p, to);
   PhaseBounds box{{std::min(a.speed, b.speed), std::max(a.speed, b.speed)},
                   {std::min(a.acceleration, b.acceleration), std::max(a.acceleration, b.acceleration)},
                   {std::min(a.jerk, b.jerk), std::max(a.jerk, b.jerk)}};
   const auto inside = [&](double time) { return time > from && time < to; };
-  if (p.shape == PhaseShape::quintic) {
+  if (p.shape != PhaseShape::constant_jerk) {
     if (inside(p.duration / 2)) box.acceleration.add(evaluate(p, p.duration / 2).acceleration);
-    for (const double tau : {0.21132486540518713, 0.7886751345948129}) {
+    const double sharpest = visit_form(p.shape, []<class Form>(Form) { return Form::kSharpestAt; });
+    for (const double tau : {sharpest, 1 - sharpest}) {
       if (inside(tau * p.duration)) box.jerk.add(evaluate(p, tau * p.duration).jerk);
     }
   } else if (p.rate != 0) {

@@ -27,7 +27,7 @@ class Explainer {
 
   std::vector<Restraint> run() {
     for (const Phase& p : plan_.phases) {
-      if (p.shape == PhaseShape::quintic) {
+      if (p.shape != PhaseShape::constant_jerk) {
         const double half = p.duration / 2;
         add({p, 0, half, p.rate});
         add({p, half, p.duration, -p.rate});

@@ -30,7 +30,7 @@ void stretch_time(double share, MotionPlan& plan) {
     p.duration *= share;
     p.speed *= rate;
     p.acceleration *= rate * rate;
-    p.rate *= p.shape == PhaseShape::quintic ? rate : rate * rate * rate;
+    p.rate *= p.shape == PhaseShape::constant_jerk ? rate * rate * rate : rate;
   }
 }
 
