@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../support/random_setup.h"
+#include "toolpace/machine/key_text.h"
 #include "toolpace/machine/setup.h"
 #include "toolpace/machine/toml_layout.h"
 
@@ -17,6 +18,7 @@ namespace {
 using namespace toolpace;
 
 std::vector<std::string> comments_of(std::string_view text) {
+  if (text.starts_with(kUtf8Mark)) text.remove_prefix(kUtf8Mark.size());
   std::vector<std::string> comments;
   const auto layout = lay_out_toml(text);
   if (!layout) std::abort();

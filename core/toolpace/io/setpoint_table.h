@@ -32,7 +32,8 @@ class SetpointTable {
 
   /// Makes `chunk` the present one; it must outlive the use of columns(). The first chunk decides the set of columns.
   /// Errors (input): columns of unequal length or other axes than before (code setpoint-columns), rows that do not
-  /// follow on (setpoint-rows), values that are not finite (setpoint-not-finite).
+  /// follow on (setpoint-rows), values that are not finite in the units of the file
+  /// (setpoint-not-finite).
   Result<void> load(const Setpoints& chunk);
 
   /// "t_s", "x_mm", …, without "line". Known after the first load().

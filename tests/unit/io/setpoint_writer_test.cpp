@@ -130,6 +130,19 @@ TEST(SetpointWriter, RefusesWhatNoMachineCanRun) {
   EXPECT_EQ((*writer)->write(ragged).error().code, "setpoint-columns");
 }
 
+// 1e307 rad are 5.7e308°, which no double holds; nor does one hold 1e300 mm a millisecond three times over.
+TEST(SetpointWriter, RefusesWhatIsFiniteHereAndNotInTheFile) {
+  const TemporaryDirectory dir;
+  Setpoints turned = sample_setpoints(0, 2, true);
+  turned.position[5] = {0.0, 1e307};
+  EXPECT_EQ((*open_setpoint_writer(dir / "a.npy"))->write(turned).error().code, "setpoint-not-finite");
+  Setpoints far = sample_setpoints(0, 2);
+  far.position[0] = {0.0, 1e300};
+  EXPECT_TRUE((*open_setpoint_writer(dir / "a.csv"))->write(far));
+  const auto differences = open_setpoint_writer(dir / "d.csv", {.axis_derivatives = true});
+  EXPECT_EQ((*differences)->write(far).error().code, "setpoint-not-finite");
+}
+
 TEST(SetpointWriter, RefusesAnUnknownExtension) {
   const auto writer = open_setpoint_writer("out.xlsx");
   ASSERT_FALSE(writer);
