@@ -57,8 +57,8 @@ TEST(TurningCycles, FinishingFollowsTheLinesWithTheirOwnFeeds) {
   EXPECT_NEAR(radius_left_at(reading.moves, -5.0), 10.0, 1e-9);
   EXPECT_NEAR(radius_left_at(reading.moves, -15.0), 12.5, 1e-9);
   for (std::size_t i = 0; i < reading.moves.size(); ++i) {
-    if (reading.moves.kind[i] == MoveKind::feed && reading.moves.line[i] == 11)
-      EXPECT_NEAR(reading.moves.feed[i], 0.1 * 1000 / 60, 1e-9);
+    if (reading.moves.kind[i] != MoveKind::feed || reading.moves.line[i] != 11) continue;
+    EXPECT_NEAR(reading.moves.feed[i], 0.1 * 1000 / 60, 1e-9);
   }
 }
 
@@ -140,7 +140,7 @@ TEST(LinuxcncRoughing, AStraightWallIsRoughedAsASlopedOne) {
     const auto reading =
         read_program("G54 G18 G21 F400\nm3 s100\no100 sub\n" + wall + "o100 endsub\n" + cycle + "m30\n");
     EXPECT_FALSE(reading.refused) << wall << testing::PrintToString(codes(reading));
-    return std::count(reading.moves.kind.begin(), reading.moves.kind.end(), MoveKind::feed);
+    return static_cast<double>(std::count(reading.moves.kind.begin(), reading.moves.kind.end(), MoveKind::feed));
   };
   for (const char* cycle : {"G72 Q100 X50 Z0 I3 R0.1\n", "G72.1 Q100 X50 Z0 I3 R0.1\n"}) {
     const auto straight = rows("g1 x50 z-40\nx100 z-40\n", cycle);
