@@ -1198,6 +1198,18 @@
             <source>lathe-system-b</source>
             <translation>按 G 代码体系 B 读取</translation>
         </message>
+        <message>
+            <source>output-ignored</source>
+            <translation>输出到端口的内容已忽略</translation>
+        </message>
+        <message>
+            <source>sender-macro</source>
+            <translation>打印机的宏未执行</translation>
+        </message>
+        <message>
+            <source>sub-program-missing</source>
+            <translation>缺少子程序</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -2392,6 +2404,14 @@
         <message>
             <source>in system A it is a cycle: give X and Z</source>
             <translation>在体系 A 中它是循环：请给出 X 和 Z</translation>
+        </message>
+        <message>
+            <source>name the offset with P, give it with R</source>
+            <translation>用 P 指定补偿号，用 R 给出数值</translation>
+        </message>
+        <message>
+            <source>put its file beside the program or into a folder given with --sub-path</source>
+            <translation>请将其文件放在程序旁边，或放入用 --sub-path 给出的文件夹</translation>
         </message>
     </context>
     <context>

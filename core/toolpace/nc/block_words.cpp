@@ -164,7 +164,7 @@ bool check_words(Context& context, const Block& block, Code motion) {
       }
       continue;
     }
-    if (i == word_index('u') || i == word_index('v') || i == word_index('w')) {
+    if (!context.rules.extruder && (i == word_index('u') || i == word_index('v') || i == word_index('w'))) {
       return context.faults.fail("axis-absent", fmt::format("this machine has no axis {}", static_cast<char>('A' + i)),
                                  "axes are X Y Z A B C", block.column[i]);
     }

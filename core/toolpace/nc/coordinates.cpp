@@ -103,6 +103,7 @@ bool run_g10(Context& context, const Block& block) {
     return refuse_with_compensation(context, block, "G10") &&
            set_system_origin(context, block, form == 20 && !context.rules.incremental_g10);
   }
+  if (context.rules.incremental_g10 && form >= 10 && form <= 13) return write_tool_offset(context, block, form);
   if (form == 1 || form == 10 || form == 11) return write_tool_entry(context, block, form);
   if (!context.rules.refuses_doubtful) {
     context.faults.warn("g10-ignored",

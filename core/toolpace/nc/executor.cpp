@@ -169,6 +169,7 @@ bool Executor::run_subprogram_code(const Block& block) {
   if (!times)
     return context_.faults.fail("call-repeats", fmt::format("{:g} repeats of a call", repeats),
                                 "L is a whole number from 0 to 999999999", column);
+  if (block.code(MGroup::subprogram) == 97) return flow_.call_line(number, *times, block.column_of('p'));
   return flow_.call_number(number, *times, block.column_of('p'), std::nullopt);
 }
 

@@ -24,6 +24,15 @@ bool begins_program_number(Scanner text) {
   return next == '\0' || next == '(' || next == ';';
 }
 
+// START_PRINT BED=60: three letters in a row begin no block.
+bool is_macro_line(Scanner text) {
+  for (int letters = 0; letters < 3; ++letters) {
+    if (!is_letter(text.peek())) return false;
+    text.take();
+  }
+  return true;
+}
+
 }  // namespace
 
 Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, const DialectRules& rules,
@@ -53,6 +62,7 @@ Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, const 
   state_.modal.plane = rules.first_plane;
   state_.modal.feed_mode = rules.first_feed_mode;
   state_.modal.lathe_diameter = rules.first_lathe_diameter;
+  state_.modal.feed = state_.modal.feed_linear = rules.first_feed;
 }
 
 bool Interpreter::run(const Monitor& monitor) {
@@ -220,7 +230,7 @@ bool Interpreter::run_line(std::string_view line) {
   char c = text.peek();
   if (c == '\0') return reader_.is_at_end(text);
   if (c == '%') return run_percent();
-  if (rules_.sender_lines && c == '$') return run_sender_command(text);
+  if (rules_.sender_lines && (c == '$' || c == '{' || c == '[')) return run_sender_command(text);
   if (c == '/') {
     if (options_.block_delete) return true;
     text.take();
@@ -242,6 +252,11 @@ bool Interpreter::run_line(std::string_view line) {
       c = text.peek();
     }
   }
+  if (rules_.texts_without_quotes && is_macro_line(text)) {
+    faults_.warn("sender-macro", "a macro of the printer is not followed; it is taken to move nothing", "",
+                 text.column());
+    return true;
+  }
   anything_read_ = anything_read_ || (c != '(' && c != ';' && c != '\0' && !begins_program_number(text));
   if (c == 'o' || (c == ':' && rules_.macro_statements)) {
     text.take();
@@ -249,7 +264,7 @@ bool Interpreter::run_line(std::string_view line) {
     if (const auto modal = flow_.take_restored()) restore_modal(context_, *modal);
     return good;
   }
-  if (rules_.macro_statements && (c == 'i' || c == 'w' || c == 'd' || c == 'e' || c == 'g')) {
+  if (rules_.macro_statements && (c == 'i' || c == 'w' || c == 'd' || c == 'e' || c == 'g' || c == 'b' || c == 'p')) {
     bool good = true;
     if (flow_.run_fanuc_statement(text, good)) return good;
   }

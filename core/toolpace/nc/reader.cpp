@@ -98,11 +98,12 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
   if (options.dialect == Dialect::automatic) guess = nc::detect_dialect(text, name);
   reading.dialect = guess.dialect;
   reading.dialect_reasons = guess.reasons;
+  const nc::DialectRules& rules = guess.marked ? nc::rules_of(reading.dialect) : nc::rules_of_unmarked_text();
   reading.moves.files = {name};
   const std::size_t lines = count_lines(text);
   reserve(reading.moves, lines);
   nc::ProgramFiles files(text, name, program_folders(name, options), monitor);
-  nc::Interpreter interpreter(files, options, nc::rules_of(reading.dialect), options.limits.blocks + lines, reading);
+  nc::Interpreter interpreter(files, options, rules, options.limits.blocks + lines, reading);
   const auto tools =
       read_beside(options.tools, interpreter, monitor, [&](std::string_view content, const auto& on_fault) {
         nc::read_tool_table(content, interpreter.state(), on_fault);

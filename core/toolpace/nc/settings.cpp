@@ -19,7 +19,8 @@ constexpr int kHighestSpindle = 7;
 
 bool set_plane(Context& context, const Block& block) {
   const Code code = block.code(GGroup::plane);
-  if (context.state.modal.compensation != 400 && code != context.state.modal.plane) {
+  if (context.state.modal.compensation != 400 && code != context.state.modal.plane &&
+      (context.rules.refuses_doubtful || context.state.compensation.radius > 0.0)) {
     return context.faults.fail("plane-with-compensation", "a change of plane while cutter radius compensation is on",
                                "end it with G40 first", block.column_of(GGroup::plane));
   }

@@ -146,7 +146,7 @@ bool select_tool(Context& context, const Block& block) {
 bool change_tool(Context& context, const Block& block) {
   State& state = context.state;
   const std::size_t column = block.column_of(MGroup::tool);
-  if (state.modal.compensation != 400) {
+  if (state.modal.compensation != 400 && (context.rules.refuses_doubtful || state.compensation.radius > 0.0)) {
     return context.faults.fail("tool-change-with-compensation", "a tool change while cutter radius compensation is on",
                                "end it with G40 first", column);
   }
@@ -189,7 +189,7 @@ bool set_tool_length(Context& context, const Block& block) {
       const char letter = kAxisLetters[i];
       if (block.has(letter)) offset[i] = is_rotary(i) ? block.of(letter) : length_of(state, block, letter);
     }
-  } else if (code == 430 || code == 432) {
+  } else if (code == 430 || code == 432 || code == 440) {
     int number = state.loaded.number;
     Tool tool = state.loaded;
     if (block.has('h')) {
@@ -200,12 +200,36 @@ bool set_tool_length(Context& context, const Block& block) {
       return context.faults.fail("g43.2-without-h", "G43.2 without a tool", "name the tool with H", column);
     }
     offset = tool.offset;
+    if (code == 440) {
+      for (double& value : offset) value = -value;
+    }
     if (code == 432) {
       for (std::size_t i = 0; i < kAxisCount; ++i) offset[i] += state.offsets.tool_length[i];
     }
   }
   set_length_offset(context, offset);
   state.modal.tool_length = code;
+  return true;
+}
+
+bool write_tool_offset(Context& context, const Block& block, int form) {
+  State& state = context.state;
+  int number = 0;
+  if (!block.has('p') || !block.has('r')) {
+    return context.faults.fail("g10-without-p", fmt::format("G10 L{} without P or R", form),
+                               "name the offset with P, give it with R", block.column_of(GGroup::once));
+  }
+  if (!take_tool_number(context, block, 'p', number)) return false;
+  Tool& tool = state.tools[number];
+  tool.number = number;
+  const double value = length_of(state, block, 'r');
+  const bool adds = form == 11 || form == 13 || state.modal.incremental();
+  if (form <= 11) {
+    tool.offset[2] = (adds ? tool.offset[2] : 0.0) + value;
+  } else {
+    tool.diameter = (adds ? tool.diameter : 0.0) + 2.0 * value;
+  }
+  if (state.loaded.number == number) state.loaded = tool;
   return true;
 }
 

@@ -24,6 +24,9 @@ bool change_tool(Context& context, const Block& block);
 /// G43 G43.1 G43.2 G49
 bool set_tool_length(Context& context, const Block& block);
 
+/// Fanuc's G10 L10 P R: length, L11 its wear, L12 radius, L13 its wear.
+bool write_tool_offset(Context& context, const Block& block, int form);
+
 /// G10 L1 L10 L11: writes the tool table.
 bool write_tool_entry(Context& context, const Block& block, int form);
 

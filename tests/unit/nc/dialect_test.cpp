@@ -78,7 +78,7 @@ TEST(Fanuc, WhatWouldChangeThePathUnseenIsRefused) {
                                                        {"G51 X0 Y0 P2000", "g-code-unfollowed"},
                                                        {"G51.1 X0", "g-code-unfollowed"},
                                                        {"G12.1", "g-code-unfollowed"},
-                                                       {"M198 P77", "sub-program-unknown"}};
+                                                       {"G7.1 C10", "g-code-unfollowed"}};
   for (const auto& [line, code] : cases) {
     const auto reading = read_as(Dialect::fanuc, fmt::format("O1\n{}\nM30\n", line));
     EXPECT_TRUE(reading.refused) << line;

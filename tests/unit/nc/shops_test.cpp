@@ -271,5 +271,75 @@ TEST(Dialects, DoubtIsAWarningThatNamesTheOther) {
   EXPECT_TRUE(has_code(reading, "dialect-uncertain"));
 }
 
+// A text that nothing marks is read as LinuxCNC's, but what means nothing there is a warning.
+TEST(UnmarkedText, WhatMeansNothingIsAWarning) {
+  const auto reading =
+      read_program("G21 G90 G0 X1 Q5\nG91 G28 G0 Z0\nM230 P3\n(a (b) c) G90 G0 X2 N7\nM3 M8 M9\nM30\n", {}, "a.tap");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(reading.dialect, Dialect::linuxcnc);
+  EXPECT_TRUE(has_code(reading, "word-unused"));
+  EXPECT_TRUE(has_code(reading, "modal-group-twice"));
+  EXPECT_EQ(ends(reading).back(), 2.0);
+  EXPECT_TRUE(read_program("G21 G90 G0 X1 Q5\nM2\n").refused) << "a .ngc is LinuxCNC's";
+}
+
+TEST(Fanuc, TheLastOfWhatComesTwiceCounts) {
+  const auto reading = read_program("O1\nG21 G90 G91 G0 X1. X2.\nX2.\nM30\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{2, 4}));
+  EXPECT_TRUE(has_code(reading, "modal-group-twice"));
+  EXPECT_TRUE(has_code(reading, "word-twice"));
+}
+
+TEST(Fanuc, AMissingSubProgramIsAWarning) {
+  const auto reading = read_program("O1\nG21\nG0 X1.\nG65 P9810 X5.\nM98 P77\nX2.\nM30\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(codes(reading), (Codes{"sub-program-missing@4:1", "sub-program-missing@5:5"}));
+  EXPECT_EQ(ends(reading), (Values{1, 2}));
+}
+
+TEST(Fanuc, WhatIsWrittenToAPortIsLeftOut) {
+  const auto reading = read_program("O1\nG21\nPOPEN\nDPRNT[X#1[53]*A]\nPCLOS\nG0 X2.\nM30\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{2}));
+}
+
+// G10 L10 P1 R25 makes the length 25 mm, L11 adds its wear; G44 takes it away.
+TEST(Fanuc, ToolOffsetsAreSetByG10) {
+  const auto reading =
+      read_program("O1\nG21 G90\nG10 L10 P1 R25.\nG10 L11 P1 R0.5\nG43 H1\nG0 Z1.\nG49\nG44 H1\nG0 Z1.\nM30\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading, 2), (Values{26.5, -24.5}));
+}
+
+TEST(Haas, M97CallsLinesOfTheProgram) {
+  const auto reading = read_program("O1 (HAAS)\nG21 G91\nM97 P100 L2\nM30\nN100 G0 X1.\nM99\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{1, 2}));
+}
+
+TEST(Printers, MacrosAndSettingsMoveNothing) {
+  const auto reading = read_program(
+      "START_PRINT BED_TEMP=60\nM862.3 P \"MK3S\"\nG28 W\nG29\nG10\nG1 X5 Y5\nEXCLUDE_OBJECT_START NAME=a_1\nG11\n"
+      "SET_VELOCITY_LIMIT ACCEL=500\nG1 X6 E.5 F600\n",
+      {}, "a.gcode");
+  EXPECT_EQ(reading.dialect, Dialect::marlin);
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading).back(), 6.0);
+  EXPECT_NEAR(reading.moves.feed.at(1), 25.0, 1e-12) << "the feed that printers begin with";
+}
+
+TEST(Text, ControlCharactersOfTapesAreBlanks) {
+  const auto reading = read_program("\x11%\nO1\nG21 G0\x13 X1.\nM30\n%\n\x1A", {}, "a.nc");
+  EXPECT_TRUE(reading.diagnostics.empty()) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(read_program("G21 G0 X1\nM2\n\x1A")), (Values{1}));
+}
+
+TEST(Linuxcnc, ProbingNowhereIsAnErrorOnlyWhereContactIsWanted) {
+  EXPECT_FALSE(read_program("G21 F100\nG38.3 Z0\nG38.5 Z0\nM2\n").refused);
+  EXPECT_TRUE(read_program("G21 F100\nG38.2 Z0\nM2\n").refused);
+  EXPECT_TRUE(read_program("G21 F100\nG38.4 Z0\nM2\n").refused);
+}
+
 }  // namespace
 }  // namespace toolpace::nc

@@ -90,6 +90,7 @@ DialectGuess detect_dialect(std::string_view text, std::string_view name) {
     for (auto& reason : evidence.reasons(Dialect::fanuc)) guess.reasons.push_back(std::move(reason));
   }
   if (guess.reasons.empty() && named) guess.reasons.emplace_back("the file is named .ngc, as LinuxCNC's are");
+  guess.marked = !guess.reasons.empty();
   if (guess.reasons.empty()) guess.reasons.emplace_back("nothing in the text is of another dialect");
   return guess;
 }

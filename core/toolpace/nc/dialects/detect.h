@@ -13,6 +13,7 @@ namespace toolpace::nc {
 struct DialectGuess {
   Dialect dialect = Dialect::linuxcnc;  ///< never automatic
   std::vector<std::string> reasons;     ///< what in the text speaks for it, with its line
+  bool marked = true;                   ///< false: nothing in the text or its name says so
   Dialect other = Dialect::automatic;   ///< what it may be as well; automatic = nothing near as likely
 };
 

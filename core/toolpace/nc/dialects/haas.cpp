@@ -12,12 +12,28 @@ std::optional<CodeUse<GGroup>> haas_g_code(Code code) {
   return fanuc_g_code(code);
 }
 
+std::optional<CodeUse<MGroup>> haas_m_code(int number) {
+  if (number == 97) return CodeUse<MGroup>{MGroup::subprogram};
+  return fanuc_m_code(number);
+}
+
+const char* haas_unfollowed(Code code) {
+  switch (code) {
+    case 120:
+    case 130: return "mills a circular pocket";
+    case 1500: return "mills a pocket";
+    case 470: return "engraves text";
+    default: return fanuc_unfollowed(code);
+  }
+}
+
 }  // namespace
 
 const DialectRules kHaasRules{.dialect = Dialect::haas,
                               .first_retract = 980,
                               .macro_statements = true,
                               .corner_words = true,
+                              .last_code_wins = true,
                               .dwells_in_milliseconds = true,
                               .dwells_by_axis_words = true,
                               .g80_keeps_motion = true,
@@ -27,7 +43,7 @@ const DialectRules kHaasRules{.dialect = Dialect::haas,
                               .incremental_g10 = true,
                               .arc = kLinuxcncArcs,
                               .g_code = haas_g_code,
-                              .m_code = fanuc_m_code,
-                              .unfollowed = fanuc_unfollowed};
+                              .m_code = haas_m_code,
+                              .unfollowed = haas_unfollowed};
 
 }  // namespace toolpace::nc

@@ -21,6 +21,18 @@ std::optional<CodeUse<MGroup>> linuxcnc_m_code(int number) {
   return std::nullopt;
 }
 
+std::optional<CodeUse<GGroup>> unmarked_g_code(Code code) {
+  if (const auto use = linuxcnc_g_code(code); use && use->by_dialect) return use;
+  const auto other = fanuc_g_code(code);
+  if (other && other->group == GGroup::ignored) return other;
+  return linuxcnc_g_code(code);
+}
+
+std::optional<CodeUse<MGroup>> unmarked_m_code(int number) {
+  if (const auto use = linuxcnc_m_code(number)) return use;
+  return fanuc_m_code(number);
+}
+
 }  // namespace
 
 const DialectRules kLinuxcncRules{.dialect = Dialect::linuxcnc,
@@ -31,6 +43,21 @@ const DialectRules kLinuxcncRules{.dialect = Dialect::linuxcnc,
                                   .arc = kLinuxcncArcs,
                                   .g_code = linuxcnc_g_code,
                                   .m_code = linuxcnc_m_code,
+                                  .unfollowed = nothing_unfollowed};
+
+const DialectRules kUnmarkedRules{.dialect = Dialect::linuxcnc,
+                                  .first_motion = 800,
+                                  .line_checksums = true,
+                                  .acts_by_comment = true,
+                                  .last_code_wins = true,
+                                  .dwells_by_axis_words = true,
+                                  .motion_beside_home = true,
+                                  .machine_moves_incremental = true,
+                                  .ignores_centre_off_plane = true,
+                                  .linuxcnc_cycles = true,
+                                  .arc = kLinuxcncArcs,
+                                  .g_code = unmarked_g_code,
+                                  .m_code = unmarked_m_code,
                                   .unfollowed = nothing_unfollowed};
 
 }  // namespace toolpace::nc

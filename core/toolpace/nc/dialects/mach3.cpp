@@ -8,6 +8,7 @@ namespace {
 std::optional<CodeUse<GGroup>> mach3_g_code(Code code) {
   if (code == 700) return CodeUse<GGroup>{GGroup::units, true, 200};
   if (code == 710) return CodeUse<GGroup>{GGroup::units, true, 210};
+  if (code == 310) return CodeUse<GGroup>{GGroup::motion, true, 383};
   if (is_listed(code, {500, 401})) return CodeUse<GGroup>{GGroup::ignored};  // scaling off, no arcs at corners
   if (is_listed(code, {680, 690})) return CodeUse<GGroup>{GGroup::turn_plane};
   if (const auto group = common_g_group(code)) return CodeUse<GGroup>{*group};
@@ -25,7 +26,6 @@ const char* mach3_unfollowed(Code code) {
     case 150:
     case 160: return "switches polar coordinates";
     case 510: return "scales the path";
-    case 310: return "moves until a signal comes";
     default: return nullptr;
   }
 }
@@ -34,6 +34,7 @@ const char* mach3_unfollowed(Code code) {
 
 const DialectRules kMach3Rules{.dialect = Dialect::mach3,
                                .first_retract = 980,
+                               .last_code_wins = true,
                                .dwells_by_axis_words = true,
                                .g80_keeps_motion = true,
                                .motion_beside_home = true,

@@ -8,17 +8,30 @@ namespace toolpace::nc {
 constexpr ArcTolerance kMarlinArcs{
     .metric = 0.05, .inch = 0.05, .relative = 0.01, .most = 10.0, .least_radius = 0.0001};
 
+namespace {
+
+// Retraction, cleaning, probing and levelling of the bed, tools: nothing that the path of a print depends on.
+std::optional<CodeUse<GGroup>> marlin_g_code(Code code) {
+  if (is_listed(code, {100, 110, 120, 260, 270, 290, 291, 292, 300, 320, 330, 340, 350, 420, 600, 610, 760, 800, 4250}))
+    return CodeUse<GGroup>{GGroup::ignored};
+  return sender_g_code(code);
+}
+
+}  // namespace
+
 const DialectRules kMarlinRules{.dialect = Dialect::marlin,
+                                .first_feed = 1500.0,
                                 .sender_lines = true,
                                 .line_checksums = true,
                                 .extruder = true,
+                                .texts_without_quotes = true,
                                 .ends_with_text = true,
                                 .dwells_in_milliseconds = true,
                                 .dwells_by_axis_words = true,
                                 .machine_moves_incremental = true,
                                 .ignores_centre_off_plane = true,
                                 .arc = kMarlinArcs,
-                                .g_code = sender_g_code,
+                                .g_code = marlin_g_code,
                                 .m_code = sender_m_code,
                                 .unfollowed = nothing_unfollowed};
 

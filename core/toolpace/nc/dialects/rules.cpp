@@ -41,6 +41,8 @@ const DialectRules& rules_of(Dialect dialect) {
   return kLinuxcncRules;
 }
 
+const DialectRules& rules_of_unmarked_text() { return kUnmarkedRules; }
+
 bool is_listed(int code, std::initializer_list<int> list) {
   return std::find(list.begin(), list.end(), code) != list.end();
 }

@@ -36,6 +36,7 @@ struct DialectRules {
   Code first_plane = 170;
   Code first_feed_mode = 940;
   Code first_lathe_diameter = 80;
+  double first_feed = 0.0;  ///< [mm/min] 0 = none: it has to be programmed
 
   // Text.
   bool refuses_doubtful = false;  ///< what means nothing is an error, as it is for LinuxCNC, and no warning
@@ -45,7 +46,9 @@ struct DialectRules {
   bool extruder = false;          ///< E moves the extruder of a printer; settings take axis letters, texts no quotes
   bool acts_by_comment = false;   ///< (abort, …)
   bool corner_words = false;      ///< ",C" and ",R" at the end of a move
-  bool ends_with_text = false;    ///< programs are streamed: they need no end
+  bool last_code_wins = false;    ///< of codes of one group and of words that come twice in a block
+  bool texts_without_quotes = false;  ///< lines of settings and macros of printers: SET_… A=1, M117 hello
+  bool ends_with_text = false;        ///< programs are streamed: they need no end
 
   // Words.
   bool dwells_in_milliseconds = false;     ///< P of G4 and of cycles
@@ -71,9 +74,12 @@ struct DialectRules {
 /// @pre not automatic
 const DialectRules& rules_of(Dialect dialect);
 
+/// How a text is read that nothing marks: as LinuxCNC's, but what means nothing is a warning.
+const DialectRules& rules_of_unmarked_text();
+
 // One a file.
-extern const DialectRules kLinuxcncRules, kFanucRules, kFanucLatheRules, kHaasRules, kMach3Rules, kGrblRules,
-    kMarlinRules;
+extern const DialectRules kLinuxcncRules, kUnmarkedRules, kFanucRules, kFanucLatheRules, kHaasRules, kMach3Rules,
+    kGrblRules, kMarlinRules;
 
 /// As the source of LinuxCNC 2.9 has it: 2√2·0.01 mm, 2√2·0.001 in.
 inline constexpr ArcTolerance kLinuxcncArcs{.metric = 0.02828427124746190,

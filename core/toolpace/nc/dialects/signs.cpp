@@ -113,6 +113,9 @@ void SignReader::look_at_words() {
   if (contains(text_, "g54.1p")) add(Dialect::fanuc, 3, "G54.1");
   if (has('g', "7")) add(Dialect::linuxcnc, 3, "G7, diameters by a code");
   if (is_printing(text_)) add(Dialect::marlin, 3, "a code of 3D printers");
+  for (const char* macro : {"set_velocity", "exclude_object", "start_print", "end_print", "print_start", "print_end"}) {
+    if (text_.rfind(macro, 0) == 0) add(Dialect::marlin, 3, "a macro of Klipper");
+  }
   if (has_checksum(text_)) add(Dialect::marlin, 3, "a checksum at the end of the line");
   if (has('g', "154") || has('g', "187") || has('g', "103") || has('m', "97"))
     add(Dialect::haas, 3, "a code of Haas (G154, G187, G103, M97)");

@@ -51,6 +51,12 @@ bool Flow::enter(const std::string& label, std::size_t column, int repeats, bool
       return faults_.fail("sub-program-refused", fmt::format("sub-program O{}: {}", name, found.trouble), found.remedy,
                           column);
     }
+    if (!found.index && !reader_.rules().refuses_doubtful && is_numbered) {
+      faults_.warn("sub-program-missing", fmt::format("there is no sub-program O{}; what it does is missing", name),
+                   "put its file beside the program or into a folder given with --sub-path", column);
+      was_missing_ = true;
+      return false;
+    }
     if (!found.index) {
       return faults_.fail(
           "sub-program-unknown", fmt::format("there is no sub-program O{}", name),
@@ -86,13 +92,35 @@ bool Flow::call_sub(int number, std::size_t column) {
 bool Flow::call_number(double number, int repeats, std::size_t column,
                        const std::optional<std::vector<double>>& arguments) {
   if (repeats == 0) return true;
-  if (!enter(label_of(number), column, repeats, true)) return false;
+  was_missing_ = false;
+  if (!enter(label_of(number), column, repeats, true)) return was_missing_;
   calls_.back().arguments = arguments;
   if (arguments) {
     parameters_.enter_call(*arguments);
   } else {
     parameters_.enter_shared_call();
   }
+  return true;
+}
+
+bool Flow::call_line(double number, int repeats, std::size_t column) {
+  if (repeats == 0) return true;
+  std::size_t offset = 0, line = 0;
+  if (!index().find_number(number, 0, offset, line))
+    return faults_.fail("line-number-unknown", fmt::format("there is no line N{:g}", number),
+                        "check the number of the line", column);
+  if (calls_.size() >= limits_.call_depth) {
+    return lose("calls-too-deep", fmt::format("more than {} calls within each other", limits_.call_depth),
+                "check for a sub-program that calls itself; --max-call-depth raises the bound", column);
+  }
+  Call call;
+  call.back = here_;
+  call.repeats = repeats;
+  call.is_numbered = true;
+  calls_.push_back(std::move(call));
+  jump(offset, line - 1);
+  calls_.back().start = here_;
+  parameters_.enter_shared_call();
   return true;
 }
 

@@ -70,6 +70,12 @@ bool Flow::run_fanuc_statement(Scanner& text, bool& good) {
                         "write IF [..] GOTO n or IF [..] THEN #n = ..", text.column());
     return true;
   }
+  for (const char* output : {"dprnt", "bprnt", "popen", "pclos"}) {
+    ahead = text;
+    if (!ahead.take_word(output)) continue;
+    faults_.warn("output-ignored", "what the program writes to a port is left out", "", text.column());
+    return true;
+  }
   ahead = text;
   const bool has_condition = take_macro_word(ahead, "while") && ahead.peek() == '[';
   const bool is_do = !has_condition && (ahead = text, ahead.take_word("do")) && is_digit(ahead.peek());

@@ -46,6 +46,8 @@ class Flow {
   bool run_fanuc_statement(Scanner& text, bool& good);
   /// M98 and G65. `arguments` none: the caller's #1… are shared or copied as the dialect does.
   bool call_number(double number, int repeats, std::size_t column, const std::optional<std::vector<double>>& arguments);
+  /// M97 of Haas: calls the lines from N<number> on, up to M99.
+  bool call_line(double number, int repeats, std::size_t column);
   /// Calls the sub O<number>, without arguments, as "O… call" does.
   bool call_sub(int number, std::size_t column);
   /// Faults are told at `place` from here to the next line taken.
@@ -128,6 +130,7 @@ class Flow {
   bool has_returned_value_ = false;
   bool jumped_ = false;
   bool lost_ = false;
+  bool was_missing_ = false;  ///< the sub-program called last
 };
 
 }  // namespace toolpace::nc

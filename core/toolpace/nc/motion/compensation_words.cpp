@@ -47,6 +47,12 @@ bool find_radius(Context& context, const Block& block, double& radius, int& orie
   if (block.has('d') && block.of('d') != 0.0) {
     const double number = block.of('d');
     const auto whole = whole_number(number, 0, kHighestTool);
+    if (!whole && !context.rules.refuses_doubtful) {
+      context.faults.warn("tool-number", fmt::format("D{:g} is no tool number; it is taken as the diameter", number),
+                          "", block.column_of('d'));
+      radius = length_of(state, block, 'd') / 2.0;
+      return true;
+    }
     if (!whole) {
       return context.faults.fail("tool-number", fmt::format("D{:g} is no tool number", number), "D takes a tool number",
                                  block.column_of('d'));
@@ -79,7 +85,8 @@ bool set_compensation(Context& context, const Block& block) {
     state.modal.compensation = 400;
     return true;
   }
-  if (state.modal.compensation != 400) {
+  if (state.modal.compensation == code && !context.rules.refuses_doubtful) return true;
+  if (state.modal.compensation != 400 && (context.rules.refuses_doubtful || state.compensation.radius > 0.0)) {
     return context.faults.fail("compensation-already-on", "cutter radius compensation is on already",
                                "end it with G40 first", column);
   }

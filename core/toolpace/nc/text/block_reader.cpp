@@ -10,7 +10,8 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kCodeWithin = 1e-3;  // tenths
+constexpr double kCodeWithin = 1e-3;     // tenths
+constexpr Code kFractionalCode = 30000;  // M codes of printers with a decimal
 
 std::string word_text(std::size_t index) {
   if (index == kRadiusWord) return "@";
@@ -21,8 +22,25 @@ std::string word_text(std::size_t index) {
   return std::string(1, static_cast<char>('A' + index));
 }
 
+// The parenthesis that closes a comment; where they nest and pair up in the line, the one that pairs with the first.
+std::size_t end_of_comment(std::string_view rest, bool nests) {
+  const std::size_t first = rest.find(')');
+  if (!nests || first == std::string_view::npos) return first;
+  int depth = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (rest[i] == '(') ++depth;
+    if (rest[i] == ')' && --depth == 0) return i;
+  }
+  return first;
+}
+
 bool follows_digit(const Scanner& text, std::size_t column) {
   return column >= 2 && (is_digit(text.line()[column - 2]) || text.line()[column - 2] == '.');
+}
+
+bool follows_bracket(const Scanner& text) {
+  const std::size_t column = text.column();
+  return column >= 2 && text.line()[column - 2] == ']';
 }
 
 }  // namespace
@@ -40,7 +58,13 @@ bool BlockReader::skip_comments(Scanner& text, std::string* last_comment) {
       return true;
     }
     const std::string_view rest = text.rest();
-    const std::size_t close = rest.find(')');
+    const std::size_t close = end_of_comment(rest, !rules_.refuses_doubtful);
+    if (close == std::string_view::npos && !rules_.refuses_doubtful) {
+      faults_.warn("comment-not-closed", "a comment that begins with '(' has no ')'; it ends with the line", "",
+                   text.column());
+      text.move_to(text.end());
+      return true;
+    }
     if (close == std::string_view::npos) {
       return faults_.fail("comment-not-closed", "a comment that begins with '(' has no ')'",
                           "close the comment with ')'", text.column());
@@ -79,6 +103,8 @@ bool BlockReader::read(Scanner& text, Block& block) {
       if (!expressions_.read_value(text, value)) return false;
       const std::size_t index = c == '@' ? kRadiusWord : c == '^' ? kAngleWord : kSpindleWord;
       if (!store_word(index, value, column, block)) return false;
+    } else if (c == '.' && !rules_.refuses_doubtful && follows_bracket(text)) {
+      text.take();  // F[#1*2]. : the point changes nothing
     } else if (c == ',' && rules_.corner_words) {
       if (!read_corner(text, block)) return false;
     } else if (rules_.sender_lines && is_real_time(c)) {
@@ -125,7 +151,9 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
   text.take();
   const char next = text.peek();
   if (!is_digit(next) && next != '-' && !ExpressionReader::begins_value(text)) {
-    return fail_without_value(text, letter, column);
+    // Printers take letters alone as switches: G28 X, M84 E.
+    const bool is_switch = rules_.texts_without_quotes && letter != 'g' && letter != 'm' && !block.is_empty();
+    return is_switch ? store_word(word_index(letter), 0.0, column, block) : fail_without_value(text, letter, column);
   }
   double value = 0.0;
   if (!expressions_.read_value(text, value)) return false;
@@ -154,6 +182,12 @@ bool BlockReader::store_word(std::size_t index, double value, std::size_t column
     block.arguments.push_back({static_cast<char>('a' + index), value});
   const std::uint32_t bit = 1u << index;
   if ((block.words & bit) != 0 && !block.has(GGroup::macro)) {
+    if (rules_.last_code_wins) {
+      faults_.warn("word-twice", fmt::format("word {} stands twice in this block; the last counts", word_text(index)),
+                   "", column);
+      block.value[index] = value;
+      return true;
+    }
     return faults_.fail("word-twice", fmt::format("word {} stands twice in this block", word_text(index)),
                         "remove one of them", column);
   }
@@ -194,7 +228,12 @@ bool BlockReader::read_g(double value, std::size_t column, Block& block) {
     if (code != 800) block.g[group] = code;  // G80 beside another motion code only ends what cycle is on
     return true;
   }
-  if (block.has(use->group)) {
+  if (block.has(use->group) && rules_.last_code_wins) {
+    faults_.warn("modal-group-twice",
+                 fmt::format("{} and {} belong to the same modal group; the last counts",
+                             code_text('G', block.g[group]), code_text('G', code)),
+                 "", column);
+  } else if (block.has(use->group)) {
     return faults_.fail(
         "modal-group-twice",
         fmt::format("{} and {} belong to the same modal group", code_text('G', block.g[group]), code_text('G', code)),
@@ -210,6 +249,11 @@ bool BlockReader::read_m(double value, std::size_t column, Block& block) {
   const double whole = std::round(value);
   const bool plausible = std::fabs(value - whole) < kCodeWithin && whole >= 0.0 && whole < 30000.0;
   const auto use = plausible ? rules_.m_code(static_cast<int>(whole)) : std::nullopt;
+  if (!use && rules_.texts_without_quotes && value >= 0.0) {  // M862.3 P "MK3"
+    block.m_groups |= 1u << static_cast<unsigned>(MGroup::ignored);
+    block.m[static_cast<std::size_t>(MGroup::ignored)] = kFractionalCode;
+    return true;
+  }
   if (!use) {
     return faults_.fail("m-code-unknown", fmt::format("unknown code M{:g}", value), "check the code or the dialect",
                         column);
@@ -224,7 +268,11 @@ bool BlockReader::read_m(double value, std::size_t column, Block& block) {
     faults_.warn("m-code-ignored", fmt::format("M{} has no effect on the path here", code), "", column);
   }
   const auto group = static_cast<std::size_t>(use->group);
-  if (block.has(use->group) && use->group != MGroup::ignored) {
+  if (block.has(use->group) && use->group != MGroup::ignored && rules_.last_code_wins) {
+    faults_.warn("modal-group-twice",
+                 fmt::format("M{} and M{} belong to the same modal group; the last counts", block.m[group], code), "",
+                 column);
+  } else if (block.has(use->group) && use->group != MGroup::ignored) {
     return faults_.fail("modal-group-twice",
                         fmt::format("M{} and M{} belong to the same modal group", block.m[group], code),
                         "keep one of them in this block", column);
@@ -237,9 +285,10 @@ bool BlockReader::read_m(double value, std::size_t column, Block& block) {
 
 // M117 and its like carry free text up to the end of the line.
 bool BlockReader::skip_printer_text(Scanner& text, const Block& block) {
-  if (!rules_.extruder || !block.has(MGroup::ignored)) return true;
+  if (!rules_.texts_without_quotes || !block.has(MGroup::ignored)) return true;
   const Code code = block.code(MGroup::ignored);
-  if (code == 117 || code == 118 || code == 23 || code == 28) text.move_to(text.end());
+  const bool is_text = code == 117 || code == 118 || code == 23 || code == 28 || code == kFractionalCode;
+  if (is_text || text.rest().find('"') != std::string_view::npos) text.move_to(text.end());
   return true;
 }
 

@@ -107,6 +107,7 @@ struct Block {
     if (!arguments.empty()) arguments.clear();
     if (!message.empty()) message.clear();
   }
+  bool is_empty() const { return words == 0 && g_groups == 0 && m_groups == 0; }
   bool has(char letter) const { return (words & word_bit(letter)) != 0; }
   bool has_any(std::uint32_t bits) const { return (words & bits) != 0; }
   double of(char letter) const { return value[word_index(letter)]; }
