@@ -115,9 +115,9 @@ QDockWidget* MainWindow::addDock(const char* name, QWidget* content, Qt::DockWid
 // A page beside the program: a window of its own until somebody docks it.
 void MainWindow::addTool(const char* name, QWidget* page, const QSize& size) {
   auto* dock = addDock(name, page, Qt::BottomDockWidgetArea, true);
+  dock->hide();  // first, or floating would show it
   dock->setFloating(true);
   dock->resize(size);
-  dock->hide();
 }
 
 void MainWindow::arrange() {
