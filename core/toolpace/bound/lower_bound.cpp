@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "toolpace/bound/path_bound.h"
+#include "toolpace/bound/stretch_bound.h"
 #include "toolpace/bound/tube_bound.h"
 #include "toolpace/limits/curve_bounds.h"
 #include "toolpace/path/build_path.h"
@@ -89,9 +90,28 @@ class Opener {
 
 SpeedLimits open_limits(const Outcome& outcome) { return Opener(outcome).run(); }
 
+namespace {
+
+/// Sum over the stretches between the rests that every plan of the job makes.
+double bound_along_path(const Outcome& outcome, const Monitor& monitor) {
+  const SpeedLimits open = open_limits(outcome);
+  const LawKind law = outcome.job->options.law;
+  if (open.curved.empty()) return path_bound(open, law);
+  double sum = 0;
+  for (std::size_t begin = 0, end = 0; begin < open.size() && !monitor.is_cancelled(); begin = end) {
+    for (end = begin + 1; end < open.size() && open.node_cap[end] > 0;) ++end;
+    const double known = path_bound(slice(open, begin, end), law);
+    const bool has_more = detail::has_timing_bound(outcome, begin, end);
+    sum += has_more ? std::max(known, detail::timing_bound(outcome, begin, end, known)) : known;
+  }
+  return sum;
+}
+
+}  // namespace
+
 Result<double> lower_bound(const Outcome& outcome, const Monitor& monitor) {
   const Job& job = *outcome.job;
-  if (!is_through_tube(job)) return path_bound(open_limits(outcome), job.options.law) + outcome.summary.dwell_time;
+  if (!is_through_tube(job)) return bound_along_path(outcome, monitor) + outcome.summary.dwell_time;
   const auto programmed = build_path(job.program->moves, job.machine.tool_change, monitor);
   if (!programmed) return tl::unexpected(programmed.error());
   const double tolerance = judged_tolerance(job.program->moves, job.options.corner);

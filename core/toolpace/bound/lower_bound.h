@@ -11,7 +11,7 @@ namespace toolpace {
 ///
 /// On a path, the outcome's own caps and ramp limits count on lines, where they are exact. On curves they are a choice of the
 /// planner, which parts the axes' limits between turning and changing speed; there only what no motion can exceed counts
-/// (open_limits()).
+/// (open_limits()), and for laws that keep jerk the dual of the fastest timing (stretch_bound.h): within 3 % on arcs.
 /// @return Errors: of build_path; cancelled
 Result<double> lower_bound(const Outcome& outcome, const Monitor& monitor = {});
 

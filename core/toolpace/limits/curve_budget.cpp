@@ -14,10 +14,16 @@ constexpr double kTurningShare = 0.7;
 /// two of these places its square is no more than so much larger than at the nearer one.
 constexpr double kPlaces[] = {1.0, 0.88, 0.79, 0.71, 0.64, 0.57, 0.5};
 constexpr double kBetweenPlaces = 1.012;
+/// A rectangle inside another one beats the ellipse where its sides are at most this much shorter.
+constexpr double kMuchApart = 1.3;
 constexpr double kSettled = 1e-4;  // of the jerk that is looked for
 constexpr int kMostSteps = 40;
 
 double squared(double x) { return x * x; }
+
+double level_at(double speed, const CurveBudget& b) {
+  return b.slope > 0 ? std::max(0.0, b.level - b.slope * speed * speed) : b.level;
+}
 
 /// Largest acceleration of a ramp that ends (begins) at the cap with jerk j: y = a² with y/A² + (cap − y/2j)⁴/Q² = 1. The left
 /// side is convex in y, so Newton's steps from above do not pass the root. Neither y = j·cap nor A² is passed by any ramp.
@@ -35,7 +41,7 @@ double acceleration_towards(double cap, double jerk, const CurveBudget& b) {
     y = std::max(next, 0.0);
   }
   // Rounding aside this holds already, but where the cap itself is at the limit.
-  return std::min(b.acceleration, std::sqrt(y * (1 - 1e-9)));
+  return std::max(std::min(b.acceleration, std::sqrt(y * (1 - 1e-9))), level_at(cap, b));
 }
 
 /// By how much the squares of the parts of the jerk pass what there is, at the worst place of a ramp with jerk j.
@@ -45,7 +51,8 @@ double excess_of_jerk(double cap, double jerk, const CurveBudget& b) {
   for (const double place : kPlaces) {
     const double v = std::max(place * cap, slowest), cube = v * v * v;
     const double turning = kBetweenPlaces * 2 * jerk * (cap - v) * squared(v / b.turning);
-    worst = std::max(worst, squared((jerk + b.bend * cube) / b.jerk) + turning - squared(1 - cube / b.cube));
+    const double along = squared((jerk + b.bend * cube) / b.jerk), left = squared(std::max(0.0, 1 - cube / b.cube));
+    worst = std::max(worst, (b.is_apart ? std::max(along, turning) : along + turning) - left);
     if (v > place * cap) break;
   }
   return worst;
@@ -82,35 +89,49 @@ double use(double first, double second, double together, double along, double ac
   return std::min(apart, together);
 }
 
-/// Makes the two ellipses so small that they hold for every axis.
-void fit_together(const CurveBounds& b, const std::array<AxisLimits, kAxisCount>& axes, CurveBudget& budget) {
-  double acceleration = 1, jerk = 1;
+/// Makes the ellipse of accelerations so small that it holds for every axis, and finds the line under what each axis alone
+/// leaves: level − slope·v² between a standstill and the highest speed.
+void fit_acceleration(const CurveBounds& b, const std::array<AxisLimits, kAxisCount>& axes, CurveBudget& budget) {
+  if (!(budget.square < kUnlimited) || !(budget.acceleration < kUnlimited)) return;
+  double worst = 1, at_top = kUnlimited;
   for (std::size_t k = 0; k < kAxisCount; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    const auto both = [&](double along, double across) {
-      return is_rotary(k) ? kUnlimited : b.together[i] * std::max(along, b.curvature * across);
-    };
-    if (axes[k].acceleration < kUnlimited && budget.square < kUnlimited) {
-      const double worst =
-          use(b.first[i], b.second[i], both(budget.acceleration, budget.square), budget.acceleration, budget.square);
-      acceleration = std::max(acceleration, worst / axes[k].acceleration);
-    }
-    if (axes[k].jerk < kUnlimited && budget.turning < kUnlimited) {
-      const double worst =
-          use(b.first[i], 3 * b.second[i], both(budget.jerk, 3 * budget.turning), budget.jerk, budget.turning);
-      jerk = std::max(jerk, worst / axes[k].jerk);
-    }
+    if (!(axes[k].acceleration < kUnlimited)) continue;
+    const double both =
+        is_rotary(k) ? kUnlimited : b.together[i] * std::max(budget.acceleration, b.curvature * budget.square);
+    worst =
+        std::max(worst, use(b.first[i], b.second[i], both, budget.acceleration, budget.square) / axes[k].acceleration);
+    if (b.first[i] > 0) at_top = std::min(at_top, (axes[k].acceleration - b.second[i] * budget.square) / b.first[i]);
   }
-  budget.acceleration /= acceleration;
-  budget.square /= acceleration;
-  budget.jerk /= jerk;
-  budget.turning /= jerk;
+  budget.level = budget.acceleration;
+  budget.slope = (budget.acceleration - std::max(0.0, at_top)) / budget.square;
+  budget.acceleration /= worst;
+  budget.square /= worst;
+}
+
+/// The same for jerk: as an ellipse, or, where they lose less by it, with both parts apart.
+void fit_jerk(const CurveBounds& b, const std::array<AxisLimits, kAxisCount>& axes, CurveBudget& budget) {
+  if (!(budget.turning < kUnlimited)) return;
+  double together = 1, apart = 1;
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (!(axes[k].jerk < kUnlimited)) continue;
+    const double along = b.first[i] > 0 ? b.first[i] * budget.jerk : 0.0;
+    const double across = b.second[i] > 0 ? 3 * b.second[i] * budget.turning : 0.0;
+    const double both =
+        is_rotary(k) ? kUnlimited : b.together[i] * std::max(budget.jerk, 3 * b.curvature * budget.turning);
+    together = std::max(together, std::min(std::hypot(along, across), both) / axes[k].jerk);
+    apart = std::max(apart, (along + across) / axes[k].jerk);
+  }
+  budget.is_apart = apart < kMuchApart * together;
+  budget.jerk /= budget.is_apart ? apart : together;
+  budget.turning /= budget.is_apart ? apart : together;
 }
 
 }  // namespace
 
 double CurveBudget::top_speed() const {
-  double top = std::sqrt(square);
+  double top = std::sqrt(slope > 0 ? std::max(square, level / slope) : square);
   if (cube < kUnlimited || (bend > 0 && jerk < kUnlimited)) {
     top = std::min(top, std::cbrt(1 / (1 / cube + (bend > 0 ? bend / jerk : 0.0))));
   }
@@ -120,10 +141,13 @@ double CurveBudget::top_speed() const {
 CurveShare CurveBudget::at(double cap, AtCap at_cap) const {
   if (!bends()) return {acceleration, jerk};
   const double turned = std::min(1.0, squared(cap * cap / square));
-  const double any = acceleration * std::sqrt(1 - turned);
+  const double any = std::max(acceleration * std::sqrt(1 - turned), level_at(cap, *this));
   if (!(jerk < kUnlimited) && !(turning < kUnlimited) && !(cube < kUnlimited)) return {any, kUnlimited};
   const double volume = cap * cap * cap, left = 1 - volume / cube;
   const double bent = jerk < kUnlimited ? bend * volume / jerk : 0.0;
+  if (is_apart && at_cap == AtCap::changes) {
+    return {std::min(any, left * turning / cap), jerk < kUnlimited ? jerk * (left - bent) : kUnlimited};
+  }
   if (at_cap == AtCap::changes || !(jerk < kUnlimited)) {
     const double free = std::sqrt(std::max(0.0, left * left - bent * bent));
     const double a = std::min(any, kTurningShare * free * turning / cap);
@@ -158,7 +182,8 @@ CurveBudget curve_budget(const CurveBounds& b, const std::array<AxisLimits, kAxi
     if (rest > kRounding * b.third[i]) budget.cube = std::min(budget.cube, axes[k].jerk / rest);
   }
   budget.bend = b.bend;
-  fit_together(b, axes, budget);
+  fit_acceleration(b, axes, budget);
+  fit_jerk(b, axes, budget);
   return budget;
 }
 

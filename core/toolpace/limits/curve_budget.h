@@ -22,15 +22,21 @@ enum class AtCap : std::uint8_t {
 /// All motions along a segment that keep every axis inside its limits anywhere on it, as far as one inequality for each order
 /// tells. With the direction and the normal at right angles, an axis' acceleration on a circle has the amplitude
 /// √(a² + κ²v⁴) and its jerk √((j ∓ κ²v³)² + (3κva)²); in general, with v, a, j along the path,
-///   (a/acceleration)² + (v²/square)² ≤ 1,   √(((|j| + bend·v³)/jerk)² + (v·a/turning)²) ≤ 1 − v³/cube.
+///   (a/acceleration)² + (v²/square)² ≤ 1   or   |a| ≤ level − slope·v²,
+///   √(((|j| + bend·v³)/jerk)² + (v·a/turning)²) ≤ 1 − v³/cube.
+/// The second form is the better one where axes lie along the path and across it, as on short curves; then the parts of the
+/// jerk may be apart as well: each of the two under the root is no more than the right side.
 struct CurveBudget {
   double speed = kUnlimited;         ///< [mm/s] from the axes' top speeds
   double acceleration = kUnlimited;  ///< [mm/s²] where nothing turns
   double square = kUnlimited;        ///< [mm²/s²] where the speed is constant
+  double level = kUnlimited;         ///< [mm/s²]
+  double slope = 0;                  ///< [1/mm]
   double jerk = kUnlimited;          ///< [mm/s³] where nothing turns
   double turning = kUnlimited;       ///< [mm²/s³]
   double bend = 0;                   ///< [1/mm²]
   double cube = kUnlimited;          ///< [mm³/s³]
+  bool is_apart = false;
 
   bool bends() const { return square < kUnlimited || turning < kUnlimited || cube < kUnlimited || bend > 0; }
 

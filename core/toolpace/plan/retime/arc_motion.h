@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "toolpace/law/phase.h"
+
 namespace toolpace::detail::retime {
 
 /// From rest to rest: the first three control points are equal, and the last three are.
@@ -107,5 +109,34 @@ class ArcMotion {
   std::vector<double> control_;
   std::vector<State> state_;  // of each knot
 };
+
+inline constexpr double kInterval = 0.002;  ///< between knots [s]
+inline constexpr std::size_t kLeastIntervals = 8;
+
+/// A part of a plan, from rest to rest.
+struct PlanPart {
+  const std::vector<Phase>& phases;
+  std::size_t first;       ///< phase in which it begins
+  double begin, duration;  ///< [s]
+  double from, to;         ///< positions [mm]
+};
+
+/// The same on knots, its positions counted from its own begin.
+inline ArcMotion motion_of(const PlanPart& part) {
+  const auto n = std::max(kLeastIntervals, static_cast<std::size_t>(std::ceil(part.duration / kInterval)));
+  const double step = part.duration / static_cast<double>(n), length = part.to - part.from;
+  std::vector<double> position(n + 1);
+  std::size_t phase = part.first;
+  for (std::size_t k = 0; k <= n; ++k) {
+    const double t = part.begin + static_cast<double>(k) * step;
+    while (phase + 1 < part.phases.size() && part.phases[phase + 1].begin <= t) ++phase;
+    const Phase& p = part.phases[phase];
+    const double at = evaluate(p, std::clamp(t - p.begin, 0.0, p.duration)).distance - part.from;
+    position[k] = std::clamp(at, k > 0 ? position[k - 1] : 0.0, length);
+  }
+  position.front() = 0;
+  position.back() = length;
+  return {position, step};
+}
 
 }  // namespace toolpace::detail::retime

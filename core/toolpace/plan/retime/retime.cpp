@@ -15,7 +15,7 @@ using detail::retime::ArcMotion;
 
 /// Longer stretches stay as they are, so that memory is bounded [s].
 constexpr double kLongest = 1000;
-/// A stretch that takes no longer than this multiple of what its feed commands has nothing to gain.
+/// A stretch that takes no longer than this multiple of what its feed commands, starts and stops aside, has nothing to gain.
 constexpr double kWorthwhile = 1.002;
 constexpr double kTimeRounding = 1e-9;  // [s]
 constexpr std::size_t kBatch = 64;      // stretches that are timed before they are written
@@ -100,8 +100,11 @@ class PlanRetimer {
 
   void time_anew(Stretch& s, const Monitor& monitor) const {
     if (!may_gain(s.begin, s.end)) return;
+    const double begin = start_time_[s.begin];
+    const detail::retime::PlanPart start{start_.phases,      s.first_start,   begin, start_time_[s.end] - begin,
+                                         position_[s.begin], position_[s.end]};
     detail::retime::StretchRetimer retimer({path_, axes_, along_, speed_, corner_, s.begin, s.end});
-    ArcMotion motion = retimer.run(start(s.begin, s.end, s.first_start), {monitor.stop, {}});
+    ArcMotion motion = retimer.run(motion_of(start), {monitor.stop, {}});
     if (!motion.empty() && motion.duration() < node_time_[s.end] - node_time_[s.begin]) s.motion = std::move(motion);
   }
 
@@ -115,12 +118,25 @@ class PlanRetimer {
       if (is_rotary_only(path_, i)) return false;
     }
     const double duration = node_time_[end] - node_time_[begin];
+    const double length = position_[end] - position_[begin];
+    least += (ramp_time(speed_[begin], length) + ramp_time(speed_[end - 1], length)) / 2;
     if (!is_curved || duration <= kWorthwhile * least || !(duration <= kLongest)) return false;
     for (std::size_t a = 0; a < 3; ++a) {
       const bool is_limited = axes_[a].acceleration < kUnlimited && (!keeps_jerk_ || axes_[a].jerk < kUnlimited);
       if (!is_limited && moves(a, begin, end)) return false;
     }
     return true;
+  }
+
+  /// Of a start or stop, at least; half of it is lost against the speed that is commanded there, if that can be reached.
+  double ramp_time(double speed, double length) const {
+    double by_axes = 0, jerk_by_axes = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      by_axes = std::hypot(by_axes, axes_[a].acceleration);
+      jerk_by_axes = std::hypot(jerk_by_axes, axes_[a].jerk);
+    }
+    const RampLimits most{std::min(along_.acceleration, by_axes), std::min(along_.jerk, jerk_by_axes), 0.0};
+    return SevenPhase::duration(std::min(speed, std::sqrt(most.acceleration * length)), most);
   }
 
   bool moves(std::size_t axis, std::size_t begin, std::size_t end) const {
@@ -151,25 +167,6 @@ class PlanRetimer {
           {time_, motion.step(k), position + s.distance, s.speed, s.acceleration, s.jerk, PhaseShape::constant_jerk});
       time_ += motion.step(k);
     }
-  }
-
-  /// The start, on knots.
-  ArcMotion start(std::size_t begin, std::size_t end, std::size_t phase) const {
-    using detail::retime::kInterval;
-    const double from = start_time_[begin], duration = start_time_[end] - from;
-    const auto n = std::max(detail::retime::kLeastIntervals, static_cast<std::size_t>(std::ceil(duration / kInterval)));
-    const double step = duration / static_cast<double>(n), length = position_[end] - position_[begin];
-    std::vector<double> position(n + 1);
-    for (std::size_t k = 0; k <= n; ++k) {
-      const double t = from + static_cast<double>(k) * step;
-      while (phase + 1 < start_.phases.size() && start_.phases[phase + 1].begin <= t) ++phase;
-      const Phase& p = start_.phases[phase];
-      const double at = evaluate(p, std::clamp(t - p.begin, 0.0, p.duration)).distance - position_[begin];
-      position[k] = std::clamp(at, k > 0 ? position[k - 1] : 0.0, length);
-    }
-    position.front() = 0;
-    position.back() = length;
-    return {position, step};
   }
 
   const Path& path_;

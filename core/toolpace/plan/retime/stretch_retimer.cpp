@@ -76,7 +76,12 @@ ArcMotion StretchRetimer::run(ArcMotion motion, const Monitor& monitor) {
     excess_.clear();
   }
   for (int round = 0; round < kMostSlowDowns; ++round) {
-    if (find_peaks(motion) <= 1.0) return motion;
+    const double peak = find_peaks(motion);
+    if (peak <= 1.0) {
+      // What no interval uses is given to all.
+      if (peak < kAimedShare) motion.stretch(std::vector<double>(motion.intervals(), peak / kAimedShare));
+      return motion;
+    }
     slow_down(motion);
   }
   return {};

@@ -12,9 +12,6 @@
 
 namespace toolpace::detail::retime {
 
-inline constexpr double kInterval = 0.002;  ///< between knots [s]
-inline constexpr std::size_t kLeastIntervals = 8;
-
 /// Limits along the path; may be infinite.
 struct AlongLimits {
   double acceleration, jerk;  ///< [mm/s², mm/s³]
