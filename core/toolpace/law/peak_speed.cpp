@@ -121,7 +121,7 @@ LinearDuration linear_piece(const DurationTerms& t) {
 }
 
 bool is_on_piece(const DurationTerms& t, double dv) {
-  if (!(t.floor > 0)) return dv >= t.threshold;
+  if (!(t.floor > 0)) return t.threshold < kInfinity && dv >= t.threshold;  // jerk alone decides: no linear piece
   return t.duration(dv) <= t.floor;
 }
 

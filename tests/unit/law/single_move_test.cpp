@@ -86,6 +86,15 @@ TEST(FivePhaseTimeGap, TooShortForTheOneRampIsAnErrorThatSaysWhatWouldDo) {
 }
 
 // A = 10, J = ∞ up; D = 40 down: v²/20 + v²/80 = 100 gives v = 40.
+// Both ramps last √(κ·v/J), κ = 10/√3, and cover v·√(κ·v/J) together, so v = ∛(L²·J/κ) = 0.0565…
+TEST(Quintic, AMoveTooShortForItsFeedIsMadeWhereJerkAloneIsLimited) {
+  const RampLimits jerk_alone{kInf, 1e6, 0};
+  const auto move = single_move(LawKind::quintic, {3.23e-5, 50, 0, 0}, {jerk_alone, jerk_alone});
+  ASSERT_TRUE(move);
+  EXPECT_NEAR(move->peak, std::cbrt(3.23e-5 * 3.23e-5 * 1e6 * std::sqrt(3.0) / 10), 1e-12);
+  EXPECT_NEAR(evaluate(move->phases.back(), move->phases.back().duration).distance, 3.23e-5, 1e-18);
+}
+
 TEST(Trapezoid, PeakWithDifferentRamps) {
   const auto move = single_move(LawKind::trapezoid, {100, 1000, 0, 0}, {{10, kInf, 0}, {40, kInf, 0}});
   ASSERT_TRUE(move);
