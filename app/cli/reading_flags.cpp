@@ -1,6 +1,8 @@
 #include "reading_flags.h"
 
 #include <cerrno>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "interrupt.h"
@@ -11,12 +13,32 @@ namespace toolpace::cli {
 namespace {
 
 constexpr double kWidestArcTolerance = 1000.0;  // [mm]
+constexpr double kFarthestOrigin = 1e9;         // [mm, deg]
 
 std::string dialect_names() {
   std::string names;
   for (const Dialect dialect : all_dialects())
     names += (names.empty() ? "" : ", ") + std::string(dialect_name(dialect));
   return names;
+}
+
+// "G54=10,20,-5"
+std::optional<WorkOffset> work_offset(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) return std::nullopt;
+  const auto system = work_system_named(std::string_view(text).substr(0, equals));
+  if (!system) return std::nullopt;
+  WorkOffset offset{*system, {}};
+  const char* at = text.data() + equals + 1;
+  const char* const end = text.data() + text.size();
+  for (double& value : offset.origin) {
+    const auto read = std::from_chars(at, end, value);
+    if (read.ec != std::errc() || !(std::fabs(value) <= kFarthestOrigin)) return std::nullopt;
+    at = read.ptr;
+    if (at == end) return offset;
+    if (*at++ != ',') return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -31,13 +53,17 @@ void ReadingFlags::add_options_to(Command& command) {
   files_ = &command.files();
   Flags flags = command.titled("Reading the program");
   flags.word("--dialect NAME", dialect, "One of " + dialect_names() + "; auto (default) finds it in the text");
-  flags.number("--arc-tolerance-mm T", arc_tolerance,
-               "How far an arc may end off its radius; less is mended with a warning, more refused; default by dialect");
+  flags.number(
+      "--arc-tolerance-mm T", arc_tolerance,
+      "How far an arc may end off its radius; less is mended with a warning, more refused; default by dialect");
   flags.toggle("--strict", strict, "Treat every warning as an error");
   flags.toggle("--block-delete", block_delete, "Skip lines that start with '/'");
   flags.input("--tools FILE", tools, "the tool table", "Tool table, as LinuxCNC writes it");
   flags.input("--parameters FILE", parameters, "the parameter file", "Numbered parameters, as LinuxCNC writes them");
   flags.words("--sub-path DIR", sub_paths, "Folder with sub-programs; may be given more than once");
+  flags.words(
+      "--work-offset G54=X,Y,Z", work_offsets,
+      "Where a work coordinate system lies in the machine, mm and deg (A, B, C follow); may be given more than once");
   const auto add_bound = [&](const char* flag, std::uint64_t& target, const std::string& what) {
     flags.count(flag, target, what + "; default " + std::to_string(target));
   };
@@ -56,11 +82,12 @@ ReadOptions ReadingFlags::options() const {
   options.tools = tools;
   options.parameters = parameters;
   options.limits = limits;
+  for (const std::string& text : work_offsets) options.work_offsets.push_back(work_offset(text).value_or(WorkOffset{}));
   options.sub_paths.assign(sub_paths.begin(), sub_paths.end());
   return options;
 }
 
-tl::expected<Reading, Failure> ReadingFlags::read() const {
+tl::expected<void, Failure> ReadingFlags::check() const {
   if (!dialect_named(dialect)) {
     return tl::unexpected<Failure>(
         usage_error("bad-flag", "--dialect does not know '" + dialect + "'", "give one of " + dialect_names()));
@@ -78,6 +105,18 @@ tl::expected<Reading, Failure> ReadingFlags::read() const {
       return tl::unexpected<Failure>(file_error(trouble ? trouble.value() : ENOTDIR, folder, "search"));
     }
   }
+  for (const std::string& text : work_offsets) {
+    if (!work_offset(text)) {
+      return tl::unexpected<Failure>(
+          usage_error("bad-flag", "--work-offset does not understand '" + text + "'",
+                      "give G54=X,Y,Z, such as G54=100,50,-20; also G55 to G59.3, G54.1P1 to G54.1P300"));
+    }
+  }
+  return {};
+}
+
+tl::expected<Reading, Failure> ReadingFlags::read() const {
+  if (auto checked = check(); !checked) return tl::unexpected(std::move(checked.error()));
   auto reading = read_file(program, options(), terminal_monitor("reading"));
   end_progress();
   if (!reading) return tl::unexpected<Failure>(std::move(reading.error()));

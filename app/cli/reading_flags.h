@@ -16,7 +16,7 @@ struct ReadingFlags {
   bool strict = false;
   bool block_delete = false;
   std::string tools, parameters;
-  std::vector<std::string> sub_paths;
+  std::vector<std::string> sub_paths, work_offsets;
   std::optional<double> arc_tolerance;  ///< [mm]
   ReadLimits limits = {};
 
@@ -25,6 +25,7 @@ struct ReadingFlags {
   /// Adds the reading flags alone.
   void add_options_to(Command& command);
 
+  /// @pre the flags have been checked
   ReadOptions options() const;
 
   /// Reads the program and prints its diagnostics to stderr. A sub-program that it called and that the command would
@@ -35,6 +36,8 @@ struct ReadingFlags {
   tl::expected<Reading, Failure> read_accepted() const;
 
  private:
+  tl::expected<void, Failure> check() const;
+
   const FileUse* files_ = nullptr;
 };
 

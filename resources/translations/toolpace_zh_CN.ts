@@ -1210,6 +1210,10 @@
             <source>sub-program-missing</source>
             <translation>缺少子程序</translation>
         </message>
+        <message>
+            <source>polar-incremental</source>
+            <translation>G91 下的极坐标半径</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -2412,6 +2416,10 @@
         <message>
             <source>put its file beside the program or into a folder given with --sub-path</source>
             <translation>请将其文件放在程序旁边，或放入用 --sub-path 给出的文件夹</translation>
+        </message>
+        <message>
+            <source>use G90, or leave the radius out</source>
+            <translation>请用 G90，或不给半径</translation>
         </message>
     </context>
     <context>

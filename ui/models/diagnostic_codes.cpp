@@ -179,6 +179,7 @@ constexpr std::array kCodes = {QT_TRANSLATE_NOOP("codes", "arc-centre-incomplete
                                QT_TRANSLATE_NOOP("codes", "pitch-missing"),
                                QT_TRANSLATE_NOOP("codes", "plane-with-compensation"),
                                QT_TRANSLATE_NOOP("codes", "polar-angle-unknown"),
+                               QT_TRANSLATE_NOOP("codes", "polar-incremental"),
                                QT_TRANSLATE_NOOP("codes", "polar-plane"),
                                QT_TRANSLATE_NOOP("codes", "polar-with-axis-words"),
                                QT_TRANSLATE_NOOP("codes", "power-of-negative"),

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
+#include <iterator>
 
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/text/whole_number.h"
@@ -255,4 +257,29 @@ void adopt_parameters(Context& context) {
   context.state.position = to_work(context.state.offsets, Position{});  // the machine stands at its zero
 }
 
+void set_work_offsets(Context& context, const std::vector<WorkOffset>& offsets) {
+  for (const WorkOffset& offset : offsets)
+    store_position(context.parameters, first_parameter(offset.system), offset.origin);
+}
+
 }  // namespace toolpace::nc
+
+namespace toolpace {
+
+std::optional<int> work_system_named(std::string_view name) {
+  static constexpr std::string_view kNames[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
+  std::string folded(name);
+  for (char& c : folded) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 32 : c);
+  for (std::size_t i = 0; i < std::size(kNames); ++i) {
+    if (folded == kNames[i]) return static_cast<int>(i) + 1;
+  }
+  constexpr std::string_view kFurther = "G54.1P";
+  if (folded.rfind(kFurther, 0) != 0) return std::nullopt;
+  int number = 0;
+  const char* const end = folded.data() + folded.size();
+  const auto read = std::from_chars(folded.data() + kFurther.size(), end, number);
+  if (read.ec != std::errc() || read.ptr != end || number < 1 || number > nc::kFurtherSystems) return std::nullopt;
+  return nc::kSystemCount + number;
+}
+
+}  // namespace toolpace

@@ -8,7 +8,7 @@
 
 namespace toolpace {
 
-enum class Dialect : std::uint8_t { automatic, linuxcnc, fanuc, fanuc_lathe, haas, mach3, grbl, marlin };
+enum class Dialect : std::uint8_t { automatic, linuxcnc, fanuc, fanuc_lathe, fanuc_lathe_b, haas, mach3, grbl, marlin };
 
 /// "fanuc-lathe": as flags and tables name it; "auto" where the text shall decide.
 std::string_view dialect_name(Dialect dialect);

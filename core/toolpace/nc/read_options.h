@@ -1,11 +1,14 @@
 #pragma once
 /// How a program shall be read.
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <vector>
 
+#include "toolpace/base/axes.h"
 #include "toolpace/nc/dialect.h"
 
 namespace toolpace {
@@ -18,6 +21,15 @@ struct ReadLimits {
   std::size_t lines = 25'000'000;      ///< lines run again by loops and calls; a line of 16·n bytes counts n + 1 times
 };
 
+/// System 1 … 9 is G54 … G59.3, 10 … is G54.1 P1 ….
+struct WorkOffset {
+  int system = 1;
+  std::array<double, kAxisCount> origin{};
+};
+
+/// "G54", "g59.3", "G54.1P7": none where it names no system.
+std::optional<int> work_system_named(std::string_view name);
+
 struct ReadOptions {
   Dialect dialect = Dialect::automatic;
   bool strict = false;                                ///< every warning is an error
@@ -27,6 +39,8 @@ struct ReadOptions {
   std::vector<std::filesystem::path> sub_paths = {};  ///< folders searched for sub-programs, besides the program's own
   std::optional<double> arc_tolerance =
       {};  ///< [mm] how far an arc may end off its radius; none = as the dialect has it
+  /// Where work coordinate systems lie that the program does not set: G54 … G59.3, G54.1 P1 … [mm, deg].
+  std::vector<WorkOffset> work_offsets = {};
   ReadLimits limits = {};
 };
 

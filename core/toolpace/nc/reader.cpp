@@ -115,6 +115,10 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
         nc::adopt_parameters(interpreter.context());
       });
   if (!parameters) return tl::unexpected(parameters.error());
+  if (!options.work_offsets.empty()) {
+    nc::set_work_offsets(interpreter.context(), options.work_offsets);
+    nc::adopt_parameters(interpreter.context());
+  }
   if (guess.other != Dialect::automatic) interpreter.log().add(uncertain_dialect(guess), name, 1, {});
   if (!interpreter.run(monitor)) return tl::unexpected(cancelled_error());
   if (files.failure()) return tl::unexpected(*files.failure());

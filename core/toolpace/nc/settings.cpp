@@ -131,6 +131,7 @@ bool run_settings(Context& context, const Block& block) {
   if (block.has(GGroup::tool_length) && !set_tool_length(context, block)) return false;
   if (block.has(GGroup::system) && !set_system(context, block)) return false;
   if (block.has(GGroup::turn_plane) && !set_turned_plane(context, block)) return false;
+  if (block.has(GGroup::polar)) modal.polar = block.code(GGroup::polar) == 160;
   if (block.has(GGroup::path_control) && !set_path_control(context, block)) return false;
   if (block.has(GGroup::distance)) modal.distance = block.code(GGroup::distance);
   if (block.has(GGroup::arc_distance)) modal.arc_distance = block.code(GGroup::arc_distance);

@@ -52,6 +52,7 @@ struct Modal {
   double spindle_speed = 0.0;    ///< [rev/min]; under G96 m/min, in inch programs ft/min
   double spindle_limit = std::numeric_limits<double>::infinity();  ///< [rev/min] D of G96
   int spindle_direction = 0;                                       ///< −1, 0, +1 (clockwise)
+  bool polar = false;  ///< G16: X is a radius, Y an angle, or what the plane has for them
   bool mist = false, flood = false;
   bool operator==(const Modal&) const = default;
 

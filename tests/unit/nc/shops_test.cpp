@@ -341,5 +341,39 @@ TEST(Linuxcnc, ProbingNowhereIsAnErrorOnlyWhereContactIsWanted) {
   EXPECT_TRUE(read_program("G21 F100\nG38.4 Z0\nM2\n").refused);
 }
 
+// (10, 30°) and (10, 90°) about the origin; 60° further is 150°.
+TEST(Fanuc, PolarCoordinatesAreARadiusAndAnAngle) {
+  const auto reading =
+      read_program("O1\nG21 G90 G17\nG0 Z5.\nG16\nG81 X10. Y30. Z-1. R1. F100\nY90.\nG91 Y60.\nG90 G80 G15\nG0 X1. Y2.\nM30\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  const Values x = ends(reading, 0), y = ends(reading, 1);
+  EXPECT_NEAR(x.at(1), 10 * std::sqrt(0.75), 1e-6);
+  EXPECT_NEAR(y.at(1), 5.0, 1e-6);
+  EXPECT_NEAR(x[x.size() - 2], -10 * std::sqrt(0.75), 1e-6);
+  EXPECT_NEAR(y[y.size() - 2], 5.0, 1e-6);
+  EXPECT_EQ(x.back(), 1.0);
+  EXPECT_TRUE(has_code(read_program("O1\nG16 G91\nG0 X1.\nM30\n"), "polar-incremental"));
+}
+
+TEST(FanucLathe, SystemBHasItsCyclesUnderOtherNumbers) {
+  const auto reading =
+      read_as(Dialect::fanuc_lathe_b,
+              "G21 G90 G94 F100\nG92 S2000\nG97 S1000 M3\nG0 X50. Z2.\nG77 X40. Z-20.\nG91 G0 X2.\nM30\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading, 0), (Values{25, 20, 20, 25, 25, 26}));
+  EXPECT_NEAR(reading.moves.feed.at(2), 100.0 / 60, 1e-12);
+}
+
+TEST(WorkOffsets, ComeFromOutside) {
+  const auto reading =
+      read_program("G21 G90\nG0 X1\nG55 G0 X1\nM2\n", {.work_offsets = {{1, {10, 20, 30}}, {2, {-5}}}});
+  EXPECT_EQ(ends(reading, 0), (Values{11, -4}));
+  EXPECT_EQ(ends(reading, 1), (Values{0, 0})) << "the machine stands at its zero";
+  EXPECT_EQ(work_system_named("g59.3"), 9);
+  EXPECT_EQ(work_system_named("G54.1P7"), 16);
+  EXPECT_EQ(work_system_named("G60"), std::nullopt);
+  EXPECT_EQ(work_system_named("G54.1P301"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace toolpace::nc

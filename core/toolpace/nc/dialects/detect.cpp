@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kDetectionBytes = std::size_t{256} * 1024;
 constexpr std::size_t kLongestLine = 1000;
+constexpr std::size_t kDialects = static_cast<std::size_t>(Dialect::marlin) + 1;
 constexpr std::size_t kMostReasons = 4;
 constexpr int kCertain = 6;  // by strong signs: two of them, or one and weak ones
 constexpr int kStrong = 3;   // a sign that decides; less makes no lathe of a mill
@@ -35,7 +36,7 @@ class Evidence {
     int score = 0;
     std::vector<std::string> seen, reasons;
   };
-  std::array<Found, 8> found_;
+  std::array<Found, kDialects> found_;
 };
 
 bool is_named_as_linuxcnc(std::string_view name) {

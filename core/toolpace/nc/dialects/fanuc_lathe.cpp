@@ -3,9 +3,8 @@
 #include "toolpace/nc/dialects/rules.h"
 
 namespace toolpace::nc {
-namespace {
 
-std::optional<CodeUse<GGroup>> lathe_g_code(Code code) {
+std::optional<CodeUse<GGroup>> fanuc_lathe_g_code(Code code) {
   switch (code) {
     case 980: return CodeUse<GGroup>{GGroup::feed_mode, true, 940};
     case 990: return CodeUse<GGroup>{GGroup::feed_mode, true, 950};
@@ -31,15 +30,13 @@ std::optional<CodeUse<GGroup>> lathe_g_code(Code code) {
   }
 }
 
-const char* lathe_unfollowed(Code code) {
+const char* fanuc_lathe_unfollowed(Code code) {
   switch (code) {
     case 340: return "cuts a thread of changing lead";
     case 680: return "mirrors the path for a second turret";
     default: return fanuc_unfollowed(code);
   }
 }
-
-}  // namespace
 
 const DialectRules kFanucLatheRules{.dialect = Dialect::fanuc_lathe,
                                     .first_retract = 980,
@@ -60,8 +57,8 @@ const DialectRules kFanucLatheRules{.dialect = Dialect::fanuc_lathe,
                                     .incremental_g10 = true,
                                     .lathe_words = true,
                                     .arc = kLinuxcncArcs,
-                                    .g_code = lathe_g_code,
+                                    .g_code = fanuc_lathe_g_code,
                                     .m_code = fanuc_m_code,
-                                    .unfollowed = lathe_unfollowed};
+                                    .unfollowed = fanuc_lathe_unfollowed};
 
 }  // namespace toolpace::nc

@@ -9,12 +9,18 @@ struct Name {
   Dialect dialect;
   std::string_view name;
 };
-constexpr Name kNames[] = {{Dialect::automatic, "auto"}, {Dialect::linuxcnc, "linuxcnc"},
-                           {Dialect::fanuc, "fanuc"},    {Dialect::fanuc_lathe, "fanuc-lathe"},
-                           {Dialect::haas, "haas"},      {Dialect::mach3, "mach3"},
-                           {Dialect::grbl, "grbl"},      {Dialect::marlin, "marlin"}};
-constexpr Dialect kAll[] = {Dialect::automatic, Dialect::linuxcnc, Dialect::fanuc, Dialect::fanuc_lathe,
-                            Dialect::haas,      Dialect::mach3,    Dialect::grbl,  Dialect::marlin};
+constexpr Name kNames[] = {{Dialect::automatic, "auto"},
+                           {Dialect::linuxcnc, "linuxcnc"},
+                           {Dialect::fanuc, "fanuc"},
+                           {Dialect::fanuc_lathe, "fanuc-lathe"},
+                           {Dialect::fanuc_lathe_b, "fanuc-lathe-b"},
+                           {Dialect::haas, "haas"},
+                           {Dialect::mach3, "mach3"},
+                           {Dialect::grbl, "grbl"},
+                           {Dialect::marlin, "marlin"}};
+constexpr Dialect kAll[] = {Dialect::automatic,   Dialect::linuxcnc,      Dialect::fanuc,
+                            Dialect::fanuc_lathe, Dialect::fanuc_lathe_b, Dialect::haas,
+                            Dialect::mach3,       Dialect::grbl,          Dialect::marlin};
 
 }  // namespace
 
@@ -35,7 +41,7 @@ namespace toolpace::nc {
 
 const DialectRules& rules_of(Dialect dialect) {
   for (const DialectRules* rules :
-       {&kFanucRules, &kFanucLatheRules, &kHaasRules, &kMach3Rules, &kGrblRules, &kMarlinRules}) {
+       {&kFanucRules, &kFanucLatheRules, &kFanucLatheBRules, &kHaasRules, &kMach3Rules, &kGrblRules, &kMarlinRules}) {
     if (rules->dialect == dialect) return *rules;
   }
   return kLinuxcncRules;

@@ -78,8 +78,8 @@ const DialectRules& rules_of(Dialect dialect);
 const DialectRules& rules_of_unmarked_text();
 
 // One a file.
-extern const DialectRules kLinuxcncRules, kUnmarkedRules, kFanucRules, kFanucLatheRules, kHaasRules, kMach3Rules,
-    kGrblRules, kMarlinRules;
+extern const DialectRules kLinuxcncRules, kUnmarkedRules, kFanucRules, kFanucLatheRules, kFanucLatheBRules, kHaasRules,
+    kMach3Rules, kGrblRules, kMarlinRules;
 
 /// As the source of LinuxCNC 2.9 has it: 2√2·0.01 mm, 2√2·0.001 in.
 inline constexpr ArcTolerance kLinuxcncArcs{.metric = 0.02828427124746190,
@@ -91,6 +91,8 @@ inline constexpr ArcTolerance kLinuxcncArcs{.metric = 0.02828427124746190,
 // What several dialects share.
 std::optional<GGroup> common_g_group(Code tenths);
 std::optional<CodeUse<GGroup>> fanuc_g_code(Code tenths);
+std::optional<CodeUse<GGroup>> fanuc_lathe_g_code(Code tenths);
+const char* fanuc_lathe_unfollowed(Code tenths);
 std::optional<CodeUse<GGroup>> sender_g_code(Code tenths);
 std::optional<CodeUse<MGroup>> fanuc_m_code(int number);
 std::optional<CodeUse<MGroup>> sender_m_code(int number);

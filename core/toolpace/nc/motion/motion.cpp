@@ -60,6 +60,31 @@ double axis_value(const State& state, const Block& block, std::size_t axis) {
   return axis == 0 && state.modal.lathe_diameter == 70 ? value / 2.0 : value;
 }
 
+// G16: the plane's first axis word is a radius about the origin, its second one an angle; the others are what they are.
+bool find_polar_end(Context& context, const Block& block, const Position& from, Position& end) {
+  const State& state = context.state;
+  const PlaneAxes plane = plane_axes(state.modal.plane);
+  const bool has_radius = block.has(kAxisLetters[plane.first]), has_angle = block.has(kAxisLetters[plane.second]);
+  const bool incremental = state.modal.incremental();
+  end = from;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    if (i == plane.first || i == plane.second || !block.has(kAxisLetters[i])) continue;
+    end[i] = axis_value(state, block, i) + (incremental ? from[i] : 0.0);
+  }
+  if (!has_radius && !has_angle) return true;
+  if (incremental && has_radius) {
+    return context.faults.fail("polar-incremental", "a radius under G16 and G91", "use G90, or leave the radius out",
+                               block.column_of(kAxisLetters[plane.first]));
+  }
+  const double radius =
+      has_radius ? axis_value(state, block, plane.first) : std::hypot(from[plane.first], from[plane.second]);
+  const double here = std::atan2(from[plane.second], from[plane.first]) / kRadiansPerDegree;
+  const double angle = !has_angle ? here : block.of(kAxisLetters[plane.second]) + (incremental ? here : 0.0);
+  end[plane.first] = radius * std::cos(angle * kRadiansPerDegree);
+  end[plane.second] = radius * std::sin(angle * kRadiansPerDegree);
+  return true;
+}
+
 // U V W H of lathes, whatever G90 or G91 would say.
 bool add_increments(Context& context, const Block& block, Position& end) {
   const State& state = context.state;
@@ -168,6 +193,7 @@ bool find_end(Context& context, const Block& block, Position& end) {
   const Position& from = programmed_position(state);
   end = from;
   const bool incremental = state.modal.incremental();
+  if (state.modal.polar) return find_polar_end(context, block, from, end);
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     if (!block.has(kAxisLetters[i])) continue;
     const double value = axis_value(state, block, i);

@@ -95,7 +95,7 @@ bool BlockReader::read(Scanner& text, Block& block) {
     } else if (c == '(' || c == ';') {
       if (!skip_comments(text, message)) return false;
     } else if (c == '#') {
-      if (!read_assignment(text)) return false;
+      if (!assignments_.read(text)) return false;
     } else if (c == '@' || c == '^' || c == '$') {
       const std::size_t column = text.column();
       text.take();
@@ -116,7 +116,7 @@ bool BlockReader::read(Scanner& text, Block& block) {
                           meant_as_word(c), text.column());
     }
   }
-  return is_at_end(text) && (assignments_.empty() || assign());
+  return is_at_end(text) && (assignments_.empty() || assignments_.make());
 }
 
 bool BlockReader::read_corner(Scanner& text, Block& block) {
@@ -289,51 +289,6 @@ bool BlockReader::skip_printer_text(Scanner& text, const Block& block) {
   const Code code = block.code(MGroup::ignored);
   const bool is_text = code == 117 || code == 118 || code == 23 || code == 28 || code == kFractionalCode;
   if (is_text || text.rest().find('"') != std::string_view::npos) text.move_to(text.end());
-  return true;
-}
-
-bool BlockReader::read_assignment(Scanner& text) {
-  Assignment assignment;
-  assignment.column = text.column();
-  text.take();
-  if (text.peek() != '<' && !ExpressionReader::begins_value(text)) {
-    return faults_.fail("number-expected", "'#' without the number of a parameter",
-                        "write #1 = value or #<name> = value; comments stand in ( ) or behind ;", assignment.column);
-  }
-  if (!expressions_.read_target(text, assignment.target)) return false;
-  if (text.peek() != '=') {
-    return faults_.fail("equals-missing", "'=' is missing after the parameter", "write #number = value", text.column());
-  }
-  text.take();
-  // A name begins to exist, with value 0, as soon as an assignment mentions it.
-  const auto& target = assignment.target;
-  if (target.index < 0 && !parameters_.named(target.name)) parameters_.set_named(target.name, 0.0);
-  if (!expressions_.read_assigned(text, assignment.value)) return false;
-  assignments_.push_back(std::move(assignment));
-  return true;
-}
-
-// All at the end of the block: within it, the old values count.
-bool BlockReader::assign() {
-  for (const auto& assignment : assignments_) {
-    const auto& target = assignment.target;
-    if (target.index >= 0) {
-      if (parameters_.is_read_only(target.index)) {
-        return faults_.fail("parameter-read-only", fmt::format("parameter #{} cannot be assigned", target.index),
-                            "use another parameter", assignment.column);
-      }
-      parameters_.set_numbered(target.index, assignment.value);
-      continue;
-    }
-    if (parameters_.is_state_name(target.name)) {
-      return faults_.fail("parameter-read-only", fmt::format("#<{}> is kept by the controller", target.name),
-                          "use another name", assignment.column);
-    }
-    if (!parameters_.set_named(target.name, assignment.value)) {
-      return faults_.fail("too-many-names", fmt::format("more than {} named parameters", kMostNames), "use fewer names",
-                          assignment.column);
-    }
-  }
   return true;
 }
 

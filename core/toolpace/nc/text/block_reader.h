@@ -2,9 +2,9 @@
 /// Turns one line of text into a Block: words, values, comments and delayed assignments.
 
 #include <utility>
-#include <vector>
 
 #include "toolpace/nc/dialects/rules.h"
+#include "toolpace/nc/text/assignments.h"
 #include "toolpace/nc/text/expression.h"
 #include "toolpace/nc/text/words.h"
 
@@ -13,10 +13,10 @@ namespace toolpace::nc {
 class BlockReader {
  public:
   BlockReader(Parameters& parameters, FaultSink& faults, const DialectRules& rules)
-      : parameters_(parameters),
-        faults_(faults),
+      : faults_(faults),
         rules_(rules),
-        expressions_(parameters, faults, rules.macro_statements) {}
+        expressions_(parameters, faults, rules.macro_statements),
+        assignments_(parameters, faults, expressions_) {}
 
   /// Reads all words from the cursor to the end of the line into `block`; then makes the line's assignments.
   /// @return false after recording an error
@@ -35,28 +35,19 @@ class BlockReader {
   const DialectRules& rules() const { return rules_; }
 
  private:
-  struct Assignment {
-    ExpressionReader::Target target;
-    double value;
-    std::size_t column;
-  };
-
   bool read_word(Scanner& text, char letter, Block& block);
   bool fail_without_value(const Scanner& text, char letter, std::size_t column);
   bool read_corner(Scanner& text, Block& block);
   bool read_g(double value, std::size_t column, Block& block);
   bool read_m(double value, std::size_t column, Block& block);
-  bool read_assignment(Scanner& text);
   bool store_word(std::size_t index, double value, std::size_t column, Block& block);
-  bool assign();
   bool skip_printer_text(Scanner& text, const Block& block);
 
-  Parameters& parameters_;
   FaultSink& faults_;
   const DialectRules& rules_;
   ExpressionReader expressions_;
   bool aborted_ = false;
-  std::vector<Assignment> assignments_;
+  Assignments assignments_;
 };
 
 }  // namespace toolpace::nc

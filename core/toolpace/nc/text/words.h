@@ -46,6 +46,7 @@ enum class GGroup : std::uint8_t {
   lathe_diameter,  ///< G7 G8
   macro,           ///< G65 G66 G67 (Fanuc)
   turn_plane,      ///< G68 G69 (Fanuc)
+  polar,           ///< G15 G16 (Fanuc)
   ignored,         ///< known, without effect on the path
   count
 };
