@@ -1214,6 +1214,10 @@
             <source>polar-incremental</source>
             <translation>G91 下的极坐标半径</translation>
         </message>
+        <message>
+            <source>dwell-uncertain</source>
+            <translation>停顿时间的单位不能确定</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -2420,6 +2424,10 @@
         <message>
             <source>use G90, or leave the radius out</source>
             <translation>请用 G90，或不给半径</translation>
+        </message>
+        <message>
+            <source>name the dialect with --dialect: linuxcnc and grbl dwell in s, fanuc and marlin in ms</source>
+            <translation>请用 --dialect 指定方言：linuxcnc 和 grbl 以秒计，fanuc 和 marlin 以毫秒计</translation>
         </message>
     </context>
     <context>

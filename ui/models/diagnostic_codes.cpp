@@ -68,6 +68,7 @@ constexpr std::array kCodes = {QT_TRANSLATE_NOOP("codes", "arc-centre-incomplete
                                QT_TRANSLATE_NOOP("codes", "disk-full"),
                                QT_TRANSLATE_NOOP("codes", "division-by-zero"),
                                QT_TRANSLATE_NOOP("codes", "dwell-negative"),
+                               QT_TRANSLATE_NOOP("codes", "dwell-uncertain"),
                                QT_TRANSLATE_NOOP("codes", "dwell-without-time"),
                                QT_TRANSLATE_NOOP("codes", "empty-program"),
                                QT_TRANSLATE_NOOP("codes", "equals-missing"),

@@ -200,6 +200,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "parameters go from #1 to #%1"),
     QT_TRANSLATE_NOOP("remedies", "please report it"),
     QT_TRANSLATE_NOOP("remedies", "post the program without it"),
+    QT_TRANSLATE_NOOP("remedies", "name the dialect with --dialect: linuxcnc and grbl dwell in s, fanuc and marlin in ms"),
     QT_TRANSLATE_NOOP("remedies", "use G90, or leave the radius out"),
     QT_TRANSLATE_NOOP("remedies", "put its file beside the program or into a folder given with --sub-path"),
     QT_TRANSLATE_NOOP("remedies", "name the offset with P, give it with R"),

@@ -114,10 +114,9 @@ bool Executor::run_saved_state(Code code) {
 bool Executor::run_dwell(const Block& block) {
   if (block.code(GGroup::once) != 40) return true;
   const std::size_t column = block.column_of(GGroup::once);
-  const bool milliseconds = context_.rules.dwells_in_milliseconds;
   double seconds = 0.0;
   if (block.has('p')) {
-    seconds = milliseconds ? block.of('p') / 1000.0 : block.of('p');
+    seconds = dwell_of(context_, block);
   } else if (context_.rules.dwells_by_axis_words && (block.has('x') || block.has('s'))) {
     seconds = block.of(block.has('x') ? 'x' : 's');
   } else {

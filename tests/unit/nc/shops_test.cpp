@@ -343,8 +343,8 @@ TEST(Linuxcnc, ProbingNowhereIsAnErrorOnlyWhereContactIsWanted) {
 
 // (10, 30°) and (10, 90°) about the origin; 60° further is 150°.
 TEST(Fanuc, PolarCoordinatesAreARadiusAndAnAngle) {
-  const auto reading =
-      read_program("O1\nG21 G90 G17\nG0 Z5.\nG16\nG81 X10. Y30. Z-1. R1. F100\nY90.\nG91 Y60.\nG90 G80 G15\nG0 X1. Y2.\nM30\n");
+  const auto reading = read_program(
+      "O1\nG21 G90 G17\nG0 Z5.\nG16\nG81 X10. Y30. Z-1. R1. F100\nY90.\nG91 Y60.\nG90 G80 G15\nG0 X1. Y2.\nM30\n");
   EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
   const Values x = ends(reading, 0), y = ends(reading, 1);
   EXPECT_NEAR(x.at(1), 10 * std::sqrt(0.75), 1e-6);
@@ -373,6 +373,16 @@ TEST(WorkOffsets, ComeFromOutside) {
   EXPECT_EQ(work_system_named("G54.1P7"), 16);
   EXPECT_EQ(work_system_named("G60"), std::nullopt);
   EXPECT_EQ(work_system_named("G54.1P301"), std::nullopt);
+}
+
+TEST(Dwells, CountAsTheirDialectAndTheirPointSay) {
+  EXPECT_EQ(read_as(Dialect::haas, "G4 P500\nG4 P1.5\nM30\n").moves.dwells, (Values{0.5, 1.5}));
+  EXPECT_EQ(read_as(Dialect::marlin, "G4 P500.0\n").moves.dwells, (Values{0.5}));
+  EXPECT_EQ(read_as(Dialect::linuxcnc, "G4 P500\nM2\n").moves.dwells, (Values{500}));
+  // A text that nothing marks: the shorter of the two is taken, and told.
+  const auto unmarked = read_program("G21 G4 P500\nG4 P2\nG4 P500.\nM30\n", {}, "a.nc");
+  EXPECT_EQ(unmarked.moves.dwells, (Values{0.5, 2, 500}));
+  EXPECT_EQ(codes(unmarked), (Codes{"dwell-uncertain@1:8"}));
 }
 
 }  // namespace

@@ -51,12 +51,13 @@ struct DialectRules {
   bool ends_with_text = false;        ///< programs are streamed: they need no end
 
   // Words.
-  bool dwells_in_milliseconds = false;     ///< P of G4 and of cycles
-  bool dwells_by_axis_words = false;       ///< G4 X, G4 U, G4 S in s
-  bool repeats_by_k = false;               ///< cycles repeat K times
-  bool repeats_within_p = false;           ///< M98 P00021000 is twice O1000
-  bool g80_keeps_motion = false;           ///< G80 ends cycles alone
-  bool motion_beside_home = false;         ///< G0 G28 in one block
+  bool dwells_in_milliseconds = false;  ///< P of G4 and of cycles without a decimal point
+  bool dwells_by_size = false;          ///< from 100 on, without a decimal point, P is in ms: a guess, with a warning
+  bool dwells_by_axis_words = false;    ///< G4 X, G4 U, G4 S in s
+  bool repeats_by_k = false;            ///< cycles repeat K times
+  bool repeats_within_p = false;        ///< M98 P00021000 is twice O1000
+  bool g80_keeps_motion = false;        ///< G80 ends cycles alone
+  bool motion_beside_home = false;      ///< G0 G28 in one block
   bool machine_moves_incremental = false;  ///< G53 counts from the machine's zero under G91, too
   bool ignores_centre_off_plane = false;   ///< K in G17
   bool linuxcnc_cycles = false;            ///< tapping cycles feed out to the level that they leave at

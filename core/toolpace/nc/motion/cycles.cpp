@@ -202,7 +202,7 @@ bool remember(Context& context, const Block& block, Code code, bool same_series)
     if (!(memory.peck > 0.0))
       return fail(context, block, "cycle-peck", name + " without a positive Q", "give the depth of a peck with Q");
   }
-  if (block.has('p')) memory.dwell = block.of('p') / (context.rules.dwells_in_milliseconds ? 1000.0 : 1.0);
+  if (block.has('p')) memory.dwell = dwell_of(context, block);
   if ((form == 820 || form == 860 || form == 880 || form == 890) && !block.has('p') && !same_series) {
     if (context.rules.refuses_doubtful)
       return fail(context, block, "cycle-without-dwell", name + " without P", "give the dwell in s with P");

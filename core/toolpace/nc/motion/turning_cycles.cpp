@@ -130,7 +130,7 @@ bool repeat_lines(Context& context, const Block& block, const std::vector<Contou
 
 double increments_of(const State& state, const Block& block, char letter) {
   const double value = block.of(letter);
-  const bool counts = std::fabs(value) >= kSmallestCount && value == std::floor(value);
+  const bool counts = !block.has_point(letter) && std::fabs(value) >= kSmallestCount && value == std::floor(value);
   if (!counts) return value * state.modal.unit();
   return value * (state.modal.units == 200 ? kLeastIncrementInch * kMmPerInch : kLeastIncrement);
 }

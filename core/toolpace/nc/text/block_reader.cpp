@@ -156,7 +156,10 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
     return is_switch ? store_word(word_index(letter), 0.0, column, block) : fail_without_value(text, letter, column);
   }
   double value = 0.0;
+  const char* const begin = text.position();
   if (!expressions_.read_value(text, value)) return false;
+  if (!rules_.refuses_doubtful && std::memchr(begin, '.', static_cast<std::size_t>(text.position() - begin)) != nullptr)
+    block.pointed |= word_bit(letter);
   if (is_vacant(value)) return true;  // a word with a vacant value is as if it were not there
   if (letter == 'g') return read_g(value, column, block);
   const bool is_argument = block.has(GGroup::macro) && letter != 'n' && letter != 'o';

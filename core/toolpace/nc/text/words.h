@@ -92,6 +92,7 @@ struct MacroArgument {
 
 struct Block {
   std::uint32_t words = 0;     ///< bit set of the words present, G M N O not among them
+  std::uint32_t pointed = 0;   ///< those of them that are written with a decimal point
   std::uint32_t g_groups = 0;  ///< bit set of GGroup
   std::uint32_t m_groups = 0;  ///< bit set of MGroup
   std::array<double, kWordCount> value;
@@ -104,13 +105,14 @@ struct Block {
   std::string message;                   ///< text of the last comment where someone may need it (alarms)
 
   void clear() {
-    words = g_groups = m_groups = 0;
+    words = pointed = g_groups = m_groups = 0;
     if (!arguments.empty()) arguments.clear();
     if (!message.empty()) message.clear();
   }
   bool is_empty() const { return words == 0 && g_groups == 0 && m_groups == 0; }
   bool has(char letter) const { return (words & word_bit(letter)) != 0; }
   bool has_any(std::uint32_t bits) const { return (words & bits) != 0; }
+  bool has_point(char letter) const { return (pointed & word_bit(letter)) != 0; }
   double of(char letter) const { return value[word_index(letter)]; }
   double of(char letter, double otherwise) const { return has(letter) ? of(letter) : otherwise; }
   std::size_t column_of(char letter) const { return has(letter) ? column[word_index(letter)] : 0; }
