@@ -46,7 +46,8 @@ void check(const Moves& m) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   ReadOptions options = small_bounds();
-  options.dialect = static_cast<Dialect>(data[0] & 3u);
+  const std::size_t dialect = (data[0] & 3u) + 4u * (data[0] >> 4u);
+  options.dialect = all_dialects()[dialect % all_dialects().size()];
   options.block_delete = (data[0] & 4u) != 0;
   options.strict = (data[0] & 8u) != 0;
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
