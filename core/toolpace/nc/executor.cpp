@@ -117,8 +117,8 @@ bool Executor::run_dwell(const Block& block) {
   double seconds = 0.0;
   if (block.has('p')) {
     seconds = dwell_of(context_, block);
-  } else if (context_.rules.dwells_by_axis_words && (block.has('x') || block.has('s'))) {
-    seconds = block.of(block.has('x') ? 'x' : 's');
+  } else if (context_.rules.dwells_by_axis_words && block.has_any(word_bit('x') | word_bit('u') | word_bit('s'))) {
+    seconds = block.of(block.has('x') ? 'x' : block.has('u') ? 'u' : 's');
   } else {
     return context_.faults.fail("dwell-without-time", "G4 without a time", "give it with P", column);
   }

@@ -377,6 +377,7 @@ TEST(WorkOffsets, ComeFromOutside) {
 
 TEST(Dwells, CountAsTheirDialectAndTheirPointSay) {
   EXPECT_EQ(read_as(Dialect::haas, "G4 P500\nG4 P1.5\nM30\n").moves.dwells, (Values{0.5, 1.5}));
+  EXPECT_EQ(read_as(Dialect::fanuc_lathe, "G21\nG0 X4.\nG4 U1.5\nG4 X2.\nM30\n").moves.dwells, (Values{1.5, 2}));
   EXPECT_EQ(read_as(Dialect::marlin, "G4 P500.0\n").moves.dwells, (Values{0.5}));
   EXPECT_EQ(read_as(Dialect::linuxcnc, "G4 P500\nM2\n").moves.dwells, (Values{500}));
   // A text that nothing marks: the shorter of the two is taken, and told.
