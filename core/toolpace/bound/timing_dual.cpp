@@ -8,8 +8,8 @@ namespace toolpace::detail {
 namespace {
 
 constexpr double kStart = 0.02, kFirstWeight = 1e-2, kLastWeight = 1e-5, kDecay = 0.3;  // of the barrier, in cells
-constexpr int kMostSteps = 200, kMostShortenings = 30;
-constexpr double kInside = 0.95, kShortening = 0.6, kGained = 5e-5;
+constexpr int kMostIdle = 4, kMostSteps = 400, kMostShortenings = 30;
+constexpr double kInside = 0.95, kShortening = 0.6, kGained = 5e-5, kGoodShare = 0.4;
 constexpr std::size_t kSigns = 2, kKinds = 2;  // λ and μ, each as the difference of two that are not negative
 
 /// min over b in (0, most] of e/√b + c·b, and its first two derivatives by e and c.
@@ -87,6 +87,7 @@ TimingDual::Value TimingDual::value(const std::vector<double>& x, double weight)
       if (!(e > 0)) return {kOutside, kOutside};
       const LeastTime least(e, c, samples_[k * kCellPlaces.size() + q].fastest);
       v.bound += kCellWeights[q] * cell_ * (least.value - cost);
+      v.barrier += std::log(e);
     }
   }
   for (std::size_t i = 0; i < x.size(); ++i) v.barrier += is_used_[i] ? std::log(x[i]) : 0.0;
@@ -113,8 +114,10 @@ void TimingDual::assemble(const std::vector<double>& x, double weight) {
         c += dc * x[i];
         terms.push_back({i, de, dc, cost});
       });
-      const LeastTime least(e, c, samples_[k * kCellPlaces.size() + q].fastest);
+      LeastTime least(e, c, samples_[k * kCellPlaces.size() + q].fastest);
       const double w = kCellWeights[q] * cell_;
+      least.by_e += weight / (kCellWeights[q] * e);
+      least.ee -= weight / (kCellWeights[q] * e * e);
       for (const Term& a : terms) {
         gradient_[a.at] += w * (least.by_e * a.e + least.by_c * a.c - a.cost);
         const double pe = w * (least.ee * a.e + least.ec * a.c), pc = w * (least.ec * a.e + least.cc * a.c);
@@ -161,6 +164,7 @@ double TimingDual::maximise() {
   std::vector<double> x(unknowns(), kStart / static_cast<double>(limits_.rows)), trial(x);
   double weight = kFirstWeight, best = 0;
   Value now = value(x, weight);
+  int idle = 0;  // steps in a row that gained next to nothing
   for (int k = 0; k < kMostSteps; ++k) {
     assemble(x, weight);
     if (!solve()) break;
@@ -181,7 +185,9 @@ double TimingDual::maximise() {
       now = next;
       best = std::max(best, now.bound);
     }
-    if (gain > kGained * std::abs(now.bound)) continue;
+    idle = gain > kGained * std::abs(now.bound) ? 0 : idle + 1;
+    if (idle < (share > kGoodShare ? 1 : kMostIdle) && moved) continue;
+    idle = 0;
     if (weight <= kLastWeight) break;
     weight = std::max(kLastWeight, weight * kDecay);
     now = value(x, weight);
