@@ -37,7 +37,7 @@ bool takes_any(const Job&, std::size_t) { return true; }
 SpeedLimits settled(const PlanTask& task, const PlanOptions& o, const Monitor& monitor) {
   if (task.limits.curved.empty()) return std::move(task.limits);
   const AtCap at_cap = o.ramps == Ramps::block && !o.hold_at ? AtCap::rests : AtCap::changes;
-  return settle_curves(task.limits, {o.law, at_cap}, {monitor.stop, {}});
+  return settle_curves(task.limits, {o.law, at_cap, o.lookahead == std::size_t{1}}, {monitor.stop, {}});
 }
 
 Result<Planned> plan_with(const PlanTask& task, const PlanOptions& options, const Monitor& monitor) {

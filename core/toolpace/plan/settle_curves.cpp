@@ -205,7 +205,7 @@ SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor
   std::vector<std::uint32_t> ramp(n);
   std::vector<double> cap = widest.block_cap;
   for (std::size_t begin = 0, end = 0; begin < n && !monitor.is_cancelled(); begin = end) {
-    for (end = begin + 1; end < n && !is_near_rest(widest, end);) ++end;
+    for (end = begin + 1; end < n && !use.stops_everywhere && !is_near_rest(widest, end);) ++end;
     RunSettler settler(widest, begin, end, use);
     const SpeedLimits& run = settler.run();
     for (std::size_t i = begin; i < end; ++i) {

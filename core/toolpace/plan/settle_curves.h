@@ -11,7 +11,8 @@ namespace toolpace {
 /// What the choice is made for.
 struct CurveUse {
   LawKind law;
-  AtCap at_cap;  ///< rests: only for plans whose ramps end inside their blocks
+  AtCap at_cap;                   ///< rests: only for plans whose ramps end inside their blocks
+  bool stops_everywhere = false;  ///< a look-ahead of one block
 };
 
 /// Limits of a chain with the curves' caps and ramp limits chosen for a law.

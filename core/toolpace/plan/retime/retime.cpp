@@ -111,15 +111,15 @@ class PlanRetimer {
   /// Lines alone are run as fast as they can be. Every moving axis of X, Y, Z has to be limited.
   bool may_gain(std::size_t begin, std::size_t end) const {
     bool is_curved = false;
-    double least = 0;
+    double least = 0, slowest = kUnlimited;
     for (std::size_t i = begin; i < end; ++i) {
+      slowest = std::min(slowest, speed_[i]);
       is_curved |= path_.kind[i] != SegmentKind::line;
       least += path_.length[i] / speed_[i];
       if (is_rotary_only(path_, i)) return false;
     }
     const double duration = node_time_[end] - node_time_[begin];
-    const double length = position_[end] - position_[begin];
-    least += (ramp_time(speed_[begin], length) + ramp_time(speed_[end - 1], length)) / 2;
+    least += ramp_time(slowest, position_[end] - position_[begin]);
     if (!is_curved || duration <= kWorthwhile * least || !(duration <= kLongest)) return false;
     for (std::size_t a = 0; a < 3; ++a) {
       const bool is_limited = axes_[a].acceleration < kUnlimited && (!keeps_jerk_ || axes_[a].jerk < kUnlimited);
@@ -128,7 +128,7 @@ class PlanRetimer {
     return true;
   }
 
-  /// Of a start or stop, at least; half of it is lost against the speed that is commanded there, if that can be reached.
+  /// Of a start or stop, at least; half of it is lost against a speed that is commanded everywhere, if it can be reached.
   double ramp_time(double speed, double length) const {
     double by_axes = 0, jerk_by_axes = 0;
     for (std::size_t a = 0; a < 3; ++a) {

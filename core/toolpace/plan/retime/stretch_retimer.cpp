@@ -20,13 +20,13 @@ constexpr double kUnknown = -1;                      // excess that has to be lo
 constexpr std::size_t kStretchReach = 3;             // intervals away in which a stretched one changes the motion
 constexpr double kLeastReach = 6, kMostReach = 200;  // of a slow-down [intervals]
 
-/// One round of faster.
-struct Hurry {
-  double weight;   ///< of the barrier
-  int samples;     ///< an interval
-  bool is_slowed;  ///< whether what breaks limits is mended before: from there the barrier keeps them
-};
+using Hurry = StretchRetimer::Hurry;
+
 constexpr std::array<Hurry, 4> kHurries = {{{2e-3, 3, false}, {3e-4, 3, false}, {1e-4, 12, true}, {1e-4, 12, true}}};
+/// Slower, but never far outside the limits: where the quick ones have gained less than this share.
+constexpr std::array<Hurry, 4> kCarefulHurries = {
+    {{3e-3, 12, true}, {1e-3, 12, true}, {3e-4, 12, true}, {1e-4, 12, true}}};
+constexpr double kGained = 0.03;
 
 /// The quadratic spline of b at share x of interval k.
 double value(const std::vector<double>& b, std::size_t k, double x) {
@@ -67,24 +67,30 @@ StretchRetimer::StretchRetimer(const StretchTask& task) : task_(task) {
   is_limited_along_ = std::min(task.along.acceleration, task.along.jerk) < kUnlimited;
 }
 
-ArcMotion StretchRetimer::run(ArcMotion motion, const Monitor& monitor) {
-  for (std::size_t round = 0; round < kHurries.size(); ++round) {
+ArcMotion StretchRetimer::run(const ArcMotion& start, const Monitor& monitor) {
+  ArcMotion quick = run(start, kHurries, monitor);
+  if (quick.empty() || quick.duration() <= (1 - kGained) * start.duration()) return quick;
+  ArcMotion careful = run(start, kCarefulHurries, monitor);
+  return careful.empty() || careful.duration() < quick.duration() ? careful : quick;
+}
+
+ArcMotion StretchRetimer::run(ArcMotion motion, std::span<const Hurry> hurries, const Monitor& monitor) {
+  excess_.clear();
+  for (std::size_t round = 0; round < hurries.size(); ++round) {
     if (monitor.is_cancelled()) return {};
-    if (kHurries[round].is_slowed && find_peaks(motion) > 1.0) slow_down(motion);
-    measure(motion, kHurries[round].samples);
-    motion = hurry(motion, static_cast<int>(round), kHurries[round].weight);
+    if (hurries[round].is_slowed && find_peaks(motion) > 1.0) slow_down(motion);
+    measure(motion, hurries[round].samples);
+    motion = hurry(motion, static_cast<int>(round), hurries[round].weight);
     excess_.clear();
   }
-  for (int round = 0; round < kMostSlowDowns; ++round) {
-    const double peak = find_peaks(motion);
-    if (peak <= 1.0) {
-      // What no interval uses is given to all.
-      if (peak < kAimedShare) motion.stretch(std::vector<double>(motion.intervals(), peak / kAimedShare));
-      return motion;
-    }
+  double peak = find_peaks(motion);
+  for (int round = 0; round < kMostSlowDowns && peak > 1.0; ++round) {
     slow_down(motion);
+    peak = find_peaks(motion);
   }
-  return {};
+  // What no interval uses is given to all, and what could not be mended where it is, is mended everywhere.
+  if (peak < kAimedShare || peak > 1.0) motion.stretch(std::vector<double>(motion.intervals(), peak / kAimedShare));
+  return motion;
 }
 
 void StretchRetimer::set_limits(double step, double share) {

@@ -1,6 +1,7 @@
 #pragma once
 /// A stretch from rest to rest, timed anew under the axes' own limits.
 
+#include <span>
 #include <vector>
 
 #include "toolpace/base/monitor.h"
@@ -32,11 +33,19 @@ class StretchRetimer {
  public:
   explicit StretchRetimer(const StretchTask& task);
 
-  /// @param motion  a start, about within the limits
-  /// @return empty where limits could not be kept, or when cancelled
-  ArcMotion run(ArcMotion motion, const Monitor& monitor);
+  /// @param start  a motion about within the limits
+  /// @return empty when cancelled
+  ArcMotion run(const ArcMotion& start, const Monitor& monitor);
+
+  /// One round of faster.
+  struct Hurry {
+    double weight;   ///< of the barrier
+    int samples;     ///< an interval
+    bool is_slowed;  ///< whether what breaks limits is mended before: from there the barrier keeps them
+  };
 
  private:
+  ArcMotion run(ArcMotion motion, std::span<const Hurry> hurries, const Monitor& monitor);
   struct Sample;
   void set_limits(double step, double share);
   void measure(const ArcMotion& motion, int samples);
