@@ -15,8 +15,8 @@ using detail::retime::ArcMotion;
 
 /// Longer stretches stay as they are, so that memory is bounded [s].
 constexpr double kLongest = 1000;
-/// A stretch that takes no longer than this multiple of what its feed commands, starts and stops aside, has nothing to gain.
-constexpr double kWorthwhile = 1.002;
+/// A stretch that takes no longer than this multiple of what its feed commands, or whose curves do not, has nothing to gain.
+constexpr double kWorthwhile = 1.003;
 constexpr double kTimeRounding = 1e-9;  // [s]
 constexpr std::size_t kBatch = 64;      // stretches that are timed before they are written
 
@@ -110,33 +110,23 @@ class PlanRetimer {
 
   /// Lines alone are run as fast as they can be. Every moving axis of X, Y, Z has to be limited.
   bool may_gain(std::size_t begin, std::size_t end) const {
-    bool is_curved = false;
-    double least = 0, slowest = kUnlimited;
+    double least = 0, curves = 0, least_curves = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      slowest = std::min(slowest, speed_[i]);
-      is_curved |= path_.kind[i] != SegmentKind::line;
-      least += path_.length[i] / speed_[i];
       if (is_rotary_only(path_, i)) return false;
+      const double commanded = path_.length[i] / speed_[i];
+      least += commanded;
+      if (path_.kind[i] == SegmentKind::line) continue;
+      least_curves += commanded;
+      curves += node_time_[i + 1] - node_time_[i];
     }
     const double duration = node_time_[end] - node_time_[begin];
-    least += ramp_time(slowest, position_[end] - position_[begin]);
-    if (!is_curved || duration <= kWorthwhile * least || !(duration <= kLongest)) return false;
+    if (!(duration > kWorthwhile * least) || !(curves > kWorthwhile * least_curves) || !(duration <= kLongest))
+      return false;
     for (std::size_t a = 0; a < 3; ++a) {
       const bool is_limited = axes_[a].acceleration < kUnlimited && (!keeps_jerk_ || axes_[a].jerk < kUnlimited);
       if (!is_limited && moves(a, begin, end)) return false;
     }
     return true;
-  }
-
-  /// Of a start or stop, at least; half of it is lost against a speed that is commanded everywhere, if it can be reached.
-  double ramp_time(double speed, double length) const {
-    double by_axes = 0, jerk_by_axes = 0;
-    for (std::size_t a = 0; a < 3; ++a) {
-      by_axes = std::hypot(by_axes, axes_[a].acceleration);
-      jerk_by_axes = std::hypot(jerk_by_axes, axes_[a].jerk);
-    }
-    const RampLimits most{std::min(along_.acceleration, by_axes), std::min(along_.jerk, jerk_by_axes), 0.0};
-    return SevenPhase::duration(std::min(speed, std::sqrt(most.acceleration * length)), most);
   }
 
   bool moves(std::size_t axis, std::size_t begin, std::size_t end) const {

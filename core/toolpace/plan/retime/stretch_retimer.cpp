@@ -27,6 +27,9 @@ constexpr std::array<Hurry, 4> kHurries = {{{2e-3, 3, false}, {3e-4, 3, false}, 
 constexpr std::array<Hurry, 4> kCarefulHurries = {
     {{3e-3, 12, true}, {1e-3, 12, true}, {3e-4, 12, true}, {1e-4, 12, true}}};
 constexpr double kGained = 0.03;
+/// A round is done again while it changes the duration by more than this share.
+constexpr double kStillGains = 0.01;
+constexpr int kMostRounds = 12;
 
 /// The quadratic spline of b at share x of interval k.
 double value(const std::vector<double>& b, std::size_t k, double x) {
@@ -76,12 +79,18 @@ ArcMotion StretchRetimer::run(const ArcMotion& start, const Monitor& monitor) {
 
 ArcMotion StretchRetimer::run(ArcMotion motion, std::span<const Hurry> hurries, const Monitor& monitor) {
   excess_.clear();
-  for (std::size_t round = 0; round < hurries.size(); ++round) {
-    if (monitor.is_cancelled()) return {};
-    if (hurries[round].is_slowed && find_peaks(motion) > 1.0) slow_down(motion);
-    measure(motion, hurries[round].samples);
-    motion = hurry(motion, static_cast<int>(round), hurries[round].weight);
-    excess_.clear();
+  int rounds = 0;
+  for (const Hurry& h : hurries) {
+    for (double before = 0, after = motion.duration();
+         std::abs(after - before) > kStillGains * before && rounds < kMostRounds; ++rounds) {
+      if (monitor.is_cancelled()) return {};
+      if (h.is_slowed && find_peaks(motion) > 1.0) slow_down(motion);
+      measure(motion, h.samples);
+      motion = hurry(motion, rounds, h.weight);
+      excess_.clear();
+      before = after;
+      after = motion.duration();
+    }
   }
   double peak = find_peaks(motion);
   for (int round = 0; round < kMostSlowDowns && peak > 1.0; ++round) {
