@@ -129,7 +129,7 @@ void JobFlags::add_to(Command& command) {
       "changing speed together), and of a rotary one that has none");
   limits.number("--dm MM/S2", dm, "Deceleration; default am");
   limits.number("--jm MM/S3", jm,
-                "Jerk, along the path and of axes on curves as --am; no law without jerk limit keeps it");
+                "Jerk, along the path and of axes on curves as --am; not kept by laws without a jerk limit");
   limits.number("--jd MM/S3", jd, "Jerk while slowing down; default jm");
   limits.number("--override-percent PERCENT", override_percent, "Feed override, up to 200; default 100");
   limits.number("--rapid-percent PERCENT", rapid_percent, "Rapid override, up to 100; default 100");
@@ -140,7 +140,9 @@ void JobFlags::add_to(Command& command) {
   laws.number("--tacc-ms MS", tacc_ms, "five-phase-time: least duration of a ramp up; default 50");
   laws.number("--tdec-ms MS", tdec_ms, "five-phase-time: least duration of a ramp down; default 50");
   laws.word("--lookahead N", lookahead, "Depth in blocks, or all (default); 1 = full stop at every node");
-  laws.word("--ramps KIND", ramps, "block (default): ramps end inside their block; span: they run across blocks");
+  laws.word("--ramps KIND", ramps,
+            "block (default): ramps end inside their block; span: they run across\nblocks, and paths with curves are "
+            "timed as fast as the axes allow");
   laws.number("--hold-at-s S", hold_at, "Feed hold at this time: a jerk-limited stop on the path, then a resume");
 
   Flags corners = command.titled("Corners");
