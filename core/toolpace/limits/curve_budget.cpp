@@ -28,6 +28,7 @@ double level_at(double speed, const CurveBudget& b) {
 /// Largest acceleration of a ramp that ends (begins) at the cap with jerk j: y = a² with y/A² + (cap − y/2j)⁴/Q² = 1. The left
 /// side is convex in y, so Newton's steps from above do not pass the root. Neither y = j·cap nor A² is passed by any ramp.
 double acceleration_towards(double cap, double jerk, const CurveBudget& b) {
+  if (cap * cap > b.square) return level_at(cap, b);  // on the other form's side
   double y = std::min(jerk * cap, squared(b.acceleration));
   const double by_square = 1 / squared(b.acceleration);
   for (int i = 0; i < 30; ++i) {
