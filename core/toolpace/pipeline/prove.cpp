@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "toolpace/io/setpoint_reader.h"
 #include "toolpace/io/setpoint_table.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/sample/sampler.h"
-#include "toolpace/io/setpoint_reader.h"
 
 namespace toolpace {
 namespace {
