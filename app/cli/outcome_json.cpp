@@ -46,6 +46,8 @@ Json outcome_json(const Outcome& outcome) {
   const PlanOptions& o = outcome.job->options;
   Json j;
   j["program"] = outcome.job->program_name;
+  j["dialect"] = std::string(dialect_name(outcome.job->program->dialect));
+  j["dialect_reasons"] = outcome.job->program->dialect_reasons;
   j["law"] = std::string(law_row(o.law).id);
   j["lookahead_blocks"] = o.lookahead;
   j["ramps"] = name_of(ramps_names(), o.ramps);

@@ -165,10 +165,22 @@ void MainWindow::showTitle() {
   const auto& program = workspace_.program();
   setWindowTitle(program.name() + "[*]");
   setWindowModified(program.isModified());
-  titles_["programDock"]->setBadge(program.isModified() ? tr("edited") : QString(), tr("Changes that are not saved"));
+  program.isModified() ? titles_["programDock"]->setBadge(tr("edited"), tr("Changes that are not saved"))
+                       : showDialect();
   actions_->save_program->setEnabled(program.isModified() || program.path().isEmpty());
   machine_button_->setText(tr("Machine: %1").arg(machineName() + (machine_.isModified() ? "*" : "")));
   actions_->save_machine->setEnabled(machine_.isModified() || machine_.path().isEmpty());
+}
+
+/// In which dialect the program was read, and why in that one.
+void MainWindow::showDialect() {
+  const auto& document = workspace_.document();
+  if (!document || document->path.isEmpty()) return titles_["programDock"]->setBadge({}, {});
+  QStringList reasons;
+  for (const std::string& reason : document->reading->dialect_reasons) reasons << QString::fromStdString(reason);
+  const auto name = dialect_name(document->reading->dialect);
+  titles_["programDock"]->setBadge(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())),
+                                   tr("Dialect of the program") + (reasons.isEmpty() ? "" : "\n" + reasons.join("\n")));
 }
 
 void MainWindow::showFailure(const Error& error, const QString& path) {

@@ -100,6 +100,7 @@ class MainWindow : public QMainWindow {
   void showProblems();
   void showCursor(double time);
   void showTitle();
+  void showDialect();
   void showState();
   void showFailure(const Error& error, const QString& path);
   void forgetFailure();

@@ -2904,6 +2904,10 @@
             <translation>尚未保存的修改</translation>
         </message>
         <message>
+            <source>Dialect of the program</source>
+            <translation>程序的方言</translation>
+        </message>
+        <message>
             <source>%1 has changes that are not saved.</source>
             <translation>%1 有尚未保存的修改。</translation>
         </message>

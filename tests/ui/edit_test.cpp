@@ -60,14 +60,23 @@ class EditTest : public QObject {
     QCOMPARE(window.program().text().line(2), QString("G1 F1200 X105"));
     QVERIFY(window.isWindowModified());
     QVERIFY(window.windowTitle().startsWith("square.ngc[*]"));
-    TOOLPACE_EVENTUALLY(window.the<QLabel>("programDockBadge").isVisible());
+    TOOLPACE_EVENTUALLY(window.the<QLabel>("programDockBadge").text().contains("edited"));
     QVERIFY(window.actions().save_program->isEnabled());
     QVERIFY2(!window.view().findChild<QLineEdit*>(), "Enter ends the edit and begins no other");
     studio::settle(window);
     screenshot(window, "edited");
     window.actions().undo->trigger();
     QVERIFY(!window.isWindowModified());
-    TOOLPACE_EVENTUALLY(!window.the<QLabel>("programDockBadge").isVisible());
+    TOOLPACE_EVENTUALLY(!window.the<QLabel>("programDockBadge").text().contains("edited"));
+  }
+
+  void the_head_of_the_program_says_in_which_dialect_it_was_read_and_why() {
+    const QString path = folder_.filePath("haas.nc");
+    write(path, "%\nO1000 (HAAS VF-2)\nG21 G90 G94\nG154 P1 G0 X0 Y0\nG1 X10 F1200\nM30\n%\n");
+    Editing window(path);
+    const auto& badge = window.the<QLabel>("programDockBadge");
+    TOOLPACE_EVENTUALLY(badge.text().contains("haas"));
+    QVERIFY2(badge.toolTip().contains("Haas"), qPrintable(badge.toolTip()));
   }
 
   void an_edit_is_seen_at_once_and_none_is_lost_while_the_one_before_is_read() {
