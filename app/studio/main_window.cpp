@@ -180,7 +180,8 @@ void MainWindow::showDialect() {
   for (const std::string& reason : document->reading->dialect_reasons) reasons << QString::fromStdString(reason);
   const auto name = dialect_name(document->reading->dialect);
   titles_["programDock"]->setBadge(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())),
-                                   tr("Dialect of the program") + (reasons.isEmpty() ? "" : "\n" + reasons.join("\n")));
+                                   tr("Dialect of the program") + (reasons.isEmpty() ? "" : "\n" + reasons.join("\n")),
+                                   ui::DockTitle::Badge::note);
 }
 
 void MainWindow::showFailure(const Error& error, const QString& path) {

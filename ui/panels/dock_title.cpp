@@ -1,5 +1,7 @@
 #include "panels/dock_title.h"
 
+#include <QStyle>
+
 namespace toolpace::ui {
 namespace {
 
@@ -25,7 +27,13 @@ DockTitle::DockTitle(QWidget* parent)
 
 void DockTitle::setTitle(const QString& title) { title_->setText(title); }
 
-void DockTitle::setBadge(const QString& text, const QString& tip) {
+void DockTitle::setBadge(const QString& text, const QString& tip, Badge kind) {
+  const QString role = kind == Badge::warning ? "warning" : "secondary";
+  if (badge_->property("role") != role) {
+    badge_->setProperty("role", role);
+    badge_->style()->unpolish(badge_);
+    badge_->style()->polish(badge_);
+  }
   badge_->setText("· " + text);
   badge_->setToolTip(tip);
   badge_->setVisible(!text.isEmpty());

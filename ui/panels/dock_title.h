@@ -14,8 +14,9 @@ class DockTitle : public QWidget {
   explicit DockTitle(QWidget* parent = nullptr);
 
   void setTitle(const QString& title);
+  enum class Badge { warning, note };
   /// A few words beside the title, such as "stale"; empty = none.
-  void setBadge(const QString& text, const QString& tip);
+  void setBadge(const QString& text, const QString& tip, Badge kind = Badge::warning);
 
   QSize sizeHint() const override;  ///< what a dock makes room for
   QSize minimumSizeHint() const override;
