@@ -1,4 +1,4 @@
-#include "toolpace/pipeline/travel.h"
+#include "toolpace/limits/travel.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "toolpace/pipeline/pauses.h"
+#include "toolpace/plan/pauses.h"
 
 #include <gtest/gtest.h>
 
