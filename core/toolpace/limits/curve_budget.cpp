@@ -93,6 +93,7 @@ double use(double first, double second, double together, double along, double ac
 /// Makes the ellipse of accelerations so small that it holds for every axis, and finds the line under what each axis alone
 /// leaves: level − slope·v² between a standstill and the highest speed.
 void fit_acceleration(const CurveBounds& b, const std::array<AxisLimits, kAxisCount>& axes, CurveBudget& budget) {
+  budget.level = budget.acceleration;
   if (!(budget.square < kUnlimited) || !(budget.acceleration < kUnlimited)) return;
   double worst = 1, at_top = kUnlimited;
   for (std::size_t k = 0; k < kAxisCount; ++k) {
@@ -104,7 +105,6 @@ void fit_acceleration(const CurveBounds& b, const std::array<AxisLimits, kAxisCo
         std::max(worst, use(b.first[i], b.second[i], both, budget.acceleration, budget.square) / axes[k].acceleration);
     if (b.first[i] > 0) at_top = std::min(at_top, (axes[k].acceleration - b.second[i] * budget.square) / b.first[i]);
   }
-  budget.level = budget.acceleration;
   budget.slope = (budget.acceleration - std::max(0.0, at_top)) / budget.square;
   budget.acceleration /= worst;
   budget.square /= worst;
@@ -152,7 +152,8 @@ CurveShare CurveBudget::at(double cap, AtCap at_cap) const {
   if (at_cap == AtCap::changes || !(jerk < kUnlimited)) {
     const double free = std::sqrt(std::max(0.0, left * left - bent * bent));
     const double a = std::min(any, kTurningShare * free * turning / cap);
-    const double rest = std::sqrt(std::max(0.0, left * left - squared(cap * a / turning)));
+    const double turned_jerk = turning < kUnlimited ? cap * a / turning : 0.0;
+    const double rest = std::sqrt(std::max(0.0, left * left - squared(turned_jerk)));
     return {a, jerk < kUnlimited ? jerk * (rest - bent) : kUnlimited};
   }
   const double j = jerk_towards(cap, jerk * (left - bent), *this);

@@ -214,13 +214,16 @@ void PathCheck::take_line(const RowStream& stream, std::size_t local) {
   const PathVertex* const vertex = vertices_.at(match.cell + 1);
   if (vertex == nullptr || moves_.line[path_.move[vertex->segment]] == line) return;
   // At a node, on a pause or where strokes lie over each other, the lines around it are as good; on a smoothed corner
-  // those of both legs.
-  const PathVertex* const last = vertices_.at(match.last_cell + 1);
-  const std::size_t spread = match.distance > kOnPath || tolerance_.value_or(0) > kSmoothing ? 1 : 0;
+  // those of both legs, and of all that lies between them inside the tolerance.
+  const PathVertex* const last_vertex = vertices_.at(match.last_cell + 1);
+  const double tolerance = tolerance_.value_or(0);
+  const bool is_smoothed = match.distance > kOnPath || tolerance > kSmoothing;
   const std::size_t end_segment = path_.size() - 1;
-  const std::size_t high = std::min((last != nullptr ? last->segment : end_segment) + spread, end_segment);
   const std::size_t first = vertices_.at(match.first_cell + 1)->segment;
-  const std::size_t low = first - std::min(first, spread);
+  const std::size_t last = last_vertex != nullptr ? last_vertex->segment : end_segment;
+  std::size_t low = first, high = last;
+  while (is_smoothed && low > 0 && path_.position[first] - path_.position[low] <= tolerance) --low;
+  while (is_smoothed && high < end_segment && path_.position[high + 1] - path_.position[last + 1] <= tolerance) ++high;
   const std::size_t begin = low == 0 ? 0 : path_.move[low];
   const std::size_t end = high == end_segment ? moves_.size() : path_.move[high] + std::size_t{1};
   const auto from = moves_.line.begin();

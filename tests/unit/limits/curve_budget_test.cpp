@@ -143,6 +143,50 @@ void expect_tight(const Path& path, std::size_t i, const char* what) {
   compare(bound.third, most.third, 1e-8 / (length * length), 3);
 }
 
+// Whatever a curve does not do (bend, turn, change its curvature) and whatever has no limit: something is left at any cap, and no
+// more than the axes have where nothing turns.
+TEST(CurveBudget, LeavesSomethingWhateverIsMissing) {
+  std::mt19937_64 engine(3);
+  const auto or_none = [&](double none, double low, double high) {
+    if (engine() % 3 == 0) return none;
+    return std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(engine));
+  };
+  for (int n = 0; n < 20'000; ++n) {
+    CurveBounds bounds{};
+    bounds.first.setZero();
+    bounds.second.setZero();
+    bounds.third.setZero();
+    bounds.together.setConstant(2);
+    bounds.curvature = or_none(0, 1e-6, 1e2);
+    bounds.bend = or_none(0, 1e-9, 1e2);
+    std::array<AxisLimits, kAxisCount> axes;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      bounds.first[i] = std::min(1.0, or_none(0, 1e-6, 1));
+      bounds.second[i] = or_none(0, 1e-9, 1e2);
+      bounds.third[i] = or_none(0, 1e-15, 1e2);
+      axes[k].acceleration = or_none(kUnlimited, 1, 1e5);
+      axes[k].jerk = or_none(kUnlimited, 1, 1e7);
+    }
+    const CurveBudget budget = curve_budget(bounds, axes);
+    const double top = std::min(budget.top_speed(), 1e4);
+    ASSERT_GT(top, 0);
+    for (const double share : {1.0, 0.9, 0.3, 1e-3}) {
+      for (const AtCap at_cap : {AtCap::rests, AtCap::changes}) {
+        const CurveShare left = budget.at(share * top, at_cap);
+        ASSERT_GT(left.acceleration, 0) << n;
+        ASSERT_GT(left.jerk, 0) << n;
+        for (std::size_t k = 0; k < kAxisCount; ++k) {
+          const double first = bounds.first[static_cast<Eigen::Index>(k)];
+          if (!(first > 0)) continue;
+          ASSERT_LE(left.acceleration * first, axes[k].acceleration * (1 + 1e-9)) << n;
+          ASSERT_LE(left.jerk * first, axes[k].jerk * (1 + 1e-9)) << n;
+        }
+      }
+    }
+  }
+}
+
 TEST(CurveBounds, ContainRandomSplinesTightly) {
   std::mt19937_64 random(20260202);
   std::uniform_real_distribution<double> unit(-1, 1);
