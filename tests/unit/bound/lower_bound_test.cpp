@@ -3,6 +3,7 @@
 #include <numbers>
 #include <random>
 
+#include "case_count.h"
 #include "planned_program.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/job_rules.h"
@@ -54,7 +55,7 @@ Machine random_machine(std::mt19937_64& engine) {
 // Every way of planning with a jerk limit: whichever of them made the outcome, none of the others is faster than its bound.
 TEST(LowerBound, IsNeverAboveThePlanOfAnyStrategy) {
   std::mt19937_64 engine(5);
-  for (int n = 0; n < 25; ++n) {
+  for (std::uint64_t n = 0; n < test::case_count(4); ++n) {
     auto job = std::make_shared<Job>();
     job->program = random_program(engine).reading();
     job->machine = random_machine(engine);
