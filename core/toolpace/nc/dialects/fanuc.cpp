@@ -41,23 +41,6 @@ std::optional<CodeUse<MGroup>> fanuc_m_code(int number) {
   return std::nullopt;
 }
 
-const DialectRules kFanucRules{.dialect = Dialect::fanuc,
-                               .first_retract = 980,
-                               .macro_statements = true,
-                               .corner_words = true,
-                               .last_code_wins = true,
-                               .dwells_in_milliseconds = true,
-                               .dwells_by_axis_words = true,
-                               .repeats_by_k = true,
-                               .repeats_within_p = true,
-                               .g80_keeps_motion = true,
-                               .motion_beside_home = true,
-                               .machine_moves_incremental = true,
-                               .ignores_centre_off_plane = true,
-                               .incremental_g10 = true,
-                               .arc = kLinuxcncArcs,
-                               .g_code = fanuc_g_code,
-                               .m_code = fanuc_m_code,
-                               .unfollowed = fanuc_unfollowed};
+constinit const DialectRules kFanucRules = fanuc_kind(Dialect::fanuc);
 
 }  // namespace toolpace::nc

@@ -24,27 +24,6 @@ std::optional<CodeUse<GGroup>> lathe_b_g_code(Code code) {
 
 }  // namespace
 
-const DialectRules kFanucLatheBRules{.dialect = Dialect::fanuc_lathe_b,
-                                     .first_retract = 980,
-                                     .first_plane = 180,
-                                     .first_feed_mode = 950,
-                                     .first_lathe_diameter = 70,
-                                     .macro_statements = true,
-                                     .corner_words = true,
-                                     .last_code_wins = true,
-                                     .dwells_in_milliseconds = true,
-                                     .dwells_by_axis_words = true,
-                                     .repeats_by_k = true,
-                                     .repeats_within_p = true,
-                                     .g80_keeps_motion = true,
-                                     .motion_beside_home = true,
-                                     .machine_moves_incremental = true,
-                                     .ignores_centre_off_plane = true,
-                                     .incremental_g10 = true,
-                                     .lathe_words = true,
-                                     .arc = kLinuxcncArcs,
-                                     .g_code = lathe_b_g_code,
-                                     .m_code = fanuc_m_code,
-                                     .unfollowed = fanuc_lathe_unfollowed};
+constinit const DialectRules kFanucLatheBRules = fanuc_lathe_kind(Dialect::fanuc_lathe_b, lathe_b_g_code);
 
 }  // namespace toolpace::nc

@@ -29,21 +29,13 @@ const char* haas_unfollowed(Code code) {
 
 }  // namespace
 
-const DialectRules kHaasRules{.dialect = Dialect::haas,
-                              .first_retract = 980,
-                              .macro_statements = true,
-                              .corner_words = true,
-                              .last_code_wins = true,
-                              .dwells_in_milliseconds = true,
-                              .dwells_by_axis_words = true,
-                              .g80_keeps_motion = true,
-                              .motion_beside_home = true,
-                              .machine_moves_incremental = true,
-                              .ignores_centre_off_plane = true,
-                              .incremental_g10 = true,
-                              .arc = kLinuxcncArcs,
-                              .g_code = haas_g_code,
-                              .m_code = haas_m_code,
-                              .unfollowed = haas_unfollowed};
+constinit const DialectRules kHaasRules = [] {
+  DialectRules rules = fanuc_kind(Dialect::haas);
+  rules.repeats_by_k = rules.repeats_within_p = false;  // L repeats
+  rules.g_code = haas_g_code;
+  rules.m_code = haas_m_code;
+  rules.unfollowed = haas_unfollowed;
+  return rules;
+}();
 
 }  // namespace toolpace::nc

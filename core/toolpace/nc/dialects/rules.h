@@ -100,6 +100,34 @@ std::optional<CodeUse<MGroup>> sender_m_code(int number);
 std::optional<MGroup> common_m_group(int number);
 const char* fanuc_unfollowed(Code tenths);
 const char* nothing_unfollowed(Code tenths);
+
+/// What all of Fanuc's kind have in common: a dialect of it tells what is otherwise.
+constexpr DialectRules fanuc_kind(Dialect dialect) {
+  DialectRules rules{.dialect = dialect,
+                     .arc = kLinuxcncArcs,
+                     .g_code = fanuc_g_code,
+                     .m_code = fanuc_m_code,
+                     .unfollowed = fanuc_unfollowed};
+  rules.first_retract = 980;
+  rules.macro_statements = rules.corner_words = rules.last_code_wins = true;
+  rules.dwells_in_milliseconds = rules.dwells_by_axis_words = true;
+  rules.repeats_by_k = rules.repeats_within_p = true;
+  rules.g80_keeps_motion = rules.motion_beside_home = rules.machine_moves_incremental = true;
+  rules.ignores_centre_off_plane = rules.incremental_g10 = true;
+  return rules;
+}
+
+/// Of these, the lathes.
+constexpr DialectRules fanuc_lathe_kind(Dialect dialect, std::optional<CodeUse<GGroup>> (*g_code)(Code tenths)) {
+  DialectRules rules = fanuc_kind(dialect);
+  rules.first_plane = 180;
+  rules.first_feed_mode = 950;
+  rules.first_lathe_diameter = 70;
+  rules.lathe_words = true;
+  rules.g_code = g_code;
+  rules.unfollowed = fanuc_lathe_unfollowed;
+  return rules;
+}
 bool is_listed(int code, std::initializer_list<int> list);
 
 }  // namespace toolpace::nc
