@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/machine/setup_keys.h"
 
@@ -87,11 +88,10 @@ Json axes_json(const AxisPeakMeter& meter) {
   const auto peaks = meter.peaks();
   for (std::size_t k = 0; k < kAxisCount; ++k) {
     if (!meter.has_moved(k)) continue;
-    const std::string u = is_rotary(k) ? "deg" : "mm";
-    const double unit = is_rotary(k) ? 1 / kRadiansPerDegree : 1.0;
-    axes[std::string(1, kAxisNames[k])] = {{"max_speed_" + u + "_s", peaks[k].speed * unit},
-                                           {"max_acceleration_" + u + "_s2", peaks[k].acceleration * unit},
-                                           {"max_jerk_" + u + "_s3", peaks[k].jerk * unit}};
+    const AxisUnit& unit = axis_unit(k);
+    axes[std::string(1, kAxisNames[k])] = {{std::string("max_speed_") + unit.key[1], peaks[k].speed / unit.size},
+                                           {std::string("max_acceleration_") + unit.key[2], peaks[k].acceleration / unit.size},
+                                           {std::string("max_jerk_") + unit.key[3], peaks[k].jerk / unit.size}};
   }
   return axes;
 }

@@ -141,7 +141,7 @@ void print_proof(std::FILE* out, const VerifyReport& proof) {
     if (!c.broken) continue;
     const CheckUnit unit = check_unit(c);
     fmt::print(out, "    {}: {:.6g} {} where {:.6g} is allowed, at {:.3f} s, line {}\n", check_title(c),
-               c.value * unit.factor, unit.symbol, c.limit * unit.factor, c.time, c.line);
+               c.value / unit.size, unit.symbol, c.limit / unit.size, c.time, c.line);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "planned_program.h"
 #include "report.h"
 #include "servo_json.h"
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/base/descriptor.h"
 #include "toolpace/base/file_name.h"
 #include "toolpace/base/numbers.h"
@@ -48,7 +49,7 @@ class TraceFile {
       for (const char* kind : {"", "_actual"}) {
         for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
           if (commanded.position[axis].empty()) continue;
-          text += "," + std::string(1, kAxes[axis]) + kind + (is_rotary(axis) ? "_deg" : "_mm");
+          text += "," + std::string(1, kAxes[axis]) + kind + "_" + axis_unit(axis).key[0];
         }
       }
       text += ",lag_mm,contour_error_mm,line\n";
@@ -59,7 +60,7 @@ class TraceFile {
         for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
           if ((*columns)[axis].empty()) continue;
           text += ',';
-          append_text(text, (*columns)[axis][k] / (is_rotary(axis) ? kRadiansPerDegree : 1.0));
+          append_text(text, (*columns)[axis][k] / axis_unit(axis).size);
         }
       }
       text += ',';

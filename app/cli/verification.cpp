@@ -9,58 +9,11 @@
 namespace toolpace::cli {
 namespace {
 
-std::string limit_text(const Check& check, double factor) {
-  return std::isfinite(check.limit) ? fmt::format("{:.6g}", check.limit * factor) : "-";
+std::string limit_text(const Check& check, double size) {
+  return std::isfinite(check.limit) ? fmt::format("{:.6g}", check.limit / size) : "-";
 }
 
 }  // namespace
-
-CheckUnit check_unit(const Check& check) {
-  const bool rotary = check.axis && is_rotary(*check.axis);
-  const double degrees = rotary ? 1 / kRadiansPerDegree : 1.0;
-  switch (check.kind) {
-    case CheckKind::axis_speed:
-    case CheckKind::path_speed:
-    case CheckKind::speed_column: return rotary ? CheckUnit{"deg/s", "deg_s", degrees} : CheckUnit{"mm/s", "mm_s", 1};
-    case CheckKind::axis_acceleration:
-    case CheckKind::path_acceleration:
-    case CheckKind::path_deceleration:
-    case CheckKind::acceleration_column:
-      return rotary ? CheckUnit{"deg/s²", "deg_s2", degrees} : CheckUnit{"mm/s²", "mm_s2", 1};
-    case CheckKind::axis_jerk:
-    case CheckKind::path_jerk:
-    case CheckKind::jerk_column:
-      return rotary ? CheckUnit{"deg/s³", "deg_s3", degrees} : CheckUnit{"mm/s³", "mm_s3", 1};
-    case CheckKind::time_step: return {"s", "s", 1};
-    case CheckKind::line_column: return {"rows", "rows", 1};
-    default: break;
-  }
-  return rotary ? CheckUnit{"deg", "deg", degrees} : CheckUnit{"mm", "mm", 1};
-}
-
-std::string check_title(const Check& check) {
-  const std::string axis = check.axis ? std::string(1, kAxisNames[*check.axis]) + " " : "";
-  switch (check.kind) {
-    case CheckKind::axis_speed: return axis + "speed";
-    case CheckKind::axis_acceleration: return axis + "acceleration";
-    case CheckKind::axis_jerk: return axis + "jerk";
-    case CheckKind::travel_min: return axis + "travel, lowest";
-    case CheckKind::travel_max: return axis + "travel, highest";
-    case CheckKind::path_speed: return "path speed";
-    case CheckKind::path_acceleration: return "path acceleration";
-    case CheckKind::path_deceleration: return "path deceleration";
-    case CheckKind::path_jerk: return "path jerk";
-    case CheckKind::time_step: return "clock error";
-    case CheckKind::speed_column: return axis + "v column against positions";
-    case CheckKind::acceleration_column: return axis + "a column against " + (check.axis ? "positions" : "v");
-    case CheckKind::jerk_column: return axis + "j column against " + (check.axis ? "positions" : "a");
-    case CheckKind::line_column: return "lines not under the tool";
-    case CheckKind::follows_path: return "follows the path within";
-    case CheckKind::deviation: return "deviation from the path";
-    case CheckKind::end_point: return "distance from the end";
-  }
-  return "";
-}
 
 Json verification_json(const VerifyReport& report) {
   Json checks = Json::array();
@@ -70,9 +23,9 @@ Json verification_json(const VerifyReport& report) {
     violations += check.broken;
     checks.push_back({{"check", key_of(check.kind)},
                       {"axis", check.axis ? Json(std::string(1, kAxisNames[*check.axis])) : Json(nullptr)},
-                      {std::string("value_") + unit.suffix, check.value * unit.factor},
-                      {std::string("limit_") + unit.suffix, check.limit * unit.factor},
-                      {std::string("bound_") + unit.suffix, check.bound * unit.factor},
+                      {std::string("value_") + unit.key, check.value / unit.size},
+                      {std::string("limit_") + unit.key, check.limit / unit.size},
+                      {std::string("bound_") + unit.key, check.bound / unit.size},
                       {"t_s", check.time},
                       {"row", check.row},
                       {"line", check.line == 0 ? Json(nullptr) : Json(check.line)},
@@ -97,7 +50,7 @@ void print_verification(const VerifyReport& report) {
   for (const Check& check : report.checks) {
     const CheckUnit unit = check_unit(check);
     fmt::print("{} {:<28} {:>12.6g} {:>12} {:>10.2g}  {:<7} {:>10.4f} {:>8}\n", check.broken ? "!" : " ",
-               check_title(check), check.value * unit.factor, limit_text(check, unit.factor), check.bound * unit.factor,
+               check_title(check), check.value / unit.size, limit_text(check, unit.size), check.bound / unit.size,
                unit.symbol, check.time, check.line == 0 ? "-" : std::to_string(check.line));
   }
   if (report.chord_error)

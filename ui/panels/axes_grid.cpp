@@ -3,6 +3,8 @@
 #include "panels/form_grid.h"
 #include "panels/key_range.h"
 
+#include "toolpace/base/axis_unit.h"
+
 namespace toolpace::ui {
 namespace {
 
@@ -13,11 +15,12 @@ constexpr std::array<const char*, AxesGrid::kLimits> kSymbols = {"v", "a", "j"};
 
 /// What the machine file takes.
 NumberField::Range range_of(std::size_t axis, int limit) {
-  const std::string u = is_rotary(axis) ? "deg" : "mm", section = std::string("axes.") + kAxisNames[axis];
+  const std::string section = std::string("axes.") + kAxisNames[axis];
+  const auto& unit = axis_unit(axis).key;
   switch (limit) {
-    case AxesGrid::kSpeed: return range_of_key(section, "max_speed_" + u + "_s");
-    case AxesGrid::kAcceleration: return range_of_key(section, "max_acceleration_" + u + "_s2");
-    default: return range_of_key(section, "max_jerk_" + u + "_s3");
+    case AxesGrid::kSpeed: return range_of_key(section, std::string("max_speed_") + unit[1]);
+    case AxesGrid::kAcceleration: return range_of_key(section, std::string("max_acceleration_") + unit[2]);
+    default: return range_of_key(section, std::string("max_jerk_") + unit[3]);
   }
 }
 

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "toolpace/base/axes.h"
+#include "toolpace/base/axis_unit.h"
 
 namespace toolpace {
 
 /// A value of an axis [mm, rad] as lengths count it [mm, deg]; the same for its derivatives by time.
-constexpr double counted(std::size_t axis, double value) { return is_rotary(axis) ? value / kRadiansPerDegree : value; }
+constexpr double counted(std::size_t axis, double value) { return value / axis_unit(axis).size; }
 
 /// Which axes a length is of.
 ///

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/io/output_file.h"
 #include "toolpace/path/spline.h"
@@ -110,7 +111,7 @@ class BlockTable {
     cell(kind);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       const double value = end[static_cast<Eigen::Index>(axis)];
-      number_cell(is_rotary(axis) ? value / kRadiansPerDegree : value);
+      number_cell(value / axis_unit(axis).size);
     }
     text_ += ',';
   }

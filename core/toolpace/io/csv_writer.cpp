@@ -9,7 +9,7 @@
 #include "toolpace/io/setpoint_table.h"
 #include "toolpace/io/writers.h"
 
-namespace toolpace::io_detail {
+namespace toolpace::detail {
 namespace {
 
 constexpr std::size_t kNumberBytes = 32;  // the longest double takes 24, the longest line number 10
@@ -128,4 +128,4 @@ MadeWriter make_halstream_writer(OutputFile file, const SetpointFileOptions&) {
   return std::make_unique<TextWriter>(std::move(file), TextStyle{.separator = ' ', .positions_only = true});
 }
 
-}  // namespace toolpace::io_detail
+}  // namespace toolpace::detail

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace toolpace::npy {
+namespace toolpace::detail::npy {
 
 /// Bytes that header() returns, whatever the shape, so that it can be written again when the rows are known.
 inline constexpr std::size_t kHeaderBytes = 128;
@@ -26,4 +26,4 @@ std::string text_array(std::string_view text);
 /// Packs columns into rows of doubles: out holds rows · columns.size() values.
 void pack_rows(const std::vector<const double*>& columns, std::size_t first, std::size_t rows, double* out);
 
-}  // namespace toolpace::npy
+}  // namespace toolpace::detail::npy

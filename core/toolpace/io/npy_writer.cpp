@@ -6,7 +6,7 @@
 #include "toolpace/io/writers.h"
 
 namespace toolpace {
-namespace npy {
+namespace detail::npy {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the writers put native doubles into little-endian files");
@@ -54,9 +54,9 @@ void pack_rows(const std::vector<const double*>& columns, std::size_t first, std
   }
 }
 
-}  // namespace npy
+}  // namespace detail::npy
 
-namespace io_detail {
+namespace detail {
 namespace {
 
 class NpyWriter final : public SetpointWriter {
@@ -106,5 +106,5 @@ MadeWriter make_npy_writer(OutputFile file, const SetpointFileOptions& options) 
   return std::make_unique<NpyWriter>(std::move(file), options);
 }
 
-}  // namespace io_detail
+}  // namespace detail
 }  // namespace toolpace

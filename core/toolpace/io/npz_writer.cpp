@@ -6,7 +6,7 @@
 #include "toolpace/io/writers.h"
 #include "toolpace/io/zip_writer.h"
 
-namespace toolpace::io_detail {
+namespace toolpace::detail {
 namespace {
 
 std::string json_text(std::string_view text) {
@@ -92,4 +92,4 @@ MadeWriter make_npz_writer(OutputFile file, const SetpointFileOptions& options) 
   return std::make_unique<NpzWriter>(std::move(file), std::move(*rows), std::move(*lines), options);
 }
 
-}  // namespace toolpace::io_detail
+}  // namespace toolpace::detail

@@ -12,14 +12,14 @@ namespace {
 using Access = OutputFile::Access;
 
 constexpr std::array<SetpointFormat, 5> kFormats = {
-    {{"csv", ".csv", "Comma-separated", Access::forward, io_detail::make_csv_writer, "", verify_detail::open_text},
-     {"npy", ".npy", "NumPy array", Access::patched, io_detail::make_npy_writer, "\x93NUMPY", verify_detail::open_npy},
-     {"npz", ".npz", "NumPy archive", Access::patched, io_detail::make_npz_writer, "PK\x03\x04",
-      verify_detail::open_npz},
-     {"halstream", ".halstream", "LinuxCNC halstreamer", Access::forward, io_detail::make_halstream_writer, "",
-      verify_detail::open_halstream},
-     {"semicolon", ".semicolon.csv", "Semicolons", Access::forward, io_detail::make_semicolon_writer, "",
-      verify_detail::open_text}}};
+    {{"csv", ".csv", "Comma-separated", Access::forward, detail::make_csv_writer, "", detail::open_text},
+     {"npy", ".npy", "NumPy array", Access::patched, detail::make_npy_writer, "\x93NUMPY", detail::open_npy},
+     {"npz", ".npz", "NumPy archive", Access::patched, detail::make_npz_writer, "PK\x03\x04",
+      detail::open_npz},
+     {"halstream", ".halstream", "LinuxCNC halstreamer", Access::forward, detail::make_halstream_writer, "",
+      detail::open_halstream},
+     {"semicolon", ".semicolon.csv", "Semicolons", Access::forward, detail::make_semicolon_writer, "",
+      detail::open_text}}};
 
 }  // namespace
 

@@ -26,7 +26,7 @@ Result<std::unique_ptr<SetpointFile>> open_setpoint_file(const std::filesystem::
   if (!input) return tl::unexpected(std::move(input.error()));
   const std::string name = file.string();
   if (input->size() == 0) {
-    return tl::unexpected(verify_detail::setpoints_error("setpoints-empty", "the file is empty", {name, 0, 0}));
+    return tl::unexpected(detail::setpoints_error("setpoints-empty", "the file is empty", {name, 0, 0}));
   }
   std::array<char, kMagicBytes> begin = {};
   const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(begin.size(), input->size()));

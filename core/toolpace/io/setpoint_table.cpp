@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/base/axis_unit.h"
+
 namespace toolpace {
 namespace {
 
@@ -66,17 +68,15 @@ void SetpointTable::decide_columns(const Setpoints& chunk) {
   names_ = {"t_s"};
   for (std::size_t axis = 0; axis < count; ++axis) {
     axes_.push_back(axis);
-    names_.push_back(std::string(1, kLetters[axis]) + (is_rotary(axis) ? "_deg" : "_mm"));
+    names_.push_back(std::string(1, kLetters[axis]) + "_" + axis_unit(axis).key[0]);
   }
   names_.insert(names_.end(), {"v_mm_s", "a_mm_s2", "j_mm_s3"});
   rotary_.resize(count);
   if (!axis_derivatives_) return;
-  const std::array<std::array<const char*, 2>, 3> units = {
-      {{"_mm_s", "_deg_s"}, {"_mm_s2", "_deg_s2"}, {"_mm_s3", "_deg_s3"}}};
   for (std::size_t order = 0; order < 3; ++order) {
     derivatives_[order].resize(count);
     for (const std::size_t axis : axes_) {
-      names_.push_back(std::string(1, "vaj"[order]) + "_" + kLetters[axis] + units[order][is_rotary(axis)]);
+      names_.push_back(std::string(1, "vaj"[order]) + "_" + kLetters[axis] + "_" + axis_unit(axis).key[order + 1]);
     }
   }
 }

@@ -6,7 +6,7 @@
 #include "toolpace/io/output_file.h"
 #include "toolpace/io/setpoint_writer.h"
 
-namespace toolpace::io_detail {
+namespace toolpace::detail {
 
 using MadeWriter = Result<std::unique_ptr<SetpointWriter>>;
 
@@ -16,4 +16,4 @@ MadeWriter make_halstream_writer(OutputFile file, const SetpointFileOptions& opt
 MadeWriter make_npy_writer(OutputFile file, const SetpointFileOptions& options);
 MadeWriter make_npz_writer(OutputFile file, const SetpointFileOptions& options);
 
-}  // namespace toolpace::io_detail
+}  // namespace toolpace::detail

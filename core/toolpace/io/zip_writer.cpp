@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace toolpace::io_detail {
+namespace toolpace::detail {
 namespace {
 
 constexpr zip_uint16_t kNoTime = 0;
@@ -187,4 +187,4 @@ Result<void> write_zip(OutputFile& file, const std::vector<ZipEntry>& entries) {
   return file.commit();
 }
 
-}  // namespace toolpace::io_detail
+}  // namespace toolpace::detail

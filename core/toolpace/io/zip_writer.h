@@ -7,7 +7,7 @@
 #include "toolpace/io/output_file.h"
 #include "toolpace/io/spool_file.h"
 
-namespace toolpace::io_detail {
+namespace toolpace::detail {
 
 /// An entry: its head, and behind it what waits in a file.
 struct ZipEntry {
@@ -21,4 +21,4 @@ struct ZipEntry {
 /// Errors: those of OutputFile and SpoolFile.
 Result<void> write_zip(OutputFile& file, const std::vector<ZipEntry>& entries);
 
-}  // namespace toolpace::io_detail
+}  // namespace toolpace::detail

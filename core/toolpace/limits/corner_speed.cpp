@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/limits/limit_speed.h"
 
 namespace toolpace {
@@ -14,7 +15,7 @@ constexpr Metric kApart = Metric::apart();
 /// Each axis' own limit, or the path's where it has none.
 double axis_acceleration(const Machine& machine, std::size_t k) {
   if (machine.axes[k].acceleration < kUnlimited) return machine.axes[k].acceleration;
-  return is_rotary(k) ? machine.path.acceleration * kRadiansPerDegree : machine.path.acceleration;
+  return machine.path.acceleration * axis_unit(k).size;
 }
 
 double servo_speed(const AxisVector& step, const Machine& machine) {

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "toolpace/base/axis_unit.h"
+
 namespace toolpace {
 
 std::array<AxisLimits, kAxisCount> curve_axes(const Machine& machine, bool keeps_jerk) {
   const auto shared = [](std::size_t axis, double own, double along) {
     if (!is_rotary(axis)) return std::min(own, along);
-    return own < kUnlimited ? own : along * kRadiansPerDegree;
+    return own < kUnlimited ? own : along * axis_unit(axis).size;
   };
   auto axes = machine.axes;
   for (std::size_t k = 0; k < kAxisCount; ++k) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "toolpace/base/axis_unit.h"
+
 namespace toolpace {
 namespace {
 
@@ -63,12 +65,11 @@ Diagnostics check_travel(const Path& path, const Moves& moves, const Machine& ma
     for (std::size_t side = 0; side < 2; ++side) {
       const Excess& e = excess[k][side];
       if (e.worst == 0) continue;
-      const double amount = is_rotary(k) ? e.worst / kRadiansPerDegree : e.worst;
       Diagnostic& warning = warnings.emplace_back();
       warning.severity = Severity::warning;
       warning.code = "travel";
       warning.message = fmt::format("{} leaves its travel beyond the {} end, by up to {:.6g} {}", kAxisNames[k],
-                                    side == 0 ? "lower" : "upper", amount, is_rotary(k) ? "deg" : "mm");
+                                    side == 0 ? "lower" : "upper", e.worst / axis_unit(k).size, axis_unit(k).symbol[0]);
       warning.remedy = "move the work offset or the part";
       warning.where.line = moves.line[e.row];
       if (!moves.files.empty()) warning.where.file = moves.files[moves.file[e.row]];

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/machine/importer.h"
 #include "toolpace/machine/joint_axes.h"
 #include "toolpace/machine/read_machine.h"
@@ -55,14 +56,15 @@ class AxisImport {
 
  private:
   void add(std::size_t axis) {
-    const std::string section = std::string("axes.") + kAxisNames[axis], unit = is_rotary(axis) ? "deg" : "mm";
+    const std::string section = std::string("axes.") + kAxisNames[axis];
+    const AxisUnit& unit = axis_unit(axis);
     const auto take = [&](const std::string& key, const char* name, std::optional<double> none = {}) {
       const auto value = strictest(axis, name, std::less<>(), none);
       if (value) importer_.put(section, key, *value);
     };
-    take("max_speed_" + unit + "_s", ".MAX_VELOCITY");
-    take("max_acceleration_" + unit + "_s2", ".MAX_ACCELERATION");
-    take("max_jerk_" + unit + "_s3", ".MAX_JERK", 0.0);
+    take(std::string("max_speed_") + unit.key[1], ".MAX_VELOCITY");
+    take(std::string("max_acceleration_") + unit.key[2], ".MAX_ACCELERATION");
+    take(std::string("max_jerk_") + unit.key[3], ".MAX_JERK", 0.0);
     const auto least = strictest(axis, ".MIN_LIMIT", std::greater<>());
     const auto most = strictest(axis, ".MAX_LIMIT", std::less<>());
     if (!least && !most) return;

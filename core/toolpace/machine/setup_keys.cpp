@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/servo/servo_range.h"
 
@@ -29,19 +30,20 @@ constexpr NumberRange kShare = {0, 1};
 constexpr double kFarthestTravel = 1e9;  // [mm, deg], as programs
 
 SetupSection axis_section(AxisLimits& axis, std::size_t k) {
-  const bool rotary = is_rotary(k);
-  const std::string u = rotary ? "deg" : "mm";
-  const double unit = rotary ? kRadiansPerDegree : 1.0;
+  const auto& [unit, symbol, key] = axis_unit(k);
   return {std::string("axes.") + kAxisNames[k],
-          {{"max_speed_" + u + "_s", &axis.speed, unit, limit(kFastest, rotary ? "deg/s" : "mm/s")},
-           {"max_acceleration_" + u + "_s2", &axis.acceleration, unit, limit(kStrongest, rotary ? "deg/s²" : "mm/s²")},
-           {"max_jerk_" + u + "_s3", &axis.jerk, unit, limit(kHardest, rotary ? "deg/s³" : "mm/s³")},
-           {"steps_per_" + u, &axis.steps_per_unit, 1 / unit, {1e-6, 1e9, rotary ? "steps/deg" : "steps/mm", true}}},
-          {{"travel_" + u,
+          {{std::string("max_speed_") + key[1], &axis.speed, unit, limit(kFastest, symbol[1])},
+           {std::string("max_acceleration_") + key[2], &axis.acceleration, unit, limit(kStrongest, symbol[2])},
+           {std::string("max_jerk_") + key[3], &axis.jerk, unit, limit(kHardest, symbol[3])},
+           {std::string("steps_per_") + key[0],
+            &axis.steps_per_unit,
+            1 / unit,
+            {1e-6, 1e9, is_rotary(k) ? "steps/deg" : "steps/mm", true}}},
+          {{std::string("travel_") + key[0],
             &axis.travel_min,
             &axis.travel_max,
             unit,
-            {-kFarthestTravel, kFarthestTravel, rotary ? "deg" : "mm", false, true}}},
+            {-kFarthestTravel, kFarthestTravel, symbol[0], false, true}}},
           {}};
 }
 
@@ -50,17 +52,17 @@ NumberRange servo_range(const ServoRange& range, const char* unit) {
 }
 
 SetupSection servo_section(ServoAxis& servo, std::size_t k) {
-  const bool rotary = is_rotary(k);
+  const AxisUnit& unit = axis_unit(k);
   return {std::string("servo.") + kAxisNames[k],
           {{"kv_1_s", &servo.position_gain, 1.0, servo_range(kServoGain, "1/s")},
            {"velocity_feed_forward", &servo.velocity_feed_forward, 1.0, kShare},
            {"acceleration_feed_forward", &servo.acceleration_feed_forward, 1.0, kShare},
            {"bandwidth_hz", &servo.bandwidth, 1.0, servo_range(kServoBandwidth, "Hz")},
            {"damping", &servo.damping, 1.0, servo_range(kServoDamping, "")},
-           {rotary ? "backlash_deg" : "backlash_mm",
+           {std::string("backlash_") + unit.key[0],
             &servo.backlash,
-            rotary ? kRadiansPerDegree : 1.0,
-            {0, rotary ? 360.0 : 1000.0, rotary ? "deg" : "mm"}},
+            unit.size,
+            {0, is_rotary(k) ? 360.0 : 1000.0, unit.symbol[0]}},
            {"resonance_hz", &servo.resonance, 1.0, servo_range(kServoResonance, "Hz")},
            {"resonance_damping", &servo.resonance_damping, 1.0, servo_range(kServoDamping, "")}},
           {},

@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "toolpace/base/axis_unit.h"
+
 namespace toolpace::nc {
 namespace {
 
@@ -39,7 +41,7 @@ AxisVector machine_vector(const Offsets& offsets, const Position& work) {
   const Position machine = to_machine(offsets, work);
   AxisVector v;
   for (std::size_t i = 0; i < kAxisCount; ++i) {
-    v[static_cast<Eigen::Index>(i)] = is_rotary(i) ? machine[i] * kRadiansPerDegree : machine[i];
+    v[static_cast<Eigen::Index>(i)] = machine[i] * axis_unit(i).size;
   }
   return v;
 }

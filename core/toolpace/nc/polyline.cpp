@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/nc/diagnostic_log.h"
 #include "toolpace/nc/move_writer.h"
 
@@ -158,7 +159,7 @@ void PolylineReader::append(const Row& row, bool has_feed) {
   Moves& moves = reading_.moves;
   AxisVector point;
   for (std::size_t i = 0; i < kAxisCount; ++i) {
-    point[static_cast<Eigen::Index>(i)] = is_rotary(i) ? row[i] * kRadiansPerDegree : row[i];
+    point[static_cast<Eigen::Index>(i)] = row[i] * axis_unit(i).size;
   }
   if (!(point.cwiseAbs().maxCoeff() <= kFarthest)) {
     fault(1, "coordinate-too-large", fmt::format("a point more than {:g} mm away", kFarthest), "check the numbers");

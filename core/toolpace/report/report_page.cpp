@@ -118,54 +118,6 @@ std::string causes(const Summary& s) {
   return html + "</table>\n";
 }
 
-struct Unit {
-  double factor;
-  std::string_view symbol;
-};
-
-Unit unit_of(const Check& c) {
-  const bool rotary = c.axis && is_rotary(*c.axis);
-  const double factor = rotary ? 1 / kRadiansPerDegree : 1.0;
-  switch (c.kind) {
-    case CheckKind::axis_speed:
-    case CheckKind::path_speed:
-    case CheckKind::speed_column: return {factor, rotary ? "deg/s" : "mm/s"};
-    case CheckKind::axis_acceleration:
-    case CheckKind::path_acceleration:
-    case CheckKind::path_deceleration:
-    case CheckKind::acceleration_column: return {factor, rotary ? "deg/s²" : "mm/s²"};
-    case CheckKind::axis_jerk:
-    case CheckKind::path_jerk:
-    case CheckKind::jerk_column: return {factor, rotary ? "deg/s³" : "mm/s³"};
-    case CheckKind::time_step: return {1, "s"};
-    case CheckKind::line_column: return {1, "rows"};
-    default: return {factor, rotary ? "deg" : "mm"};
-  }
-}
-
-const char* title_of(CheckKind kind) {
-  switch (kind) {
-    case CheckKind::axis_speed: return "speed";
-    case CheckKind::axis_acceleration: return "acceleration";
-    case CheckKind::axis_jerk: return "jerk";
-    case CheckKind::travel_min: return "lowest position";
-    case CheckKind::travel_max: return "highest position";
-    case CheckKind::path_speed: return "speed along the path";
-    case CheckKind::path_acceleration: return "acceleration along the path";
-    case CheckKind::path_deceleration: return "deceleration along the path";
-    case CheckKind::path_jerk: return "jerk along the path";
-    case CheckKind::time_step: return "clock: error of the time column";
-    case CheckKind::speed_column: return "speed column against the positions";
-    case CheckKind::acceleration_column: return "acceleration column against the speed";
-    case CheckKind::jerk_column: return "jerk column against the acceleration";
-    case CheckKind::line_column: return "rows with a wrong line";
-    case CheckKind::follows_path: return "follows the path, in order, within";
-    case CheckKind::deviation: return "distance from the programmed path";
-    case CheckKind::end_point: return "distance of the end from the program's";
-  }
-  return "";
-}
-
 std::string bound(double value) { return value < 10 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value); }
 
 /// How much of a limit is left. Travel has no margin in percent.
@@ -180,13 +132,12 @@ std::string limits_table(const VerifyReport& report) {
       "<table>\n<tr><th>check of the "
       "setpoints</th><th>worst</th><th>limit</th><th></th><th>margin</th><th>at</th><th>line</th></tr>\n";
   for (const Check& c : report.checks) {
-    const Unit u = unit_of(c);
-    const std::string axis = c.axis ? std::string(1, kAxisNames[*c.axis]) + " " : "";
+    const CheckUnit u = check_unit(c);
     html += fmt::format(
-        "<tr{}><td>{}{}</td><td>{:.6g}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.3f} s</td><td>{}</td></tr>\n",
-        c.broken ? " class='broken'" : "", axis, title_of(c.kind), c.value * u.factor,
-        std::isfinite(c.limit) && c.limit != 0 ? fmt::format("{:.6g}", c.limit * u.factor)
-        : c.limit == 0                         ? bound(c.bound * u.factor)
+        "<tr{}><td>{}</td><td>{:.6g}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.3f} s</td><td>{}</td></tr>\n",
+        c.broken ? " class='broken'" : "", check_title(c), c.value / u.size,
+        std::isfinite(c.limit) && c.limit != 0 ? fmt::format("{:.6g}", c.limit / u.size)
+        : c.limit == 0                         ? bound(c.bound / u.size)
                                                : std::string("–"),
         u.symbol, margin(c), c.time, c.line == 0 ? std::string("–") : std::to_string(c.line));
   }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/sample/motion.h"
 
@@ -43,12 +44,12 @@ class PulseMaker {
       if (steps_[axis] <= 0) continue;
       add_axis(axis, t0, t1);
       if (too_slow_) {
-        const auto [unit, size] = is_rotary(axis) ? std::pair("deg", kRadiansPerDegree) : std::pair("mm", 1.0);
+        const AxisUnit& unit = axis_unit(axis);
         return tl::unexpected(pulse_error(
             "timer-too-slow",
             fmt::format(
                 "--timer-hz is {} Hz and steps_per_{} in [axes.{}] is {:.9g}: two pulses of {} fall on one tick",
-                to_text(timer_hz_), unit, kAxisNames[axis], steps_[axis] * size, kAxisNames[axis]),
+                to_text(timer_hz_), unit.key[0], kAxisNames[axis], steps_[axis] * unit.size, kAxisNames[axis]),
             "give a faster timer or fewer steps per mm"));
       }
     }

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace toolpace::verify_detail {
+namespace toolpace::detail {
 namespace {
 
 class FileStream final : public ByteStream {
@@ -26,4 +26,4 @@ class FileStream final : public ByteStream {
 
 std::unique_ptr<ByteStream> stream_of_file(InputFile file) { return std::make_unique<FileStream>(std::move(file)); }
 
-}  // namespace toolpace::verify_detail
+}  // namespace toolpace::detail

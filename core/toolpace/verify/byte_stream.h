@@ -8,7 +8,7 @@
 #include "toolpace/base/input_file.h"
 #include "toolpace/base/result.h"
 
-namespace toolpace::verify_detail {
+namespace toolpace::detail {
 
 class ByteStream {
  public:
@@ -31,4 +31,4 @@ class ByteStream {
 /// The whole of a file.
 std::unique_ptr<ByteStream> stream_of_file(InputFile file);
 
-}  // namespace toolpace::verify_detail
+}  // namespace toolpace::detail

@@ -40,7 +40,7 @@ Result<std::optional<std::string_view>> LineReader::next() {
       return line;
     }
     if (buffer_.size() - begin_ > kLongestLine) {
-      return tl::unexpected(verify_detail::setpoints_error("setpoints-broken", "a line is longer than 1 MiB",
+      return tl::unexpected(detail::setpoints_error("setpoints-broken", "a line is longer than 1 MiB",
                                                            {file_.name().string(), line_ + 1, 0}));
     }
     searched = buffer_.size() - begin_;

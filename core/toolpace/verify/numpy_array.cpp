@@ -8,7 +8,7 @@
 
 #include "toolpace/verify/setpoint_readers.h"
 
-namespace toolpace::verify_detail {
+namespace toolpace::detail {
 namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
@@ -102,4 +102,4 @@ std::string NumpyArray::size_fault(std::uint64_t rows, std::uint64_t columns) co
          " columns are due, and there are " + std::to_string(whole);
 }
 
-}  // namespace toolpace::verify_detail
+}  // namespace toolpace::detail

@@ -8,7 +8,7 @@
 
 #include "toolpace/verify/byte_stream.h"
 
-namespace toolpace::verify_detail {
+namespace toolpace::detail {
 
 /// An array whose values are read one after the other.
 struct NumpyArray {
@@ -32,4 +32,4 @@ Result<NumpyArray> open_array(std::unique_ptr<ByteStream> stream, const std::str
 /// "setpoints-shape", with the way to save an array that is fine.
 Error shape_error(std::string what, const std::string& name);
 
-}  // namespace toolpace::verify_detail
+}  // namespace toolpace::detail

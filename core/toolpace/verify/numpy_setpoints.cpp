@@ -4,11 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/verify/numpy_array.h"
 #include "toolpace/verify/setpoint_readers.h"
 #include "toolpace/verify/zip_reader.h"
 
-namespace toolpace::verify_detail {
+namespace toolpace::detail {
 namespace {
 
 constexpr std::size_t kBlockRows = 1024;  // a block stays in the second-level cache
@@ -92,12 +93,12 @@ class NumpySetpoints final : public SetpointFile {
     std::size_t column = 0;
     bool finite = append(rows.time, column++, n, 1.0);
     for (std::size_t axis = 0; axis < axes_; ++axis) {
-      finite &= append(rows.position[axis], column++, n, is_rotary(axis) ? kRadiansPerDegree : 1.0);
+      finite &= append(rows.position[axis], column++, n, axis_unit(axis).size);
     }
     for (auto* values : {&rows.speed, &rows.acceleration, &rows.jerk}) finite &= append(*values, column++, n, 1.0);
     for (std::size_t order = 0; columns_.axis_derivatives && order < kDerivatives; ++order) {
       for (std::size_t axis = 0; axis < axes_; ++axis) {
-        finite &= append(rows.derivative[order][axis], column++, n, is_rotary(axis) ? kRadiansPerDegree : 1.0);
+        finite &= append(rows.derivative[order][axis], column++, n, axis_unit(axis).size);
       }
     }
     if (!finite) {
@@ -193,4 +194,4 @@ Result<std::unique_ptr<SetpointFile>> open_npz(InputFile file, const std::string
   return numpy;
 }
 
-}  // namespace toolpace::verify_detail
+}  // namespace toolpace::detail

@@ -46,6 +46,17 @@ struct Check {
   bool broken = false;
 };
 
+/// "X speed", "deviation from the path", …
+std::string check_title(const Check& check);
+
+/// In which unit people read a check: its value there is value / size.
+struct CheckUnit {
+  double size;         ///< in the core's own unit
+  const char* symbol;  ///< mm/s, deg, …
+  const char* key;     ///< the same in a key's name: mm_s
+};
+CheckUnit check_unit(const Check& check);
+
 struct VerifyReport {
   std::int64_t rows = 0;
   double period = 0.0;    ///< [s]

@@ -14,12 +14,12 @@ void SetpointRows::clear() {
   line.clear();
 }
 
-namespace verify_detail {
+namespace detail {
 
 Error setpoints_error(const char* code, std::string message, Location where, std::string remedy) {
   return {ErrorKind::input, code, std::move(message), std::move(remedy), std::move(where), {}};
 }
 
-}  // namespace verify_detail
+}  // namespace detail
 
 }  // namespace toolpace

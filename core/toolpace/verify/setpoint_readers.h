@@ -7,7 +7,7 @@
 #include "toolpace/base/input_file.h"
 #include "toolpace/verify/setpoint_file.h"
 
-namespace toolpace::verify_detail {
+namespace toolpace::detail {
 
 /// Comma or semicolon, decimal point or comma: by its header.
 Result<std::unique_ptr<SetpointFile>> open_text(InputFile file, const std::string& name);
@@ -17,4 +17,4 @@ Result<std::unique_ptr<SetpointFile>> open_npz(InputFile file, const std::string
 
 Error setpoints_error(const char* code, std::string message, Location where, std::string remedy = "");
 
-}  // namespace toolpace::verify_detail
+}  // namespace toolpace::detail

@@ -7,10 +7,11 @@
 #include <cstring>
 #include <optional>
 
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/verify/line_reader.h"
 #include "toolpace/verify/setpoint_readers.h"
 
-namespace toolpace::verify_detail {
+namespace toolpace::detail {
 namespace {
 
 enum class Meaning : std::uint8_t { ignored, time, position, speed, acceleration, jerk, line, derivative };
@@ -29,11 +30,9 @@ constexpr std::size_t kLongestNumber = 64;  // no double that reads back needs m
 /// v_x_mm_s, a_x_mm_s2, …, j_c_deg_s3.
 std::optional<Column> derivative_of(std::string_view name) {
   constexpr std::string_view kOrders = "vaj", kAxes = "xyzabc";
-  constexpr std::array<std::array<std::string_view, 2>, kDerivatives> kUnits = {
-      {{"mm_s", "deg_s"}, {"mm_s2", "deg_s2"}, {"mm_s3", "deg_s3"}}};
   if (name.size() < 5 || name[1] != '_' || name[3] != '_') return {};
   const std::size_t order = kOrders.find(name[0]), axis = kAxes.find(name[2]);
-  if (order >= kDerivatives || axis >= kAxisCount || name.substr(4) != kUnits[order][is_rotary(axis)]) return {};
+  if (order >= kDerivatives || axis >= kAxisCount || name.substr(4) != axis_unit(axis).key[order + 1]) return {};
   return Column{Meaning::derivative, axis, order};
 }
 
@@ -206,7 +205,7 @@ class TextSetpoints final : public SetpointFile {
     switch (column.meaning) {
       case Meaning::time: rows.time.push_back(value); break;
       case Meaning::position:
-        rows.position[column.axis].push_back(is_rotary(column.axis) ? value * kRadiansPerDegree : value);
+        rows.position[column.axis].push_back(value * axis_unit(column.axis).size);
         break;
       case Meaning::speed: rows.speed.push_back(value); break;
       case Meaning::acceleration: rows.acceleration.push_back(value); break;
@@ -216,8 +215,7 @@ class TextSetpoints final : public SetpointFile {
         rows.line.push_back(static_cast<std::uint32_t>(value));
         break;
       case Meaning::derivative:
-        rows.derivative[column.order][column.axis].push_back(is_rotary(column.axis) ? value * kRadiansPerDegree
-                                                                                    : value);
+        rows.derivative[column.order][column.axis].push_back(value * axis_unit(column.axis).size);
         break;
       case Meaning::ignored: break;
     }
@@ -263,4 +261,4 @@ Result<std::unique_ptr<SetpointFile>> open_halstream(InputFile file, const std::
   return opened(std::move(text), header);
 }
 
-}  // namespace toolpace::verify_detail
+}  // namespace toolpace::detail

@@ -162,27 +162,4 @@ Result<VerifyReport> verify(SetpointFile& file, const Machine& machine, const Pr
   return report;
 }
 
-const char* key_of(CheckKind kind) {
-  switch (kind) {
-    case CheckKind::axis_speed: return "axis-speed";
-    case CheckKind::axis_acceleration: return "axis-acceleration";
-    case CheckKind::axis_jerk: return "axis-jerk";
-    case CheckKind::travel_min: return "travel-min";
-    case CheckKind::travel_max: return "travel-max";
-    case CheckKind::path_speed: return "path-speed";
-    case CheckKind::path_acceleration: return "path-acceleration";
-    case CheckKind::path_deceleration: return "path-deceleration";
-    case CheckKind::path_jerk: return "path-jerk";
-    case CheckKind::time_step: return "time-step";
-    case CheckKind::speed_column: return "speed-column";
-    case CheckKind::acceleration_column: return "acceleration-column";
-    case CheckKind::jerk_column: return "jerk-column";
-    case CheckKind::line_column: return "line-column";
-    case CheckKind::follows_path: return "follows-path";
-    case CheckKind::deviation: return "deviation";
-    case CheckKind::end_point: return "end-point";
-  }
-  return "";
-}
-
 }  // namespace toolpace

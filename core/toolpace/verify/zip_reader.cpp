@@ -8,7 +8,7 @@
 
 #include "toolpace/verify/setpoint_readers.h"
 
-namespace toolpace::verify_detail {
+namespace toolpace::detail {
 
 /// The file as libzip reads it. What goes wrong with the file itself is kept: libzip would tell but its number.
 struct ZipReader::Source {
@@ -154,4 +154,4 @@ Result<std::unique_ptr<ByteStream>> ZipReader::entry(const std::string& name) {
   return std::make_unique<Entry>(shared_from_this(), static_cast<zip_uint64_t>(index), name, stat.size);
 }
 
-}  // namespace toolpace::verify_detail
+}  // namespace toolpace::detail

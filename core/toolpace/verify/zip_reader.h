@@ -8,7 +8,7 @@
 
 struct zip;
 
-namespace toolpace::verify_detail {
+namespace toolpace::detail {
 
 class ZipReader : public std::enable_shared_from_this<ZipReader> {
  public:
@@ -32,4 +32,4 @@ class ZipReader : public std::enable_shared_from_this<ZipReader> {
   zip* archive_ = nullptr;
 };
 
-}  // namespace toolpace::verify_detail
+}  // namespace toolpace::detail

@@ -12,7 +12,7 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kDegrees = 1.0 / kRadiansPerDegree;
+constexpr double kDegreesPerRadian = 1.0 / kRadiansPerDegree;
 
 // Longer names first where one begins another.
 constexpr std::array<std::string_view, 14> kFunctions = {"abs", "acos", "asin", "atan",  "cos", "exists", "exp",
@@ -80,7 +80,7 @@ bool ExpressionReader::apply_function(std::string_view name, std::size_t column,
     if (text.peek() != '/') {
       if (!fanuc_)
         return faults_.fail("atan-needs-two", "ATAN needs two arguments", "write ATAN[y]/[x]", text.column());
-      value = std::atan(x) * kDegrees;
+      value = std::atan(x) * kDegreesPerRadian;
       return true;
     }
     text.take();
@@ -88,13 +88,13 @@ bool ExpressionReader::apply_function(std::string_view name, std::size_t column,
     if (text.peek() != '[')
       return faults_.fail("bracket-missing", "'[' is missing after ATAN[]/", "write ATAN[y]/[x]", text.column());
     if (!read_bracketed(text, other)) return false;
-    value = std::atan2(x, number_or_zero(other)) * kDegrees;
+    value = std::atan2(x, number_or_zero(other)) * kDegreesPerRadian;
     return true;
   }
   if (name == "abs") value = std::fabs(x);
   if (name == "acos" || name == "asin") {
     if (!(std::fabs(x) <= 1.0)) return domain("the argument lies outside -1 to 1");
-    value = (name == "acos" ? std::acos(x) : std::asin(x)) * kDegrees;
+    value = (name == "acos" ? std::acos(x) : std::asin(x)) * kDegreesPerRadian;
   }
   if (name == "cos") value = std::cos(x * kRadiansPerDegree);
   if (name == "sin") value = std::sin(x * kRadiansPerDegree);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 template <int B>
 class BlockBand {
@@ -95,4 +95,4 @@ class BlockBand {
   std::vector<Vector> rhs_;
 };
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

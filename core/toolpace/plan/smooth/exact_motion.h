@@ -4,7 +4,7 @@
 #include "toolpace/plan/smooth/motion_window.h"
 #include "toolpace/plan/smooth/step_limits.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// Widths of three boxes whose convolution is the speed of one segment's move: its differences then keep the limits.
 /// With n1 ≥ n2 ≥ n3 the peaks are d/n1, d/(n1·n2) and at most 2d/(n1·n2·n3).
@@ -68,4 +68,4 @@ MotionWindow<D> exact_motion(const TubePath& path, const StepLimits& limits, std
   return m;
 }
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

@@ -4,7 +4,7 @@
 #include "toolpace/plan/smooth/motion_window.h"
 #include "toolpace/plan/smooth/step_limits.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// The polyline averaged over ±width, exactly, by its integral.
 template <int D>
@@ -210,4 +210,4 @@ class FirstMotion {
   std::vector<double> width_, speed_, gain_;
 };
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

@@ -5,7 +5,7 @@
 
 #include "toolpace/plan/smooth/window_optimiser.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// Replaces a stretch of a motion by one that comes to rest inside the tube and starts again: first the motion itself with
 /// its time slowed down to nothing and up again, then made as fast as the limits allow, with both ends of the stretch and the
@@ -166,4 +166,4 @@ class HoldWindow {
   const StepLimits& limits_;
 };
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

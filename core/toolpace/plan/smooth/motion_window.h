@@ -8,7 +8,7 @@
 
 #include "toolpace/plan/smooth/tube_path.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// Values of the four cubic B-spline basis functions that reach into one knot interval, and their derivatives.
 struct Basis {
@@ -51,4 +51,4 @@ Eigen::Matrix<double, D, 1> vertex(const TubePath& path, std::size_t i) {
   return Eigen::Map<const Eigen::Matrix<double, D, 1>>(path.point(i));
 }
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

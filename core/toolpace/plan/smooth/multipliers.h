@@ -7,7 +7,7 @@
 
 #include "toolpace/plan/smooth/motion_window.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// One limit "use ≤ 1": use − 1 + slack = 0 and slack·price = weight hold where the method has arrived.
 ///
@@ -97,4 +97,4 @@ class Multipliers {
   std::vector<std::size_t> place_;
 };
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

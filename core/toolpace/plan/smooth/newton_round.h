@@ -16,7 +16,7 @@
 #include "toolpace/plan/smooth/smooth_minimum.h"
 #include "toolpace/plan/smooth/step_limits.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 struct RoundOptions {
   double weight = 0.01;            ///< slack·price of every limit that is aimed at: small = close to the limits
@@ -245,7 +245,7 @@ bool NewtonRound<D>::solve(const MotionWindow<D>& m, const RoundOptions& options
   return true;
 }
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube
 
 #include "toolpace/plan/smooth/newton_rows.h"
 #include "toolpace/plan/smooth/newton_steps.h"

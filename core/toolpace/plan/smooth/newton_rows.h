@@ -3,7 +3,7 @@
 
 #include "toolpace/plan/smooth/newton_round.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 template <int D>
 void NewtonRound<D>::speed_row(std::size_t k, Row& r) const {
@@ -164,4 +164,4 @@ void NewtonRound<D>::read_path() {
   }
 }
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

@@ -3,7 +3,7 @@
 
 #include "toolpace/plan/smooth/newton_round.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 template <int D>
 typename NewtonRound<D>::Vec NewtonRound<D>::change(const Row& r) const {
@@ -102,4 +102,4 @@ void NewtonRound<D>::shorten() {
   multipliers.step(length_, options_.weight);
 }
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

@@ -4,7 +4,7 @@
 #include "toolpace/plan/smooth/first_motion.h"
 #include "toolpace/plan/smooth/warp.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// Runs the motion, wherever it is slower than a first motion would be, at that one's speed. A standstill cannot be
 /// hurried by any factor; this one-off change of pace removes it. Limits may break; the ends stay as they are.
@@ -107,4 +107,4 @@ class PassThrough {
   const StepLimits& limits_;
 };
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

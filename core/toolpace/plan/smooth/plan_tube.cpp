@@ -13,8 +13,8 @@
 namespace toolpace {
 namespace {
 
-using tube::MotionWindow;
-using tube::StepLimits;
+using detail::tube::MotionWindow;
+using detail::tube::StepLimits;
 
 constexpr std::size_t kWindow = 3000;  ///< control points of a first motion that a window should have
 constexpr std::size_t kBatch = 64;     ///< windows that are worked on at a time
@@ -64,10 +64,10 @@ class Planner {
   void add_first_motions(std::vector<Planned>& batch, std::size_t& at) {
     for (std::size_t made = 0; made < kBatch && at < path_.segments() && !monitor_.is_cancelled(); ++made) {
       std::size_t count = std::min(guess_, path_.segments() - at);
-      auto m = tube::FirstMotion<D>(path_, limits_, at, at + count).make();
+      auto m = detail::tube::FirstMotion<D>(path_, limits_, at, at + count).make();
       while (m.size() > 2 * kWindow && count > 1) {
         count = std::max<std::size_t>(1, count * kWindow / m.size());
-        m = tube::FirstMotion<D>(path_, limits_, at, at + count).make();
+        m = detail::tube::FirstMotion<D>(path_, limits_, at, at + count).make();
       }
       guess_ = std::clamp<std::size_t>(count * kWindow / m.size(), 1, kMostSegments);
       at += count;
@@ -77,23 +77,23 @@ class Planner {
 
   void optimise(Planned& p) {
     const std::size_t segments = p.window.pass.size() + 1;
-    tube::WindowOptimiser<D> optimiser(path_, limits_);
+    detail::tube::WindowOptimiser<D> optimiser(path_, limits_);
     p.stops = !improve(optimiser, p.window);
     p.deviation = optimiser.check().deviation(p.window);
     progress_.add(segments);
   }
 
   /// @return false if a part of the window had to be left with stops
-  bool improve(tube::WindowOptimiser<D>& optimiser, MotionWindow<D>& m) {
+  bool improve(detail::tube::WindowOptimiser<D>& optimiser, MotionWindow<D>& m) {
     const std::size_t begin = m.first, end = begin + m.pass.size() + 1, middle = (begin + end) / 2;
     if (optimiser.improve(m, monitor_)) return true;
     if (middle == begin || monitor_.is_cancelled()) {
-      m = tube::exact_motion<D>(path_, limits_, begin, end);
+      m = detail::tube::exact_motion<D>(path_, limits_, begin, end);
       return false;
     }
     // Whatever resists sits somewhere: halves, with a stop between them, save the rest.
-    m = tube::FirstMotion<D>(path_, limits_, begin, middle).make();
-    MotionWindow<D> rest = tube::FirstMotion<D>(path_, limits_, middle, end).make();
+    m = detail::tube::FirstMotion<D>(path_, limits_, begin, middle).make();
+    MotionWindow<D> rest = detail::tube::FirstMotion<D>(path_, limits_, middle, end).make();
     improve(optimiser, m);
     improve(optimiser, rest);
     m = seam(m, 0, rest, rest.size());
@@ -130,8 +130,8 @@ class Planner {
     }
     at_each(bridge.size(), [&](std::size_t i) {
       const MotionWindow<D> stopping = seam(batch[i].window, left[i], batch[i + 1].window, batch[i + 1].from);
-      tube::WindowOptimiser<D> optimiser(path_, limits_);
-      bridge[i].window = tube::PassThrough<D>(path_, limits_).apply(stopping);
+      detail::tube::WindowOptimiser<D> optimiser(path_, limits_);
+      bridge[i].window = detail::tube::PassThrough<D>(path_, limits_).apply(stopping);
       if (!optimiser.improve(bridge[i].window, monitor_) || bridge[i].window.size() > stopping.size()) {
         bridge[i].window = stopping;
         bridge[i].stops = true;
@@ -199,12 +199,12 @@ class Planner {
     if (hold.time > (static_cast<double>(whole.size()) - 3) * limits_.step) return true;
     whole.pass = std::move(motion_.pass);
     const auto rest = static_cast<std::size_t>(std::lround(hold.pause / limits_.step));
-    const auto held = tube::HoldWindow<D>(path_, limits_).apply(whole, 1 + hold.time / limits_.step, rest, monitor_);
+    const auto held = detail::tube::HoldWindow<D>(path_, limits_).apply(whole, 1 + hold.time / limits_.step, rest, monitor_);
     if (!held) return false;
     motion_.control.clear();
     motion_.pass.clear();
     append(*held, 0, held->size());
-    motion_.deviation = std::max(motion_.deviation, tube::TubeCheck<D>(path_, limits_).deviation(*held));
+    motion_.deviation = std::max(motion_.deviation, detail::tube::TubeCheck<D>(path_, limits_).deviation(*held));
     motion_.held = true;
     return true;
   }
@@ -220,7 +220,7 @@ class Planner {
   const StepLimits& limits_;
   const ForEach& for_each_;
   const Monitor& monitor_;
-  tube::TaskProgress progress_;
+  detail::tube::TaskProgress progress_;
   TubeMotion motion_;
   std::size_t guess_ = 256;
 };
@@ -242,7 +242,7 @@ Result<TubeMotion> plan_widened(const TubePath& path, int axes, const TubeLimits
     wide.points.insert(wide.points.end(), path.point(i), path.point(i) + path.axes);
     wide.points.resize((i + 1) * static_cast<std::size_t>(axes), 0.0);
   }
-  const StepLimits steps = tube::step_limits(path, limits, period);
+  const StepLimits steps = detail::tube::step_limits(path, limits, period);
   auto motion =
       axes == 2 ? plan_in<2>(wide, steps, for_each, monitor, hold) : plan_in<6>(wide, steps, for_each, monitor, hold);
   if (!motion) return motion;
@@ -276,10 +276,10 @@ Result<TubeMotion> plan_tube(const TubePath& path, const TubeLimits& limits, dou
                                 {},
                                 {}});
   }
-  if (path.axes == 2) return plan_in<2>(path, tube::step_limits(path, limits, period), for_each, monitor, hold);
+  if (path.axes == 2) return plan_in<2>(path, detail::tube::step_limits(path, limits, period), for_each, monitor, hold);
   const int axes = path.axes == 1 ? 2 : path.axes <= 3 ? 3 : 6;
   if (path.axes != axes) return plan_widened(path, axes, limits, period, for_each, monitor, hold);
-  const StepLimits steps = tube::step_limits(path, limits, period);
+  const StepLimits steps = detail::tube::step_limits(path, limits, period);
   return axes == 3 ? plan_in<3>(path, steps, for_each, monitor, hold)
                    : plan_in<6>(path, steps, for_each, monitor, hold);
 }

@@ -3,7 +3,7 @@
 
 #include "toolpace/plan/smooth/motion_window.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// Moves each passing time to where the motion is nearest to its vertex. Where that would break the order, as at the tip of
 /// a stroke that goes back on itself, neighbouring vertices share the time that is best for all of them (pooling of
@@ -62,4 +62,4 @@ class PassRefiner {
   std::vector<Pool> pools_;
 };
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 namespace {
 
 /// out[k] = least of `values` over k ± reach (van Herk's blocks: linear time).
@@ -42,4 +42,4 @@ void smooth_minimum(std::vector<double>& values, std::size_t reach, std::vector<
   running_mean(scratch, reach / 3, values);
 }
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 namespace {
 
 /// Time that a move of the tube's size takes: from jerk ∛(tol/J), from acceleration √(tol/A); the slower one counts.
@@ -48,4 +48,4 @@ StepLimits step_limits(const TubePath& path, const TubeLimits& limits, double pe
   return s;
 }
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

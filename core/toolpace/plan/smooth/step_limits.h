@@ -3,7 +3,7 @@
 
 #include "toolpace/plan/smooth/tube_path.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// Limits of coordinate differences over one step h: speed·h, acceleration·h², jerk·h³.
 struct StepLimits {
@@ -18,4 +18,4 @@ struct StepLimits {
 /// part of one.
 StepLimits step_limits(const TubePath& path, const TubeLimits& limits, double period);
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

@@ -7,7 +7,7 @@
 
 #include "toolpace/base/monitor.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// Counts finished tasks from any thread and reports them in order, one at a time; who finds another one reporting does
 /// not wait.
@@ -31,4 +31,4 @@ class TaskProgress {
   std::atomic_flag reporting_;
 };
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

@@ -4,7 +4,7 @@
 #include "toolpace/plan/smooth/motion_window.h"
 #include "toolpace/plan/smooth/step_limits.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// How much of its limits a motion uses; all at most 1 for one that may be run.
 struct Use {
@@ -114,4 +114,4 @@ class TubeCheck {
   const StepLimits& limits_;
 };
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

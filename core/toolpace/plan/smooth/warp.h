@@ -3,7 +3,7 @@
 
 #include "toolpace/plan/smooth/motion_window.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 /// 0 … 1: how freely the pace may change at control point k. It fades out towards an end that is in motion, where the
 /// neighbour's motion goes on unchanged.
@@ -113,4 +113,4 @@ class Warp {
   std::vector<Vec> out_;
 };
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube

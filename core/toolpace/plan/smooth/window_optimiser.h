@@ -7,7 +7,7 @@
 #include "toolpace/plan/smooth/tube_check.h"
 #include "toolpace/plan/smooth/warp.h"
 
-namespace toolpace::tube {
+namespace toolpace::detail::tube {
 
 template <int D>
 class WindowOptimiser {
@@ -127,4 +127,4 @@ class WindowOptimiser {
   PassRefiner<D> passes_;
 };
 
-}  // namespace toolpace::tube
+}  // namespace toolpace::detail::tube
