@@ -4,6 +4,7 @@
 #include <QSize>
 #include <QString>
 #include <QStringList>
+#include <optional>
 
 #include "toolpace/base/result.h"
 
@@ -13,7 +14,7 @@ enum ExitCode : int { kFine = 0, kBadUsage = 2, kBadInput = 3, kFileTrouble = 4,
 
 struct Request {
   QString program, machine, screenshot, language, theme;
-  QSize size = {1280, 800};
+  std::optional<QSize> size;  ///< none: as the window was left
   bool touch = false, inch = false;
   QString answer;  ///< text of --help or --version: print it and leave
 };

@@ -34,7 +34,7 @@ int run(QApplication& application, const Request& request) {
   const bool picture = !request.screenshot.isEmpty();
   MainWindow window(!picture);
   end_on_signals(&window);
-  window.resize(request.size);
+  if (request.size) window.resize(*request.size);
   if (!request.language.isEmpty()) window.setLanguage(request.language);
   if (!request.theme.isEmpty()) window.setDark(request.theme == "dark");
   if (request.touch) window.setTouch(true);

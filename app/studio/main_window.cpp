@@ -13,6 +13,7 @@
 #include <QSlider>
 #include <algorithm>
 
+#include "models/block_name.h"
 #include "panels/circle_panel.h"
 #include "panels/dock_title.h"
 #include "panels/loss_panel.h"
@@ -27,6 +28,12 @@
 #include "preview/contour_view.h"
 
 namespace toolpace::studio {
+namespace {
+
+constexpr QSize kFirstSize = {1280, 800};
+
+}  // namespace
+
 MainWindow::MainWindow(bool remember)
     : remember_(remember), preferences_(remember ? load_preferences() : Preferences{}), actions_(new Actions(this)) {
   setObjectName("mainWindow");
@@ -40,12 +47,14 @@ MainWindow::MainWindow(bool remember)
   connectActions();
   connectExporter();
   qApp->installEventFilter(this);
+  qApp->installEventFilter(&wheel_guard_);
   setLanguage(preferences_.language.isEmpty() ? QLocale::system().name() : preferences_.language);
   actions_->dark->setChecked(preferences_.dark);
   actions_->touch->setChecked(preferences_.touch);
   applyAppearance();
   setInch(preferences_.inch);
   if (const auto map = ui::colour_map_named(preferences_.colour_map)) contour_->setColourMap(*map);
+  resize(kFirstSize);
   if (!preferences_.geometry.isEmpty()) restoreGeometry(preferences_.geometry);
   if (!preferences_.layout.isEmpty()) restoreState(preferences_.layout);
   showProblems();
@@ -121,6 +130,8 @@ void MainWindow::forgetFailure() {
 void MainWindow::showCursor(double time) {
   const auto& timeline = workspace_.timeline();
   const std::optional<ui::Instant> instant = timeline ? std::optional(timeline->at(time)) : std::nullopt;
+  const auto& document = workspace_.document();
+  transport_->setBlockName(instant && document ? ui::block_name(*document, instant->line) : QString());
   for (ui::PlanView* view : plan_views_) view->showInstant(instant);
   if (instant && instant->line > 0 && following_) nc_->view().setCurrentLine(static_cast<int>(instant->line));
 }

@@ -18,6 +18,7 @@
 #include "jobs/workspace.h"
 #include "machine_file.h"
 #include "models/units.h"
+#include "panels/wheel_guard.h"
 #include "preferences.h"
 #include "theme/theme.h"
 
@@ -172,6 +173,7 @@ class MainWindow : public QMainWindow {
   MachineFile machine_{workspace_.tuning()};
   Actions* actions_ = nullptr;
   ui::Theme theme_ = ui::light_theme();
+  ui::WheelGuard wheel_guard_;
   QTranslator translator_, qt_translator_;
   QByteArray first_layout_;
 

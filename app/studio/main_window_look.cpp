@@ -115,6 +115,7 @@ void MainWindow::retranslate() {
   showProblems();
   showTitle();
   showState();
+  showCursor(workspace_.cursorTime());
 }
 
 }  // namespace toolpace::studio

@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
     <context>
+        <name>BlockName</name>
+        <message>
+            <source>line %1</source>
+            <translation>第 %1 行</translation>
+        </message>
+    </context>
+    <context>
         <name>Cause</name>
         <message>
             <source>programmed feed</source>
@@ -4122,8 +4129,12 @@
             <translation>在 %1°</translation>
         </message>
         <message>
-            <source>circular deviation %1 %2   ·   ×%3</source>
-            <translation>圆度偏差 %1 %2   ·   ×%3</translation>
+            <source>radius %1 %2   ·   circular deviation %3 %2   ·   ×%4</source>
+            <translation>半径 %1 %2   ·   圆度偏差 %3 %2   ·   ×%4</translation>
+        </message>
+        <message>
+            <source>with run-in and run-out</source>
+            <translation>含切入与切出</translation>
         </message>
         <message>
             <source>most %1   ·   least %2</source>

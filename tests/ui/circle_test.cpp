@@ -63,6 +63,9 @@ class CircleTest : public QObject {
     const auto middle = roundness.points[roundness.points.size() / 2];
     QVERIFY2(std::abs(middle.error - expected) < 0.01 * std::abs(expected),
              qPrintable(QString("%1 mm, by hand %2").arg(middle.error).arg(expected)));
+    QVERIFY(roundness.is_steady);
+    QVERIFY(std::abs(roundness.mean - expected) < 0.01 * std::abs(expected));
+    QVERIFY2(roundness.deviation() < 0.02 * std::abs(expected), "run-in and run-out are no error of a circle");
     screenshot(window, "circle");
     window.setDark(true);
     window.setLanguage("zh_CN");
@@ -119,6 +122,18 @@ class CircleTest : public QObject {
     emit box.activated(box.currentIndex());
     QVERIFY(std::abs(plot.enlargement() - 100) < 1e-6);
     QVERIFY(window.the<QLabel>("circleFigures").text().contains("×100"));
+  }
+
+  void a_circle_too_short_for_the_drives_to_settle_is_measured_with_its_run_in() {
+    Opened window;
+    window.open("G21 G90 G94 F3000\nG1 X0.5 Y0\nG3 X-0.5 Y0 I-0.5\nG1 X-1\nM2\n");
+    window.waitForProof();
+    window.the<QDockWidget>("circleDock").raise();
+    studio::settle(window);
+    const Roundness& roundness = window.the<CirclePanel>("circlePanel").roundness();
+    QVERIFY(!roundness.is_empty() && !roundness.is_steady);
+    QVERIFY(roundness.deviation() > 0);
+    QVERIFY(window.the<QLabel>("circleFigures").text().contains("with run-in and run-out"));
   }
 
   void a_program_without_arcs_says_so() {

@@ -119,6 +119,13 @@ class ContourViewTest : public QObject {
     QTest::keyClick(&view->canvas(), Qt::Key_X);
     QVERIFY(view->canvas().projection().right.isApprox(Eigen::Vector3d::UnitY()));
     const double fitted = view->canvas().projection().scale;
+    // The button of the view that is looked from is lit, and none once it was orbited.
+    const auto lit = [&](const char* button) { return view->findChild<QToolButton*>(button)->isChecked(); };
+    QVERIFY(lit("viewYZ") && !lit("viewXZ"));
+    drag(view->canvas(), {200, 200}, {260, 220}, Qt::RightButton);
+    for (const char* button : {"viewXY", "viewXZ", "viewYZ", "viewIso"}) QVERIFY(!lit(button));
+    QTest::keyClick(&view->canvas(), Qt::Key_X);
+    QVERIFY(lit("viewYZ"));
     QTest::keyClick(&view->canvas(), Qt::Key_Plus);
     QVERIFY(view->canvas().projection().scale > fitted);
     QTest::keyClick(&view->canvas(), Qt::Key_F);

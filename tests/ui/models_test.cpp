@@ -1,6 +1,7 @@
 #include <QFile>
 #include <QTest>
 
+#include "models/block_name.h"
 #include "models/document.h"
 #include "models/problem_model.h"
 #include "models/timeline.h"
@@ -43,6 +44,16 @@ class ModelsTest : public QObject {
     QCOMPARE(icon_of(0), icon_of(1));
     QCOMPARE(icon_of(0), icon_of(0));
     QVERIFY(icon_of(0) != icon_of(2));
+  }
+
+  void blocks_are_named_by_their_number_or_else_by_their_line() {
+    Document document;
+    document.text = ProgramText("N103 G1 X1\nG1 N5 X2\n/ n7G0\n(N9)\n");
+    QCOMPARE(block_name(document, 1), QString("N103"));
+    QCOMPARE(block_name(document, 2), QString("line 2"));
+    QCOMPARE(block_name(document, 3), QString("N7"));
+    QCOMPARE(block_name(document, 4), QString("line 4"));
+    QCOMPARE(block_name(document, 0), QString("–"));
   }
 
   void comments_and_line_numbers_are_quiet() {

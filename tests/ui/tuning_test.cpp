@@ -7,6 +7,7 @@
 #include "main_window.h"
 #include "panels/number_field.h"
 #include "screenshot.h"
+#include "support/events.h"
 #include "support/find.h"
 #include "support/patience.h"
 #include "support/screenshot.h"
@@ -55,6 +56,23 @@ class TuningTest : public QObject {
     settle(*window_);
     QVERIFY(!window_->workspace().isStale());
     QVERIFY(window_->workspace().timeline()->duration() > before);
+  }
+
+  void a_wheel_over_a_control_without_the_focus_changes_nothing() {
+    window_->setFocus();
+    for (const char* name : {"lawBox", "rampsBox", "cornerBox"}) {
+      auto& list = the<QComboBox>(name);
+      const int before = list.currentIndex();
+      for (const int delta : {-120, 120}) ui::wheel(list, list.rect().center(), delta);
+      QCOMPARE(list.currentIndex(), before);
+    }
+    auto& slider = the<QSlider>("lookaheadSlider");
+    const int before = slider.value();
+    ui::wheel(slider, slider.rect().center(), -120);
+    QCOMPARE(slider.value(), before);
+    slider.setFocus();
+    ui::wheel(slider, slider.rect().center(), -120);
+    QVERIFY(slider.value() != before);
   }
 
   void what_is_no_number_or_out_of_range_is_marked_and_not_taken() {

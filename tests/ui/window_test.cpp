@@ -75,7 +75,7 @@ class WindowTest : public QObject {
     auto& view = window.the<ui::NcView>("ncView");
     window.workspace().setCursorLine(200);
     QCOMPARE(view.currentLine(), 200);
-    QVERIFY(window.the<QLabel>("timeReadout").text().contains("N200"));
+    QVERIFY(window.the<QLabel>("timeReadout").text().contains("line 200"));
     const double before = window.workspace().cursorTime();
     QTest::keyClick(&window, Qt::Key_Right);
     QVERIFY(window.workspace().cursorTime() > before);
@@ -86,7 +86,7 @@ class WindowTest : public QObject {
     view.setFocus();
     QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, QPoint(150, view.viewport()->height() - 10));
     QVERIFY(view.currentLine() != 200);
-    QVERIFY(window.the<QLabel>("timeReadout").text().contains(QString("N%1").arg(view.currentLine())));
+    QVERIFY(window.the<QLabel>("timeReadout").text().contains(QString("line %1").arg(view.currentLine())));
   }
 
   void playing_moves_the_cursor_and_pauses_at_the_end() {

@@ -10,8 +10,10 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr double kSame = 1e-6;       // of the radius: centres and radii of neighbouring arcs that make one circle
-constexpr double kLongestLag = 0.5;  // [s] the drives may be late
+constexpr double kSame = 1e-6;        // of the radius: centres and radii of neighbouring arcs that make one circle
+constexpr double kLongestLag = 0.5;   // [s] the drives may be late
+constexpr double kOneSpeed = 1e-3;    // relative
+constexpr double kTimeConstants = 7;  // until less than a thousandth is left of how the drives came onto the circle
 
 ArcCurve arc_of(const Moves& moves, std::size_t row) {
   return make_arc(moves.begin_of(row), moves.end[row], moves.arcs[moves.detail[row]]);
@@ -62,9 +64,54 @@ std::size_t passing(const ErrorTrace& trace, const Eigen::Vector3d& point, doubl
   return best;
 }
 
+/// How long the slowest of the drives takes to settle [s].
+double settling_time(const Machine& machine, const std::array<int, 2>& axes) {
+  double slowest = 0;
+  for (const int axis : axes) {
+    const ServoAxis& servo = machine.servo[static_cast<std::size_t>(axis)];
+    slowest = std::max(slowest, 1 / servo.position_gain + 1 / (2 * std::numbers::pi * servo.bandwidth * servo.damping));
+  }
+  return kTimeConstants * slowest;
+}
+
+/// The longest time between two others in which the speed does not change.
+std::pair<double, double> time_at_one_speed(const MotionPlan& plan, double begin, double end) {
+  std::pair<double, double> best{begin, begin};
+  auto phase = std::partition_point(plan.phases.begin(), plan.phases.end(),
+                                    [&](const Phase& p) { return p.begin + p.duration <= begin; });
+  double since = begin, speed = 0;
+  for (; phase != plan.phases.end() && phase->begin < end; ++phase) {
+    const PhaseExtrema e = extrema(*phase);
+    const double from = std::max(phase->begin, begin), to = std::min(phase->begin + phase->duration, end);
+    const bool is_even = e.max_speed - e.min_speed <= kOneSpeed * e.max_speed;
+    const bool goes_on = is_even && std::abs(e.max_speed - speed) <= kOneSpeed * speed;
+    if (!goes_on) (since = is_even ? from : to, speed = is_even ? e.max_speed : 0);
+    if (to - since > best.second - best.first) best = {since, to};
+  }
+  return best;
+}
+
 double unwrapped(double angle, double near) {
   constexpr double kTurn = 2 * std::numbers::pi;
   return angle + kTurn * std::round((near - angle) / kTurn);
+}
+
+/// Extremes and mean of the points in the steady time, or of all.
+void summarise(Roundness& roundness) {
+  const auto& points = roundness.points;
+  const auto index_at = [&](double time) {
+    return std::partition_point(points.begin(), points.end(), [&](const auto& p) { return p.time < time; });
+  };
+  auto first = index_at(roundness.circle.steady_begin), last = index_at(roundness.circle.steady_end);
+  roundness.is_steady = first < last;
+  if (!roundness.is_steady) (first = points.begin(), last = points.end());
+  if (first == last) return;
+  const auto [lowest, highest] =
+      std::minmax_element(first, last, [](const auto& a, const auto& b) { return a.error < b.error; });
+  roundness.lowest = static_cast<std::size_t>(lowest - points.begin());
+  roundness.highest = static_cast<std::size_t>(highest - points.begin());
+  for (auto p = first; p != last; ++p) roundness.mean += p->error;
+  roundness.mean /= static_cast<double>(last - first);
 }
 
 }  // namespace
@@ -94,6 +141,9 @@ std::optional<Circle> circle_at(const Outcome& outcome, std::size_t block) {
   const auto [from, to] = blocks_of(path, block, circle.first_row, circle.last_row);
   circle.begin = outcome.node_time[from];
   circle.end = outcome.node_time[to + 1];
+  const auto [even_begin, even_end] = time_at_one_speed(outcome.plan, circle.begin, circle.end);
+  circle.steady_end = even_end;
+  circle.steady_begin = std::min(even_begin + settling_time(outcome.job->machine, circle.axes), even_end);
   return circle;
 }
 
@@ -148,10 +198,8 @@ Roundness measure_roundness(const ErrorTrace& trace, const Circle& circle) {
     const Eigen::Vector3d in_plane = x * circle.radial + y * circle.lateral;
     const double angle = std::atan2(in_plane[circle.axes[1]], in_plane[circle.axes[0]]);
     result.points.push_back({trace.time[row], angle, std::hypot(x, y) - radius});
-    const std::size_t here = result.points.size() - 1;
-    if (result.points[here].error > result.most()) result.highest = here;
-    if (result.points[here].error < result.least()) result.lowest = here;
   }
+  summarise(result);
   return result;
 }
 

@@ -14,9 +14,12 @@ namespace toolpace::ui {
 
 /// A commanded circle or part of one: consecutive arc rows about one centre.
 struct Circle {
-  std::size_t first_row = 0, last_row = 0;             ///< of the program's moves
-  std::uint32_t line = 0;                              ///< NC line of the first
-  double begin = 0, end = 0;                           ///< [s] commanded
+  std::size_t first_row = 0, last_row = 0;  ///< of the program's moves
+  std::uint32_t line = 0;                   ///< NC line of the first
+  double begin = 0, end = 0;                ///< [s] commanded
+  /// [s] The longest time at one speed, without that in which the drives settle at it: neither run-in nor run-out. Empty
+  /// where the circle is too short for them.
+  double steady_begin = 0, steady_end = 0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();    ///< [mm]
   Eigen::Vector3d radial = Eigen::Vector3d::UnitX();   ///< unit, from the centre to the start
   Eigen::Vector3d lateral = Eigen::Vector3d::UnitY();  ///< unit, the way it turns at the start
@@ -42,7 +45,10 @@ struct Roundness {
   };
   Circle circle;
   std::vector<Point> points;  ///< one a setpoint
+  // Of those in the steady time, or of all where there is none.
   std::size_t highest = 0, lowest = 0;
+  double mean = 0;         ///< of the errors [mm]; below 0 where the drives cut the circle smaller
+  bool is_steady = false;  ///< whether run-in and run-out are left out
 
   bool is_empty() const { return points.empty(); }
   double most() const { return is_empty() ? 0.0 : points[highest].error; }

@@ -132,16 +132,20 @@ void CirclePanel::showFigures() {
                       .arg(value_text(circle.start_radius, Quantity::length, unit_, 4), number_text(degrees, 4)));
   const bool inch = unit_ == LengthUnit::inch;
   const DisplayUnit unit{inch ? 1e3 * display_unit(Quantity::length, unit_).factor : 1e3, inch ? "mil" : "µm"};
+  const auto signed_text = [&](double error) {
+    return QString(error < 0 ? "−" : "+") + number_text(std::abs(error) * unit.factor, 3);
+  };
   const auto extreme = [&](std::size_t index) {
     const auto& point = roundness_->points[index];
     const double angle = std::fmod(point.angle * 180 / std::numbers::pi + 360, 360);
-    return QString(point.error < 0 ? "−" : "+") + number_text(std::abs(point.error) * unit.factor, 3) + " " +
-           unit.text + " " + tr("at %1°").arg(angle, 0, 'f', 0);
+    return signed_text(point.error) + " " + unit.text + " " + tr("at %1°").arg(angle, 0, 'f', 0);
   };
+  const QString which = roundness_->is_steady ? QString() : "   ·   " + tr("with run-in and run-out");
   figures_->setText(
-      tr("circular deviation %1 %2   ·   ×%3")
-          .arg(number_text(roundness_->deviation() * unit.factor, 4), unit.text, number_text(plot_->enlargement(), 3)) +
-      "\n" + tr("most %1   ·   least %2").arg(extreme(roundness_->highest), extreme(roundness_->lowest)));
+      tr("radius %1 %2   ·   circular deviation %3 %2   ·   ×%4")
+          .arg(signed_text(roundness_->mean), unit.text, number_text(roundness_->deviation() * unit.factor, 4),
+               number_text(plot_->enlargement(), 3)) +
+      which + "\n" + tr("most %1   ·   least %2").arg(extreme(roundness_->highest), extreme(roundness_->lowest)));
 }
 
 void CirclePanel::setLengthUnit(LengthUnit unit) {

@@ -81,6 +81,8 @@ void TransportBar::showInstant(const std::optional<Instant>& instant) {
   refresh();
 }
 
+void TransportBar::setBlockName(const QString& name) { block_name_ = name; }
+
 QString TransportBar::steady(Number number, double value, int decimals) {
   const QString text = QString::number(value, 'f', decimals);
   widths_[number] = std::max(widths_[number], static_cast<int>(text.size()));
@@ -98,8 +100,7 @@ void TransportBar::refresh() {
   const auto acceleration = display_unit(Quantity::acceleration, unit_);
   const int decimals = unit_ == LengthUnit::inch ? 4 : 3;
   const auto& p = instant_->position;
-  const QString line = instant_->line > 0 ? QString::number(instant_->line) : QStringLiteral("–");
-  time_->setText(QString("t %1 s   N%2").arg(steady(kTime, instant_->time, 3), line));
+  time_->setText(QString("t %1 s   %2").arg(steady(kTime, instant_->time, 3), block_name_));
   QString place;
   for (int axis = 0; axis < 3; ++axis) {
     if (axis > 0) place += "   ";

@@ -24,6 +24,7 @@ class TransportBar : public QWidget, public PlanView {
   explicit TransportBar(QWidget* parent = nullptr);
 
   void showInstant(const std::optional<Instant>& instant) override;
+  void setBlockName(const QString& name);  ///< of the instant that is shown next
   void setPlaying(bool playing);
   void setBusy(bool busy);
   void setTask(const QString& text);  ///< what it is busy with
@@ -60,6 +61,7 @@ class TransportBar : public QWidget, public PlanView {
   QProgressBar* progress_;
   QTimer patience_;  // what is done before it ends needs no bar
   std::optional<Instant> instant_;
+  QString block_name_;
   LengthUnit unit_ = LengthUnit::mm;
   // Characters that each number has taken so far, so that they do not jump while it plays.
   std::array<int, kNumbers> widths_ = {};

@@ -126,6 +126,7 @@ void ContourCanvas::setView(View view) {
   const Projection named = named_view(view);
   projection_.right = named.right;
   projection_.up = named.up;
+  emit turned(view);
   fit();
 }
 
@@ -135,7 +136,6 @@ void ContourCanvas::fit() {
   const QSizeF room(width(), std::max(height() - kFootHeight, height() / 2));
   projection_ = fitted(projection_, scene_ ? scene_->geometry->box : Box{}, room, kFitMargin);
   redraw();
-  emit viewChanged();
 }
 
 void ContourCanvas::setProjection(const Projection& projection) {
@@ -157,7 +157,6 @@ void ContourCanvas::moved() {
   moving_ = true;
   settle_.start(kSettleMs);
   redraw();
-  emit viewChanged();
 }
 
 void ContourCanvas::redraw() {

@@ -67,7 +67,8 @@ class ContourCanvas : public QWidget {
  signals:
   void cursorTimeRequested(double time);
   void hoverChanged();
-  void viewChanged();
+  /// It is looked at from another side: of a view, or of none where it was orbited.
+  void turned(std::optional<View> view);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -38,6 +38,7 @@ void ContourCanvas::mouseMoveEvent(QMouseEvent* event) {
   const bool turns = (event->buttons() & Qt::RightButton) || (event->modifiers() & Qt::ControlModifier);
   if (turns) {
     projection_.orbit(-delta.x() * 0.01, -delta.y() * 0.01);
+    emit turned(std::nullopt);
   } else {
     projection_.pan(delta);
   }

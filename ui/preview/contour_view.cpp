@@ -76,7 +76,8 @@ void ContourView::buildHeader() {
     views_->addButton(button, static_cast<int>(view));
     buttons->addWidget(button);
   }
-  views_->button(static_cast<int>(View::xy))->setChecked(true);
+  connect(canvas_, &ContourCanvas::turned, this, &ContourView::showView);
+  showView(View::xy);
   fit_ = new QToolButton(header_);
   fit_->setObjectName("viewFit");
   fit_->setAutoRaise(true);
@@ -242,10 +243,17 @@ void ContourView::setEnlargement(double factor) {
   emit enlargementChanged(factor);
 }
 
-void ContourView::setView(View view) {
-  view_ = view;
-  views_->button(static_cast<int>(view))->setChecked(true);
-  canvas_->setView(view);
+void ContourView::setView(View view) { canvas_->setView(view); }
+
+void ContourView::showView(std::optional<View> view) {
+  if (view) {
+    view_ = *view;
+    views_->button(static_cast<int>(*view))->setChecked(true);
+  } else if (QAbstractButton* lit = views_->checkedButton()) {
+    views_->setExclusive(false);
+    lit->setChecked(false);
+    views_->setExclusive(true);
+  }
 }
 
 void ContourView::fit() { canvas_->fit(); }

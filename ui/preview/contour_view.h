@@ -65,6 +65,7 @@ class ContourView : public QWidget, public PlanView {
  private:
   void buildHeader();
   void retranslate();
+  void showView(std::optional<View> view);
   void updateChoices();
 
   ContourCanvas* canvas_;
