@@ -4129,8 +4129,8 @@
             <translation>在 %1°</translation>
         </message>
         <message>
-            <source>radius %1 %2   ·   circular deviation %3 %2   ·   ×%4</source>
-            <translation>半径 %1 %2   ·   圆度偏差 %3 %2   ·   ×%4</translation>
+            <source>radius %1 %2 · circular deviation %3 %2 · ×%4</source>
+            <translation>半径 %1 %2 · 圆度偏差 %3 %2 · ×%4</translation>
         </message>
         <message>
             <source>with run-in and run-out</source>

@@ -108,6 +108,8 @@ void summarise(Roundness& roundness) {
   if (first == last) return;
   const auto [lowest, highest] =
       std::minmax_element(first, last, [](const auto& a, const auto& b) { return a.error < b.error; });
+  roundness.first = static_cast<std::size_t>(first - points.begin());
+  roundness.last = static_cast<std::size_t>(last - points.begin());
   roundness.lowest = static_cast<std::size_t>(lowest - points.begin());
   roundness.highest = static_cast<std::size_t>(highest - points.begin());
   for (auto p = first; p != last; ++p) roundness.mean += p->error;

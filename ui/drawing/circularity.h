@@ -44,11 +44,11 @@ struct Roundness {
     double error;  ///< distance from the centre minus the commanded radius there [mm]
   };
   Circle circle;
-  std::vector<Point> points;  ///< one a setpoint
-  // Of those in the steady time, or of all where there is none.
+  std::vector<Point> points;        ///< one a setpoint
+  std::size_t first = 0, last = 0;  ///< those that are judged, [first, last): in the steady time, or all
+  bool is_steady = false;           ///< whether run-in and run-out are left out
   std::size_t highest = 0, lowest = 0;
-  double mean = 0;         ///< of the errors [mm]; below 0 where the drives cut the circle smaller
-  bool is_steady = false;  ///< whether run-in and run-out are left out
+  double mean = 0;  ///< of the errors [mm]; below 0 where the drives cut the circle smaller
 
   bool is_empty() const { return points.empty(); }
   double most() const { return is_empty() ? 0.0 : points[highest].error; }

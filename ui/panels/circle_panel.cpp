@@ -140,9 +140,9 @@ void CirclePanel::showFigures() {
     const double angle = std::fmod(point.angle * 180 / std::numbers::pi + 360, 360);
     return signed_text(point.error) + " " + unit.text + " " + tr("at %1°").arg(angle, 0, 'f', 0);
   };
-  const QString which = roundness_->is_steady ? QString() : "   ·   " + tr("with run-in and run-out");
+  const QString which = roundness_->is_steady ? QString() : "\n" + tr("with run-in and run-out");
   figures_->setText(
-      tr("radius %1 %2   ·   circular deviation %3 %2   ·   ×%4")
+      tr("radius %1 %2 · circular deviation %3 %2 · ×%4")
           .arg(signed_text(roundness_->mean), unit.text, number_text(roundness_->deviation() * unit.factor, 4),
                number_text(plot_->enlargement(), 3)) +
       which + "\n" + tr("most %1   ·   least %2").arg(extreme(roundness_->highest), extreme(roundness_->lowest)));

@@ -14,6 +14,7 @@ namespace {
 constexpr double kCircleShare = 0.62, kErrorShare = 0.26;  // of half the height
 constexpr double kStep = 0.7;                              // px between points of the curve
 constexpr double kPick = 16;                               // px
+constexpr double kRim = 4;                                 // px
 constexpr double kLeastError = 1e-9;                       // [mm]; nothing to enlarge
 
 /// 1, 2 or 5 times a power of ten, at most `most`.
@@ -76,7 +77,8 @@ double PolarPlot::enlargement() const {
 }
 
 QPointF PolarPlot::position(const Roundness::Point& point) const {
-  const double radius = std::max(circleRadius() + point.error * pixelsPerMm(), 0.0);
+  const double edge = std::min(width(), height()) / 2.0 - kRim;
+  const double radius = std::clamp(circleRadius() + point.error * pixelsPerMm(), 0.0, edge);
   return QPointF(width() / 2.0, height() / 2.0) +
          QPointF(radius * std::cos(point.angle), -radius * std::sin(point.angle));
 }
@@ -98,7 +100,7 @@ void PolarPlot::paintEvent(QPaintEvent*) {
 
 void PolarPlot::drawRings(QPainter& painter) const {
   const QPointF middle(width() / 2.0, height() / 2.0);
-  const double radius = circleRadius(), edge = std::min(width(), height()) / 2.0 - 4;
+  const double radius = circleRadius(), edge = std::min(width(), height()) / 2.0 - kRim;
   painter.setPen(QPen(theme_.line, 1));
   painter.drawLine(middle - QPointF(edge, 0), middle + QPointF(edge, 0));
   painter.drawLine(middle - QPointF(0, edge), middle + QPointF(0, edge));
@@ -125,19 +127,27 @@ void PolarPlot::drawRings(QPainter& painter) const {
   painter.drawText(QRectF(middle.x() - 18, middle.y() - edge, 16, 16), Qt::AlignCenter, name(1));
 }
 
+/// Run-in and run-out faintly: they are not judged.
 void PolarPlot::drawCurve(QPainter& painter) const {
-  QPainterPath curve;
-  QPointF last = position(roundness_->points.front());
-  curve.moveTo(last);
-  for (std::size_t i = 1; i < roundness_->points.size(); ++i) {
+  const Roundness& r = *roundness_;
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(theme_.secondary, 1, Qt::DotLine));
+  painter.drawPath(curve(0, r.first));
+  painter.drawPath(curve(r.last - 1, r.points.size() - 1));
+  painter.setPen(QPen(theme_.accent, 1.6));
+  painter.drawPath(curve(r.first, r.last - 1));
+}
+
+QPainterPath PolarPlot::curve(std::size_t from, std::size_t to) const {
+  QPointF last = position(roundness_->points[from]);
+  QPainterPath path(last);
+  for (std::size_t i = from + 1; i <= to; ++i) {
     const QPointF at = position(roundness_->points[i]);
-    if ((at - last).manhattanLength() < kStep && i + 1 < roundness_->points.size()) continue;
-    curve.lineTo(at);
+    if ((at - last).manhattanLength() < kStep && i < to) continue;
+    path.lineTo(at);
     last = at;
   }
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(theme_.accent, 1.6));
-  painter.drawPath(curve);
+  return path;
 }
 
 void PolarPlot::drawMarks(QPainter& painter) const {

@@ -1,6 +1,7 @@
 #pragma once
 /// Radial error over the angle of a circle, enlarged about the commanded circle.
 
+#include <QPainterPath>
 #include <QWidget>
 #include <optional>
 
@@ -43,6 +44,7 @@ class PolarPlot : public QWidget {
   double pixelsPerMm() const;   ///< of the error
   void drawRings(QPainter& painter) const;
   void drawCurve(QPainter& painter) const;
+  QPainterPath curve(std::size_t from, std::size_t to) const;  ///< of the points from … to
   void drawMarks(QPainter& painter) const;
 
   std::shared_ptr<const Roundness> roundness_;
