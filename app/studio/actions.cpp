@@ -28,6 +28,7 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   undo = add("undoAction", "undo", {QKeySequence("Ctrl+Z")});
   redo = add("redoAction", "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   find = add("findAction", "search", {QKeySequence::Find});
+  go_to = add("goToAction", "", {QKeySequence("Ctrl+G")});
   edit_line = add("editLineAction", "", {QKeySequence("Ctrl+F2")});
   insert_line = add("insertLineAction", "", {QKeySequence("Ctrl+Return"), QKeySequence("Ctrl+Enter")});
   delete_lines = add("deleteLinesAction", "", {QKeySequence("Ctrl+Shift+K")});
@@ -120,6 +121,7 @@ void Actions::retranslate() {
   undo->setText(tr("&Undo"));
   redo->setText(tr("&Redo"));
   find->setText(tr("&Find in program"));
+  go_to->setText(tr("&Go to…"));
   edit_line->setText(tr("&Edit line"));
   insert_line->setText(tr("&Insert a line"));
   delete_lines->setText(tr("&Delete the lines chosen"));

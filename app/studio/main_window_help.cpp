@@ -1,5 +1,6 @@
 /// What is wrong and what is slow, one after the other; keys, and what this is.
 
+#include <QCoreApplication>
 #include <QMenu>
 #include <QMessageBox>
 #include <QRegularExpression>
@@ -12,19 +13,50 @@
 namespace toolpace::studio {
 namespace {
 
+QString heading(const QString& text) {
+  return QString("<tr><td colspan='2' style='padding-top:8px'><b>%1</b></td></tr>").arg(text);
+}
+
+QString row(const QString& what, const QString& how) {
+  return QString("<tr><td style='padding-right:24px'>%1</td><td align='right'>%2</td></tr>").arg(what, how);
+}
+
 /// Rows of a menu's keys below its title, those of its submenus among them.
 QString keys_of(const QMenu& menu, bool titled = true) {
   QString rows;
   if (titled) {
-    rows = QString("<tr><td colspan='2' style='padding-top:8px'><b>%1</b></td></tr>")
-               .arg(QString(menu.title()).remove('&').remove(QRegularExpression("\\(.\\)$")).toHtmlEscaped());
+    rows = heading(QString(menu.title()).remove('&').remove(QRegularExpression("\\(.\\)$")).toHtmlEscaped());
   }
   for (const QAction* action : menu.actions()) {
     if (action->menu()) rows += keys_of(*action->menu(), false);
     if (action->shortcut().isEmpty()) continue;
-    rows += QString("<tr><td style='padding-right:24px'>%1</td><td align='right'>%2</td></tr>")
-                .arg(action->text().remove('&').toHtmlEscaped(), action->shortcut().toString(QKeySequence::NativeText));
+    rows += row(action->text().remove('&').toHtmlEscaped(), action->shortcut().toString(QKeySequence::NativeText));
   }
+  return rows;
+}
+
+/// What the mouse does where no menu tells it.
+QString mouse_actions() {
+  const std::pair<const char*, const char*> actions[] = {
+      {QT_TRANSLATE_NOOP("MouseActions", "Go there: program, preview, plots, overview"),
+       QT_TRANSLATE_NOOP("MouseActions", "click")},
+      {QT_TRANSLATE_NOOP("MouseActions", "Zoom about the mouse: preview, plots"),
+       QT_TRANSLATE_NOOP("MouseActions", "wheel")},
+      {QT_TRANSLATE_NOOP("MouseActions", "Move the picture, or the time shown"),
+       QT_TRANSLATE_NOOP("MouseActions", "drag")},
+      {QT_TRANSLATE_NOOP("MouseActions", "Turn the preview"),
+       QT_TRANSLATE_NOOP("MouseActions", "right drag, or Ctrl and drag")},
+      {QT_TRANSLATE_NOOP("MouseActions", "Show all of it: preview, plots"),
+       QT_TRANSLATE_NOOP("MouseActions", "double click")},
+      {QT_TRANSLATE_NOOP("MouseActions", "Edit a line of the program"),
+       QT_TRANSLATE_NOOP("MouseActions", "double click")},
+      {QT_TRANSLATE_NOOP("MouseActions", "Open a program or a machine"),
+       QT_TRANSLATE_NOOP("MouseActions", "drop a file on the window")}};
+  const auto text = [](const char* source) {
+    return QCoreApplication::translate("MouseActions", source).toHtmlEscaped();
+  };
+  QString rows = heading(QCoreApplication::translate("MouseActions", "Mouse"));
+  for (const auto& [what, how] : actions) rows += row(text(what), text(how));
   return rows;
 }
 
@@ -55,7 +87,7 @@ void MainWindow::goToSlowest() {
 void MainWindow::showKeys() {
   // By menu, in two columns of about the same height.
   const QString left = keys_of(*file_menu_) + keys_of(*edit_menu_) + keys_of(*view_menu_);
-  const QString right = keys_of(*plan_menu_) + keys_of(*help_menu_);
+  const QString right = keys_of(*plan_menu_) + keys_of(*help_menu_) + mouse_actions();
   const QString column = QStringLiteral("<td><table cellspacing='2'>%1</table></td>");
   QMessageBox box(QMessageBox::NoIcon, tr("Keys"),
                   "<table><tr>" + column.arg(left) + "<td width='40'></td>" + column.arg(right) + "</tr></table>",

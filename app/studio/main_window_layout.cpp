@@ -200,7 +200,7 @@ void MainWindow::buildMenus() {
   edit_menu_ = menu("editMenu");
   edit_menu_->addActions({a.undo, a.redo});
   edit_menu_->addSeparator();
-  edit_menu_->addActions({a.find, a.edit_line, a.insert_line, a.delete_lines});
+  edit_menu_->addActions({a.find, a.go_to, a.edit_line, a.insert_line, a.delete_lines});
   plan_menu_ = menu("planMenu");
   plan_menu_->addActions({a.play, a.previous_line, a.next_line, a.to_start, a.to_end});
   plan_menu_->addSeparator();

@@ -50,6 +50,8 @@ void MainWindow::connectPanels() {
     nc_->view().setCurrentLine(line);
     go_to_line(line);
   };
+  connect(nc_, &ui::NcPanel::lineRequested, this, show_line);
+  connect(nc_, &ui::NcPanel::timeRequested, &workspace_, &ui::Workspace::setCursorTime);
   connect(problems_, &ui::ProblemsPanel::lineRequested, this, show_line);
   connect(loss_, &ui::LossPanel::lineRequested, this, show_line);
   connect(contour_, &ui::ContourView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
@@ -111,6 +113,7 @@ void MainWindow::connectActions() {
   a.undo->setEnabled(false);
   a.redo->setEnabled(false);
   on(a.find, [this] { nc_->openFindBar(); });
+  on(a.go_to, [this] { nc_->openGoToBar(); });
   on(a.edit_line, [this] { nc_->view().editCurrentLine(); });
   on(a.insert_line, [this] { nc_->view().insertLine(); });
   on(a.delete_lines, [this] { nc_->view().removeLines(); });

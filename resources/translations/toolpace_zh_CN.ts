@@ -83,6 +83,65 @@
         </message>
     </context>
     <context>
+        <name>MouseActions</name>
+        <message>
+            <source>Mouse</source>
+            <translation>鼠标</translation>
+        </message>
+        <message>
+            <source>Go there: program, preview, plots, overview</source>
+            <translation>跳转到该处：程序、预览、曲线、总览</translation>
+        </message>
+        <message>
+            <source>click</source>
+            <translation>单击</translation>
+        </message>
+        <message>
+            <source>Zoom about the mouse: preview, plots</source>
+            <translation>以鼠标为中心缩放：预览、曲线</translation>
+        </message>
+        <message>
+            <source>wheel</source>
+            <translation>滚轮</translation>
+        </message>
+        <message>
+            <source>Move the picture, or the time shown</source>
+            <translation>移动图像或所示时间段</translation>
+        </message>
+        <message>
+            <source>drag</source>
+            <translation>拖动</translation>
+        </message>
+        <message>
+            <source>Turn the preview</source>
+            <translation>旋转预览</translation>
+        </message>
+        <message>
+            <source>right drag, or Ctrl and drag</source>
+            <translation>右键拖动，或按住 Ctrl 拖动</translation>
+        </message>
+        <message>
+            <source>Show all of it: preview, plots</source>
+            <translation>显示全部：预览、曲线</translation>
+        </message>
+        <message>
+            <source>double click</source>
+            <translation>双击</translation>
+        </message>
+        <message>
+            <source>Edit a line of the program</source>
+            <translation>编辑一行程序</translation>
+        </message>
+        <message>
+            <source>Open a program or a machine</source>
+            <translation>打开程序或机床文件</translation>
+        </message>
+        <message>
+            <source>drop a file on the window</source>
+            <translation>将文件拖放到窗口</translation>
+        </message>
+    </context>
+    <context>
         <name>MoveUnits</name>
         <message>
             <source>pulse</source>
@@ -2500,6 +2559,10 @@
             <translation>在程序中查找(&amp;F)</translation>
         </message>
         <message>
+            <source>&amp;Go to…</source>
+            <translation>跳转到…(&amp;G)</translation>
+        </message>
+        <message>
             <source>&amp;Edit line</source>
             <translation>编辑行(&amp;E)</translation>
         </message>
@@ -3242,6 +3305,14 @@
         <message>
             <source>Find in program</source>
             <translation>在程序中查找</translation>
+        </message>
+        <message>
+            <source>120, N120 or 12.5 s</source>
+            <translation>120、N120 或 12.5 s</translation>
+        </message>
+        <message>
+            <source>Go to a line, a block number or a time</source>
+            <translation>跳转到行、程序段号或时间</translation>
         </message>
         <message>
             <source>not found</source>

@@ -56,6 +56,18 @@ class ModelsTest : public QObject {
     QCOMPARE(block_name(document, 0), QString("–"));
   }
 
+  void places_are_named_by_line_block_number_or_time() {
+    Document document;
+    document.text = ProgramText("N10 G1 X1\n(N20)\n/N020 X2\nN20 X3\n");
+    QCOMPARE(place_named(document, " 2 ")->line, std::optional<std::uint32_t>(2));
+    QCOMPARE(place_named(document, "n20")->line, std::optional<std::uint32_t>(3));
+    QCOMPARE(place_named(document, "12.5 s")->time, std::optional(12.5));
+    QCOMPARE(place_named(document, "3,25s")->time, std::optional(3.25));
+    for (const char* nowhere : {"", "0", "5", "N30", "X1", "12.5", "-1 s", "s", "99999999999"}) {
+      QVERIFY2(!place_named(document, nowhere), nowhere);
+    }
+  }
+
   void comments_and_line_numbers_are_quiet() {
     const auto spans = nc_spans("N10 G1 (fast) X1 ; end");
     QCOMPARE(spans.size(), std::size_t{5});

@@ -1,6 +1,7 @@
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
@@ -87,6 +88,36 @@ class WindowTest : public QObject {
     QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, QPoint(150, view.viewport()->height() - 10));
     QVERIFY(view.currentLine() != 200);
     QVERIFY(window.the<QLabel>("timeReadout").text().contains(QString("line %1").arg(view.currentLine())));
+  }
+
+  void go_to_leads_to_lines_block_numbers_and_times() {
+    Opened window;
+    window.workspace().openText("N10 G21 G90 F600\nN20 G1 X10\nN30 Y10\nX0\nM2\n", "corner.ngc");
+    settle(window);
+    const auto go = [&](const QString& where) {
+      window.actions().go_to->trigger();
+      auto& field = window.the<QLineEdit>("findEdit");
+      QTest::keyClicks(&field, where);  // over what was asked for before
+      QTest::keyClick(&field, Qt::Key_Return);
+    };
+    auto& view = window.the<ui::NcView>("ncView");
+    go("N30");
+    QCOMPARE(view.currentLine(), 3);
+    QVERIFY(window.the<QLabel>("timeReadout").text().contains("N30"));
+    go("4");
+    QCOMPARE(view.currentLine(), 4);
+    QVERIFY(window.the<QLabel>("timeReadout").text().contains("line 4"));
+    go("0.5 s");
+    QCOMPARE(window.workspace().cursorTime(), 0.5);
+    QCOMPARE(view.currentLine(), 2);
+    go("99");
+    QCOMPARE(view.currentLine(), 2);
+    // The text that was looked for comes back with its own bar.
+    window.actions().find->trigger();
+    QVERIFY(window.the<QLineEdit>("findEdit").text().isEmpty());
+    QTest::keyClicks(&window.the<QLineEdit>("findEdit"), "Y10");
+    QTest::keyClick(&window.the<QLineEdit>("findEdit"), Qt::Key_Return);
+    QCOMPARE(view.currentLine(), 3);
   }
 
   void playing_moves_the_cursor_and_pauses_at_the_end() {

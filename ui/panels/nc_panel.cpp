@@ -5,6 +5,8 @@
 #include <QKeyEvent>
 #include <QVBoxLayout>
 
+#include "models/block_name.h"
+
 namespace toolpace::ui {
 
 NcPanel::NcPanel(QWidget* parent)
@@ -65,7 +67,14 @@ void NcPanel::showModal(int line) {
   modal_->setSnapshot(document ? document->reading->modal.at(static_cast<std::size_t>(line)) : std::nullopt);
 }
 
-void NcPanel::openFindBar() {
+void NcPanel::openFindBar() { openBar(Bar::find); }
+void NcPanel::openGoToBar() { openBar(Bar::go_to); }
+
+void NcPanel::openBar(Bar bar) {
+  asked_[static_cast<std::size_t>(asks_)] = text_->text();
+  asks_ = bar;
+  text_->setText(asked_[static_cast<std::size_t>(bar)]);
+  retranslate();
   bar_->show();
   text_->setFocus();
   text_->selectAll();
@@ -75,11 +84,19 @@ void NcPanel::setHintVisible(bool visible) { hint_->setVisible(visible); }
 
 void NcPanel::find(bool backwards) { none_->setVisible(!view_->findNext(text_->text(), backwards)); }
 
+void NcPanel::goTo() {
+  const auto& document = view_->document();
+  const auto place = document ? place_named(*document, text_->text()) : std::nullopt;
+  none_->setVisible(!place);
+  if (!place) return;
+  place->line ? emit lineRequested(static_cast<int>(*place->line)) : emit timeRequested(*place->time);
+}
+
 bool NcPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched != text_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
   const auto* key = static_cast<QKeyEvent*>(event);
   if (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) {
-    find(key->modifiers() & Qt::ShiftModifier);
+    asks_ == Bar::find ? find(key->modifiers() & Qt::ShiftModifier) : goTo();
     return true;
   }
   if (key->key() == Qt::Key_Escape) {
@@ -96,8 +113,9 @@ void NcPanel::changeEvent(QEvent* event) {
 }
 
 void NcPanel::retranslate() {
-  text_->setPlaceholderText(tr("Find"));
-  text_->setAccessibleName(tr("Find in program"));
+  const bool finds = asks_ == Bar::find;
+  text_->setPlaceholderText(finds ? tr("Find") : tr("120, N120 or 12.5 s"));
+  text_->setAccessibleName(finds ? tr("Find in program") : tr("Go to a line, a block number or a time"));
   none_->setText(tr("not found"));
   view_->setAccessibleName(tr("NC program"));
   hint_->setText(tr("drop an NC program here"));

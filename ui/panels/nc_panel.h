@@ -1,9 +1,10 @@
 #pragma once
-/// The NC program with a find bar, what is modal at the cursor line, and a question where file and text part.
+/// The NC program with a bar to find a text or a place, what is modal at the cursor line, and a question where file and text part.
 
 #include <QLabel>
 #include <QLineEdit>
 #include <QWidget>
+#include <array>
 
 #include "drawing/plan_view.h"
 #include "panels/change_bar.h"
@@ -24,15 +25,24 @@ class NcPanel : public QWidget, public PlanView {
   void setTheme(const Theme& theme) override;
   void setLengthUnit(LengthUnit unit) override;
   void openFindBar();
+  void openGoToBar();
   /// Shows below the text that a program can be dropped here.
   void setHintVisible(bool visible);
+
+ signals:
+  void lineRequested(int line);
+  void timeRequested(double time);  ///< [s]
 
  protected:
   void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  enum class Bar { find, go_to };
+
+  void openBar(Bar bar);
   void find(bool backwards);
+  void goTo();
   void retranslate();
 
   void showModal(int line);
@@ -43,6 +53,8 @@ class NcPanel : public QWidget, public PlanView {
   QWidget* bar_;
   QLineEdit* text_;
   QLabel *none_, *hint_;
+  Bar asks_ = Bar::find;
+  std::array<QString, 2> asked_;  // what was last typed into each
 };
 
 }  // namespace toolpace::ui
