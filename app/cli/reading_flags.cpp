@@ -22,6 +22,13 @@ std::string dialect_names() {
   return names;
 }
 
+std::optional<IntegerWords> integers_named(const std::string& name) {
+  if (name == "auto") return IntegerWords::automatic;
+  if (name == "lengths") return IntegerWords::lengths;
+  if (name == "increments") return IntegerWords::increments;
+  return std::nullopt;
+}
+
 // "G54=10,20,-5"
 std::optional<WorkOffset> work_offset(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -56,6 +63,9 @@ void ReadingFlags::add_options_to(Command& command) {
   flags.number(
       "--arc-tolerance-mm T", arc_tolerance,
       "How far an arc may end off its radius; less is mended with a warning, more refused; default by dialect");
+  flags.word(
+      "--integers HOW", integers,
+      "Coordinates without a point of Fanuc's kind: lengths, increments or auto (default), as the text suggests");
   flags.toggle("--strict", strict, "Treat every warning as an error");
   flags.toggle("--block-delete", block_delete, "Skip lines that start with '/'");
   flags.input("--tools FILE", tools, "the tool table", "Tool table, as LinuxCNC writes it");
@@ -77,6 +87,7 @@ ReadOptions ReadingFlags::options() const {
   ReadOptions options;
   options.dialect = dialect_named(dialect).value_or(Dialect::automatic);
   options.arc_tolerance = arc_tolerance;
+  options.integers = integers_named(integers).value_or(IntegerWords::automatic);
   options.strict = strict;
   options.block_delete = block_delete;
   options.tools = tools;
@@ -91,6 +102,10 @@ tl::expected<void, Failure> ReadingFlags::check() const {
   if (!dialect_named(dialect)) {
     return tl::unexpected<Failure>(
         usage_error("bad-flag", "--dialect does not know '" + dialect + "'", "give one of " + dialect_names()));
+  }
+  if (!integers_named(integers)) {
+    return tl::unexpected<Failure>(usage_error("bad-flag", "--integers does not know '" + integers + "'",
+                                               "give one of auto, lengths, increments"));
   }
   if (arc_tolerance && !(*arc_tolerance >= 0.0 && *arc_tolerance <= kWidestArcTolerance)) {
     return tl::unexpected<Failure>(

@@ -12,7 +12,7 @@ namespace toolpace::cli {
 
 struct ReadingFlags {
   std::string program;
-  std::string dialect = "auto";
+  std::string dialect = "auto", integers = "auto";
   bool strict = false;
   bool block_delete = false;
   std::string tools, parameters;

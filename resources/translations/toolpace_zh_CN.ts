@@ -1284,6 +1284,70 @@
             <source>dwell-uncertain</source>
             <translation>停顿时间的单位不能确定</translation>
         </message>
+        <message>
+            <source>arc-scaled-unevenly</source>
+            <translation>圆弧所在平面的两轴缩放不同</translation>
+        </message>
+        <message>
+            <source>g-code-machine</source>
+            <translation>机床自定义的 G 代码</translation>
+        </message>
+        <message>
+            <source>integers-are-increments</source>
+            <translation>无小数点的坐标按最小单位读取</translation>
+        </message>
+        <message>
+            <source>integers-are-lengths</source>
+            <translation>无小数点的坐标按长度读取</translation>
+        </message>
+        <message>
+            <source>language-unsupported</source>
+            <translation>不支持这种语言</translation>
+        </message>
+        <message>
+            <source>lathe-chamfer</source>
+            <translation>C 按倒角读取</translation>
+        </message>
+        <message>
+            <source>line-angle</source>
+            <translation>直线的角度无效</translation>
+        </message>
+        <message>
+            <source>line-angle-open</source>
+            <translation>直线没有终点</translation>
+        </message>
+        <message>
+            <source>pattern-without-cycle</source>
+            <translation>孔阵没有固定循环</translation>
+        </message>
+        <message>
+            <source>pattern-words</source>
+            <translation>孔阵缺少词</translation>
+        </message>
+        <message>
+            <source>peck-in-increments</source>
+            <translation>啄钻深度按最小单位读取</translation>
+        </message>
+        <message>
+            <source>pocket-plane</source>
+            <translation>圆槽不在 XY 平面</translation>
+        </message>
+        <message>
+            <source>pocket-tool-unknown</source>
+            <translation>圆槽刀具半径未知</translation>
+        </message>
+        <message>
+            <source>pocket-words</source>
+            <translation>圆槽缺少词</translation>
+        </message>
+        <message>
+            <source>scale-factor</source>
+            <translation>缩放系数无效</translation>
+        </message>
+        <message>
+            <source>scale-missing</source>
+            <translation>没有缩放系数</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -2432,10 +2496,6 @@
             <translation>主轴为 $0 到 $7；$-1 表示全部</translation>
         </message>
         <message>
-            <source>write ,C for a chamfer or ,R for a rounding; numbers have a decimal point, not a comma</source>
-            <translation>倒角写 ,C，倒圆写 ,R；数字用小数点而不用逗号</translation>
-        </message>
-        <message>
             <source>remove the %, or begin the program with one, too</source>
             <translation>请删去 %，或在程序开头也写一个</translation>
         </message>
@@ -2494,6 +2554,86 @@
         <message>
             <source>name the dialect with --dialect: linuxcnc and grbl dwell in s, fanuc and marlin in ms</source>
             <translation>请用 --dialect 指定方言：linuxcnc 和 grbl 以秒计，fanuc 和 marlin 以毫秒计</translation>
+        </message>
+        <message>
+            <source>put them into a block of their own</source>
+            <translation>请放进单独的程序段</translation>
+        </message>
+        <message>
+            <source>give a scale of 0.0001 to 10000</source>
+            <translation>请给出 0.0001 到 10000 的缩放系数</translation>
+        </message>
+        <message>
+            <source>give the scale with P</source>
+            <translation>请用 P 给出缩放系数</translation>
+        </message>
+        <message>
+            <source>write decimal points; --integers lengths reads them as lengths</source>
+            <translation>请写小数点；--integers lengths 按长度读取</translation>
+        </message>
+        <message>
+            <source>write decimal points; --integers increments reads them so</source>
+            <translation>请写小数点；--integers increments 按最小单位读取</translation>
+        </message>
+        <message>
+            <source>post the program as G-code (RS-274) for LinuxCNC, Fanuc, Haas, Mach3, grbl or Marlin; polylines are read as CSV</source>
+            <translation>请后处理为 LinuxCNC、Fanuc、Haas、Mach3、grbl 或 Marlin 的 G 代码（RS-274）；折线按 CSV 读取</translation>
+        </message>
+        <message>
+            <source>write ,C for a chamfer, ,R for a rounding or ,A for the angle of a line; numbers have a decimal point, not a comma</source>
+            <translation>倒角写 ,C，倒圆写 ,R，直线的角度写 ,A；数字用小数点，不用逗号</translation>
+        </message>
+        <message>
+            <source>give one of its coordinates, or in the next block both coordinates and an angle</source>
+            <translation>请给出它的一个坐标，或在下一程序段中给出两个坐标和角度</translation>
+        </message>
+        <message>
+            <source>check the angle, which counts from the first axis of the plane: Z of lathes, X of mills</source>
+            <translation>请检查角度；它从平面的第一轴算起：车床为 Z，铣床为 X</translation>
+        </message>
+        <message>
+            <source>give it with F or E</source>
+            <translation>请用 F 或 E 给出</translation>
+        </message>
+        <message>
+            <source>give the cycle before, with L0 where it shall not drill, such as G81 Z-5. R1. F50. L0</source>
+            <translation>请先给出固定循环；不钻孔时用 L0，例如 G81 Z-5. R1. F50. L0</translation>
+        </message>
+        <message>
+            <source>G70 I J L: circle; G71 I J K L: arc; G72 I J L: line; I radius or distance, J angle, L holes</source>
+            <translation>G70 I J L：圆；G71 I J K L：圆弧；G72 I J L：直线；I 为半径或间距，J 为角度，L 为孔数</translation>
+        </message>
+        <message>
+            <source>scale both axes alike, or give the curve as lines</source>
+            <translation>请使两轴缩放相同，或用直线给出曲线</translation>
+        </message>
+        <message>
+            <source>write a decimal point where it is a length</source>
+            <translation>若是长度，请写小数点</translation>
+        </message>
+        <message>
+            <source>L is a whole number from 1 to 10000</source>
+            <translation>L 是 1 到 10000 的整数</translation>
+        </message>
+        <message>
+            <source>give a tool table with --tools</source>
+            <translation>请用 --tools 给出刀具表</translation>
+        </message>
+        <message>
+            <source>give its radius with I; of growing circles the first radius with I, the last with K, the step with Q</source>
+            <translation>请用 I 给出半径；逐圈扩大时 I 为第一圈半径，K 为最后一圈半径，Q 为步距</translation>
+        </message>
+        <message>
+            <source>write ,C for a chamfer; the axis C is known by a G0 with it</source>
+            <translation>倒角请写 ,C；C 轴由带 C 的 G0 识别</translation>
+        </message>
+        <message>
+            <source>check the angles</source>
+            <translation>请检查角度</translation>
+        </message>
+        <message>
+            <source>scale both axes alike</source>
+            <translation>请使两轴缩放相同</translation>
         </message>
     </context>
     <context>

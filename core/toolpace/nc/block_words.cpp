@@ -9,7 +9,15 @@ namespace {
 
 // Codes outside the motion group that take the block's axis words for themselves.
 constexpr bool takes_axes(Code code) {
-  return code == 100 || code == 280 || code == 300 || code == 520 || code == 920 || code == kLatheOrigin;
+  return code == 100 || code == 280 || code == 300 || code == 520 || code == 920 || code == kLatheOrigin ||
+         (code >= kMillCodes && !is_cycle(code));
+}
+
+// Settings that do.
+bool keeps_axes(const Block& block) {
+  return block.has(GGroup::macro) || block.has(GGroup::turn_plane) || block.has(GGroup::mirror) ||
+         block.has(GGroup::kept) || block.has(GGroup::machine) || block.code(GGroup::scale) == 510 ||
+         block.code(GGroup::tool_length) == 431 || block.code(GGroup::tool_length) == 432;
 }
 
 constexpr std::uint32_t kSpindleBit = 1u << kSpindleWord;
@@ -34,7 +42,7 @@ std::uint32_t words_of_motion(Code motion) {
     case 721:
     case 722: return word_bit('q') | word_bit('d') | word_bit('i') | word_bit('r') | word_bit('u') | word_bit('w');
     case 740: return word_bit('r') | word_bit('p') | word_bit('q') | kCentreBits;  // LinuxCNC does not repeat it by L
-    case kLatheThread: return word_bit('q');
+    case kLatheThread: return word_bit('q') | word_bit('e');
     case kLatheFinish:
     case kLatheRough:
     case kLatheFaceRough:
@@ -45,7 +53,7 @@ std::uint32_t words_of_motion(Code motion) {
       return word_bit('p') | word_bit('q') | word_bit('r') | word_bit('d') | word_bit('e') | kCentreBits;
     case kLatheTurning:
     case kLatheFacing:
-    case kLatheThreading: return word_bit('r') | word_bit('q') | word_bit('i') | word_bit('k');
+    case kLatheThreading: return word_bit('r') | word_bit('q') | word_bit('e') | word_bit('i') | word_bit('k');
     default: return is_cycle(motion) ? word_bit('r') | word_bit('l') | word_bit('p') | word_bit('q') | kCentreBits : 0;
   }
 }
@@ -54,6 +62,9 @@ std::uint32_t words_of_settings(const Block& block) {
   std::uint32_t words = 0;
   const Code once = block.code(GGroup::once);
   if (once == 40) words |= word_bit('p');
+  if (once == 300) words |= word_bit('p');
+  if (once >= kMillCodes) words |= word_bit('l') | word_bit('q') | word_bit('d') | kCentreBits;
+  if (block.has(GGroup::scale)) words |= word_bit('p') | kCentreBits;
   if (once == 100) words |= word_bit('l') | word_bit('p') | word_bit('r') | word_bit('q') | kCentreBits;
   if (block.has(GGroup::compensation)) words |= word_bit('d') | word_bit('l');
   if (block.has(GGroup::tool_length)) words |= word_bit('h');
@@ -69,6 +80,7 @@ std::uint32_t words_of_settings(const Block& block) {
   if (block.has(MGroup::spindle)) words |= word_bit('r') | word_bit('q') | word_bit('p') | kSpindleBit;
   if (block.has(MGroup::subprogram)) words |= word_bit('p') | word_bit('l') | word_bit('q');
   if (block.has(MGroup::ignored) || block.has(GGroup::ignored)) words |= ~0u;
+  if (block.has(GGroup::kept) || block.has(GGroup::machine)) words |= ~0u;
   return words;
 }
 
@@ -97,9 +109,7 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
   const Code once = block.code(GGroup::once);
   const Code named = block.code(GGroup::motion);
   motion = kNoCode;
-  const bool claimed = takes_axes(once) || block.code(GGroup::tool_length) == 431 ||
-                       block.code(GGroup::tool_length) == 432 || block.has(GGroup::macro) ||
-                       block.has(GGroup::turn_plane) || (once == 40 && context.rules.dwells_by_axis_words) ||
+  const bool claimed = takes_axes(once) || keeps_axes(block) || (once == 40 && context.rules.dwells_by_axis_words) ||
                        (block.has(MGroup::ignored) && context.rules.extruder);  // M92 X80, M205 X8: settings
   const bool only_sets_motion = context.rules.motion_beside_home && (named == 0 || named == 10);
   if (claimed && named != kNoCode && named != 800 && takes_axes(once)) {
@@ -125,6 +135,13 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
       (named == kLatheTurning || named == kLatheFacing || named == kLatheThreading))
     return read_as_system_b(context, block, named);
   if (named == 800) {
+    if (axes && !claimed && context.rules.g80_keeps_motion) {
+      motion = context.state.plain_motion;
+      context.faults.warn("axes-with-g80",
+                          fmt::format("axis words in a block with G80 move by {}", code_text('G', motion)),
+                          "put them into a block of their own", block.column_of(GGroup::motion));
+      return true;
+    }
     if (axes && !claimed) {
       return context.faults.fail("axes-with-g80", "axis words in a block with G80",
                                  "put them into a block with a motion code", block.column_of(GGroup::motion));
@@ -146,9 +163,11 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
 }
 
 bool check_words(Context& context, const Block& block, Code motion) {
-  const std::uint32_t always = axis_words(context) | kCornerBits | word_bit('f') | word_bit('s') | word_bit('t');
+  const std::uint32_t always =
+      axis_words(context) | kCornerBits | kLineAngleBit | word_bit('f') | word_bit('s') | word_bit('t');
   std::uint32_t unused = block.words & ~always;
   if (unused == 0) return true;
+  if (context.rules.lathe_words && motion == 10) unused &= ~(word_bit('r') | word_bit('i') | word_bit('k'));
   unused &= ~(words_of_motion(motion) | words_of_settings(block));
   if (unused == 0) return true;
   if ((unused & (1u << kSpindleWord)) != 0) {

@@ -5,7 +5,9 @@
 
 namespace toolpace::nc {
 
-constexpr bool is_cycle(Code code) { return (code >= 730 && code <= 760) || (code >= 810 && code <= 890); }
+constexpr bool is_cycle(Code code) {
+  return (code >= 730 && code <= 760) || (code >= 810 && code <= 890) || code == kFineBoring || code == kBackBoring;
+}
 
 /// The motion code that the block runs; kNoCode for none.
 bool find_motion(Context& context, const Block& block, Code& motion);

@@ -20,13 +20,6 @@ int first_parameter(int system) {
   return (further < kNearSystems ? kFirstFurtherSystem : kFirstOfManySystems) + further * kSystemStride;
 }
 
-// Changes the offsets and keeps the machine where it is.
-void change_offsets(State& state, const Offsets& offsets) {
-  const Position machine = to_machine(state.offsets, state.position);
-  state.offsets = offsets;
-  state.position = to_work(offsets, machine);
-}
-
 double word_value(const State& state, const Block& block, std::size_t axis) {
   const char letter = kAxisLetters[axis];
   if (is_rotary(axis)) return block.of(letter);
@@ -97,27 +90,6 @@ bool set_system_origin(Context& context, const Block& block, bool from_position)
   return true;
 }
 
-bool run_g10(Context& context, const Block& block) {
-  const double l = block.of('l', context.rules.incremental_g10 ? 2.0 : -1.0);
-  const int form = whole_number(l, 0, 100).value_or(-1);
-  const bool tool_offset = !block.has('l') && (context.rules.lathe_words || !block.has_any(kLinearBits | kRotaryBits));
-  if ((form == 2 || form == 20) && !(context.rules.incremental_g10 && tool_offset)) {
-    return refuse_with_compensation(context, block, "G10") &&
-           set_system_origin(context, block, form == 20 && !context.rules.incremental_g10);
-  }
-  if (context.rules.incremental_g10 && form >= 10 && form <= 13) return write_tool_offset(context, block, form);
-  if (form == 1 || form == 10 || form == 11) return write_tool_entry(context, block, form);
-  if (!context.rules.refuses_doubtful) {
-    context.faults.warn("g10-ignored",
-                        block.has('l') ? fmt::format("G10 L{:g} is not followed", l)
-                                       : "G10 without L sets a tool's offset, which is not followed",
-                        "", block.column_of(GGroup::once));
-    return true;
-  }
-  return context.faults.fail("g10-form", "G10 needs L1, L2, L10, L11 or L20", "check the L word",
-                             block.column_of(GGroup::once));
-}
-
 void store_shift(Context& context, const Position& shift, bool applies) {
   store_position(context.parameters, kG92Offset, shift);
   context.parameters.set_numbered(kG92Applied, applies ? 1.0 : 0.0);
@@ -126,50 +98,13 @@ void store_shift(Context& context, const Position& shift, bool applies) {
   change_offsets(context.state, offsets);
 }
 
-bool run_g92(Context& context, const Block& block, Code code) {
-  State& state = context.state;
-  if (!refuse_with_compensation(context, block, "a change of coordinates")) return false;
-  if (code == 921) {
-    store_shift(context, Position{}, false);
-  } else if (code == 922) {
-    Offsets offsets = state.offsets;
-    offsets.shift = Position{};
-    context.parameters.set_numbered(kG92Applied, 0.0);
-    change_offsets(state, offsets);
-  } else if (code == 923) {
-    store_shift(context, load_position(context.parameters, kG92Offset), true);
-  } else {
-    Position shift = state.offsets.shift;
-    for (std::size_t i = 0; i < kAxisCount; ++i) {
-      if (!block.has(kAxisLetters[i])) continue;
-      const double value = word_value(state, block, i);
-      shift[i] = code == 520 ? value : shift[i] + state.position[i] - value;
-    }
-    store_shift(context, shift, true);
-  }
-  return true;
-}
-
-// Through the given point, then the named axes (all, if none is named) to the stored one.
-bool go_home(Context& context, const Block& block, int stored) {
-  State& state = context.state;
-  if (!refuse_with_compensation(context, block, "going home")) return false;
-  Position way;
-  if (!find_end(context, block, way)) return false;
-  const Position home = load_position(context.parameters, stored);
-  Position machine = to_machine(state.offsets, way);
-  bool names_axes = false;
-  for (std::size_t i = 0; i < kAxisCount; ++i) names_axes = names_axes || names_axis(context, block, i);
-  if (names_axes) context.out.line(MoveKind::rapid, state.offsets, way);
-  for (std::size_t i = 0; i < kAxisCount; ++i) {
-    if (!names_axes || names_axis(context, block, i)) machine[i] = home[i];
-  }
-  state.position = to_work(state.offsets, machine);
-  context.out.line(MoveKind::rapid, state.offsets, state.position);
-  return true;
-}
-
 }  // namespace
+
+void change_offsets(State& state, const Offsets& offsets) {
+  const Position machine = to_machine(state.offsets, state.position);
+  state.offsets = offsets;
+  state.position = to_work(offsets, machine);
+}
 
 Offsets system_offsets(const Context& context, int system) {
   Offsets offsets = context.state.offsets;
@@ -197,29 +132,57 @@ bool set_system(Context& context, const Block& block) {
     activate_system(context, kSystemCount + *further);
     return true;
   }
+  if (code >= 1100) {  // G110 to G129 of Haas are G154 P1 to P20
+    activate_system(context, kSystemCount + (code - 1090) / 10);
+    return true;
+  }
   activate_system(context, code <= 590 ? (code - 530) / 10 : 6 + (code - 590));
   return true;
 }
 
-bool run_once_code(Context& context, const Block& block) {
-  const Code code = block.code(GGroup::once);
-  switch (code) {
-    case 100: return run_g10(context, block);
-    case 280: return go_home(context, block, kHomeG28);
-    case 300: return go_home(context, block, kHomeG30);
-    case 281:
-    case 301:
-      store_position(context.parameters, code == 281 ? kHomeG28 : kHomeG30,
-                     to_machine(context.state.offsets, context.state.position));
-      return true;
-    case kLatheOrigin: return !block.has_any(kLinearBits | kRotaryBits) || run_g92(context, block, code);
-    case 520:
-    case 920:
-    case 921:
-    case 922:
-    case 923: return run_g92(context, block, code);
-    default: return true;  // G4 comes earlier in the block, G53 belongs to the motion
+bool run_g10(Context& context, const Block& block) {
+  const double l = block.of('l', context.rules.incremental_g10 ? 2.0 : -1.0);
+  const int form = whole_number(l, 0, 100).value_or(-1);
+  const bool tool_offset = !block.has('l') && (context.rules.lathe_words || !block.has_any(kLinearBits | kRotaryBits));
+  if ((form == 2 || form == 20) && !(context.rules.incremental_g10 && tool_offset)) {
+    return refuse_with_compensation(context, block, "G10") &&
+           set_system_origin(context, block, form == 20 && !context.rules.incremental_g10);
   }
+  if (context.rules.incremental_g10 && form >= 10 && form <= 13) return write_tool_offset(context, block, form);
+  if (form == 1 || form == 10 || form == 11) return write_tool_entry(context, block, form);
+  if (!context.rules.refuses_doubtful) {
+    context.faults.warn("g10-ignored",
+                        block.has('l') ? fmt::format("G10 L{:g} is not followed", l)
+                                       : "G10 without L sets a tool's offset, which is not followed",
+                        "", block.column_of(GGroup::once));
+    return true;
+  }
+  return context.faults.fail("g10-form", "G10 needs L1, L2, L10, L11 or L20", "check the L word",
+                             block.column_of(GGroup::once));
+}
+
+bool run_g92(Context& context, const Block& block, Code code) {
+  State& state = context.state;
+  if (!refuse_with_compensation(context, block, "a change of coordinates")) return false;
+  if (code == 921) {
+    store_shift(context, Position{}, false);
+  } else if (code == 922) {
+    Offsets offsets = state.offsets;
+    offsets.shift = Position{};
+    context.parameters.set_numbered(kG92Applied, 0.0);
+    change_offsets(state, offsets);
+  } else if (code == 923) {
+    store_shift(context, load_position(context.parameters, kG92Offset), true);
+  } else {
+    Position shift = state.offsets.shift;
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+      if (!block.has(kAxisLetters[i])) continue;
+      const double value = word_value(state, block, i);
+      shift[i] = code == 520 ? value : shift[i] + (state.position[i] - value) * state.offsets.scaling.factor[i];
+    }
+    store_shift(context, shift, true);
+  }
+  return true;
 }
 
 bool set_turned_plane(Context& context, const Block& block) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Where work coordinates lie: G54 … G59.3, G10 L2 L20, G52, G92.x, rotation, and the stored points of G28 and G30.
+/// Where work coordinates lie: G54 … G59.3, G10 L2 L20, G52, G92.x and rotation.
 
 #include <vector>
 
@@ -7,6 +7,9 @@
 #include "toolpace/nc/read_options.h"
 
 namespace toolpace::nc {
+
+/// Changes the offsets and keeps the machine where it is.
+void change_offsets(State& state, const Offsets& offsets);
 
 /// Offsets as they would be with system 1 … 9 active.
 Offsets system_offsets(const Context& context, int system);
@@ -16,8 +19,10 @@ void activate_system(Context& context, int system);
 
 bool set_system(Context& context, const Block& block);
 
-/// G10 and the G92 family, G52, G28, G30 and their .1 forms.
-bool run_once_code(Context& context, const Block& block);
+bool run_g10(Context& context, const Block& block);
+
+/// G52, G92 and its .1 to .3.
+bool run_g92(Context& context, const Block& block, Code code);
 
 /// G68 X Y R, G69 (Fanuc)
 bool set_turned_plane(Context& context, const Block& block);

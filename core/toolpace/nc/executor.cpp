@@ -9,6 +9,7 @@
 #include "toolpace/nc/dwell.h"
 #include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/once_codes.h"
 #include "toolpace/nc/settings.h"
 #include "toolpace/nc/text/whole_number.h"
 #include "toolpace/nc/tool_table.h"

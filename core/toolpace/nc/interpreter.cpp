@@ -6,32 +6,14 @@
 
 #include "toolpace/base/file_name.h"
 #include "toolpace/nc/motion/corners.h"
+#include "toolpace/nc/motion/increments.h"
 #include "toolpace/nc/settings.h"
+#include "toolpace/nc/text/line_kinds.h"
 
 namespace toolpace::nc {
 namespace {
 
 constexpr std::size_t kLongestLine = 65536;
-
-// "O1234" or ":1234": the head of a program, and nothing that it does.
-bool begins_program_number(Scanner text) {
-  const char c = text.peek();
-  if (c != 'o' && c != ':') return false;
-  text.take();
-  double number = 0.0;
-  if (text.take_number(number) != NumberStatus::ok) return false;
-  const char next = text.peek();
-  return next == '\0' || next == '(' || next == ';';
-}
-
-// START_PRINT BED=60: three letters in a row begin no block.
-bool is_macro_line(Scanner text) {
-  for (int letters = 0; letters < 3; ++letters) {
-    if (!is_letter(text.peek())) return false;
-    text.take();
-  }
-  return true;
-}
 
 }  // namespace
 
@@ -56,6 +38,7 @@ Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, const 
     context_.arc.metric = context_.arc.inch = *options.arc_tolerance;
     context_.arc.relative = 0.0;
   }
+  reader_.delete_blocks(options.block_delete);
   if (rules.macro_statements) parameters_.use_macro_variables();
   state_.modal.motion = rules.first_motion;
   state_.modal.retract = rules.first_retract;
@@ -229,6 +212,11 @@ bool Interpreter::run_line(std::string_view line) {
   Scanner text(line);
   char c = text.peek();
   if (c == '\0') return reader_.is_at_end(text);
+  if (c == '%' && !rules_.refuses_doubtful && is_sender_macro(text)) {
+    faults_.warn("sender-macro", "a macro of the sender is not followed; it is taken to move nothing", "",
+                 text.column());
+    return true;
+  }
   if (c == '%') return run_percent();
   if (rules_.sender_lines && (c == '$' || c == '{' || c == '[')) return run_sender_command(text);
   if (c == '/') {
@@ -253,10 +241,11 @@ bool Interpreter::run_line(std::string_view line) {
     }
   }
   if (rules_.texts_without_quotes && is_macro_line(text)) {
-    faults_.warn("sender-macro", "a macro of the printer is not followed; it is taken to move nothing", "",
+    faults_.warn("sender-macro", "a macro of the sender is not followed; it is taken to move nothing", "",
                  text.column());
     return true;
   }
+  if (c == '<' && rules_.macro_statements && is_program_name(text)) return true;
   anything_read_ = anything_read_ || (c != '(' && c != ';' && c != '\0' && !begins_program_number(text));
   if (c == 'o' || (c == ':' && rules_.macro_statements)) {
     text.take();
@@ -271,12 +260,18 @@ bool Interpreter::run_line(std::string_view line) {
   return run_block(text);
 }
 
+bool Interpreter::read_block(Scanner& text) {
+  if (!reader_.read(text, block_)) return false;
+  if (block_.counted != 0 && options_.integers == IntegerWords::increments) count_increments(block_, state_);
+  return true;
+}
+
 bool Interpreter::run_block(Scanner& text) {
   if (LatheContourReader* const contour = contours_.reader()) {
-    return reader_.read(text, block_) && contour->add(block_, static_cast<std::uint32_t>(flow_.line_number()));
+    return read_block(text) && contour->add(block_, static_cast<std::uint32_t>(flow_.line_number()));
   }
   out_.set_place(flow_.line_number(), flow_.file());
-  const bool read = reader_.read(text, block_);
+  const bool read = read_block(text);
   if (reader_.take_aborted()) end_ = End::ended;
   if (!read) return false;
   const bool executed = executor_.run(block_);

@@ -37,6 +37,7 @@ class Interpreter {
   bool run_line(std::string_view line);
   bool run_percent();
   bool run_sender_command(Scanner& text);
+  bool read_block(Scanner& text);
   bool run_block(Scanner& text);
   void end_of_text();
   bool must_end();

@@ -5,6 +5,9 @@
 namespace toolpace::nc {
 namespace {
 
+constexpr int kNamedSystems = 6;                 // G54 to G59
+constexpr double kMillisecondsPerLine = 1000.0;  // of the clock #3001: programs wait for it, and do not measure by it
+
 double in_units(const Modal& modal, double value, std::size_t axis) {
   return is_rotary(axis) ? value : value / modal.unit();
 }
@@ -34,6 +37,8 @@ std::optional<double> fanuc_value(const State& state, int index) {
   if (index >= 5001 && index <= 5006) return in_units(modal, p[axis(5001)], axis(5001));
   if (index >= 5021 && index <= 5026) return in_units(modal, to_machine(state.offsets, p)[axis(5021)], axis(5021));
   if (index >= 5041 && index <= 5046) return in_units(modal, p[axis(5041)], axis(5041));
+  if (index >= 5081 && index <= 5086) return in_units(modal, state.offsets.tool_length[axis(5081)], axis(5081));
+  if (index >= 4201 && index <= 4220) index -= 200;  // those of the block that runs
   switch (index) {
     case 4001: return (modal.motion >= kForeignCodes ? modal.motion - kForeignCodes : modal.motion) / 10.0;
     case 4002: return modal.plane / 10.0;
@@ -42,6 +47,9 @@ std::optional<double> fanuc_value(const State& state, int index) {
     case 4006: return modal.units / 10.0;
     case 4007: return modal.compensation / 10.0;
     case 4008: return modal.tool_length / 10.0;
+    case 4010: return modal.retract / 10.0;
+    case 4012:
+    case 4014: return modal.system <= kNamedSystems ? 53.0 + modal.system : 54.1;
     case 4109: return modal.feed;
     case 4119: return modal.spindle_speed;
     case 4120: return state.selected_tool;
@@ -53,6 +61,7 @@ std::optional<double> fanuc_value(const State& state, int index) {
 
 std::optional<double> MachineValues::numbered(int index) const {
   if (rules_.macro_statements) {
+    if (index == 3001) return kMillisecondsPerLine * static_cast<double>(flow_.work());
     if (const auto value = fanuc_value(state_, index)) return value;
   }
   if (index >= 5420 && index <= 5425) {

@@ -36,9 +36,12 @@ std::vector<double> locals_of(const std::vector<MacroArgument>& arguments) {
 }  // namespace
 
 bool MacroCalls::run(const Block& block) {
+  if (modal_.running_at && flow_.depth() <= *modal_.running_at) modal_.running_at.reset();
   if (!block.has(GGroup::macro)) {
-    // A modal macro runs after every block that moves.
+    // A modal macro runs after every block that moves, but for its own.
     if (!modal_.active || !block.has_any(kAxisBits)) return true;
+    if (modal_.running_at) return true;
+    modal_.running_at = flow_.depth();
     return flow_.call_number(modal_.program, 1, 0, modal_.arguments);
   }
   const Code code = block.code(GGroup::macro);
@@ -52,7 +55,7 @@ bool MacroCalls::run(const Block& block) {
                         column);
   const std::vector<double> locals = locals_of(block.arguments);
   if (code == 660) {
-    modal_ = {true, block.of('p'), locals};
+    modal_ = {true, block.of('p'), locals, std::nullopt};
     return true;
   }
   const double repeats = block.of('l', 1.0);

@@ -1,6 +1,8 @@
 #pragma once
 /// Fanuc's macro calls G65 G66 G67, and the alarms that macros raise.
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "toolpace/nc/context.h"
@@ -21,6 +23,7 @@ class MacroCalls {
     bool active = false;
     double program = 0.0;
     std::vector<double> arguments;
+    std::optional<std::size_t> running_at;  // depth of calls that it was called from, while it runs
   };
 
   Flow& flow_;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -30,9 +31,17 @@ struct WorkOffset {
 /// "G54", "g59.3", "G54.1P7": none where it names no system.
 std::optional<int> work_system_named(std::string_view name);
 
+/// How coordinates are read that have no decimal point, where controllers differ (Fanuc and its kind).
+enum class IntegerWords : std::uint8_t {
+  automatic,  ///< as the text suggests, with a warning
+  lengths,    ///< X100 is 100 mm
+  increments  ///< X100 is 100 least increments: 0.1 mm
+};
+
 struct ReadOptions {
   Dialect dialect = Dialect::automatic;
-  bool strict = false;                                ///< every warning is an error
+  bool strict = false;  ///< every warning is an error
+  IntegerWords integers = IntegerWords::automatic;
   bool block_delete = false;                          ///< skip lines that start with '/'
   std::filesystem::path tools = {};                   ///< LinuxCNC tool table; empty = none
   std::filesystem::path parameters = {};              ///< numbered parameters; empty = none

@@ -10,6 +10,8 @@
 #include "toolpace/base/part_monitor.h"
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/dialects/detect.h"
+#include "toolpace/nc/dialects/foreign.h"
+#include "toolpace/nc/dialects/integers.h"
 #include "toolpace/nc/interpreter.h"
 #include "toolpace/nc/parameter_file.h"
 #include "toolpace/nc/polyline.h"
@@ -91,8 +93,43 @@ nc::Fault uncertain_dialect(const nc::DialectGuess& guess) {
       0, Severity::warning};
 }
 
-Result<Reading> read_program(std::string_view text, const std::string& name, const ReadOptions& options,
+Error foreign_error(const std::string& name, const nc::ForeignLanguage& language) {
+  Error error = input_error(name, "language-unsupported", fmt::format("this is {}, and no G-code", language.name),
+                            "post the program as G-code (RS-274) for LinuxCNC, Fanuc, Haas, Mach3, grbl or Marlin; "
+                            "polylines are read as CSV");
+  error.where.line = language.line;
+  error.where.column = language.column;
+  return error;
+}
+
+// Controllers differ in what a coordinate without a point is: the reading that the text suggests, and a warning.
+std::optional<nc::Fault> choose_integers(std::string_view text, const nc::DialectRules& rules, ReadOptions& options,
+                                         std::size_t& line) {
+  if (!rules.integers_may_count || options.integers != IntegerWords::automatic) return std::nullopt;
+  const nc::IntegerUse use = nc::look_at_integers(text);
+  options.integers = use.are_increments ? IntegerWords::increments : IntegerWords::lengths;
+  line = use.line;
+  if (line == 0) return std::nullopt;
+  if (use.are_increments) {
+    return nc::Fault{
+        "integers-are-increments",
+        "coordinates without a decimal point are read in least increments, X1000 as 1 mm; controllers with "
+        "calculator-type input read lengths",
+        "write decimal points; --integers lengths reads them as lengths", 0, Severity::warning};
+  }
+  return nc::Fault{
+      "integers-are-lengths",
+      "coordinates without a decimal point are read as lengths; controllers set to least increments move a "
+      "thousandth of them",
+      "write decimal points; --integers increments reads them so", 0, Severity::warning};
+}
+
+Result<Reading> read_program(std::string_view text, const std::string& name, const ReadOptions& given,
                              const Monitor& monitor) {
+  ReadOptions options = given;
+  if (options.dialect == Dialect::automatic) {
+    if (const auto language = nc::find_foreign_language(text)) return tl::unexpected(foreign_error(name, *language));
+  }
   Reading reading;
   nc::DialectGuess guess{options.dialect, {}};
   if (options.dialect == Dialect::automatic) guess = nc::detect_dialect(text, name);
@@ -102,6 +139,8 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
   reading.moves.files = {name};
   const std::size_t lines = count_lines(text);
   reserve(reading.moves, lines);
+  std::size_t integer_line = 0;
+  auto integers = choose_integers(text, rules, options, integer_line);
   nc::ProgramFiles files(text, name, program_folders(name, options), monitor);
   nc::Interpreter interpreter(files, options, rules, options.limits.blocks + lines, reading);
   const auto tools =
@@ -120,6 +159,7 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
     nc::adopt_parameters(interpreter.context());
   }
   if (guess.other != Dialect::automatic) interpreter.log().add(uncertain_dialect(guess), name, 1, {});
+  if (integers) interpreter.log().add(std::move(*integers), name, integer_line, {});
   if (!interpreter.run(monitor)) return tl::unexpected(cancelled_error());
   if (files.failure()) return tl::unexpected(*files.failure());
   return reading;

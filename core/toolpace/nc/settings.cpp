@@ -8,6 +8,7 @@
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/motion/compensation.h"
 #include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/scaling.h"
 #include "toolpace/nc/text/whole_number.h"
 #include "toolpace/nc/tool_table.h"
 
@@ -130,6 +131,8 @@ bool run_settings(Context& context, const Block& block) {
   if (block.has(GGroup::compensation) && !set_compensation(context, block)) return false;
   if (block.has(GGroup::tool_length) && !set_tool_length(context, block)) return false;
   if (block.has(GGroup::system) && !set_system(context, block)) return false;
+  if (block.has(GGroup::mirror) && !set_mirror(context, block)) return false;
+  if (block.has(GGroup::scale) && !set_scale(context, block)) return false;
   if (block.has(GGroup::turn_plane) && !set_turned_plane(context, block)) return false;
   if (block.has(GGroup::polar)) modal.polar = block.code(GGroup::polar) == 160;
   if (block.has(GGroup::path_control) && !set_path_control(context, block)) return false;

@@ -6,7 +6,13 @@ namespace toolpace::nc {
 
 Position to_machine(const Offsets& offsets, const Position& work) {
   Position p;
-  for (std::size_t i = 0; i < kAxisCount; ++i) p[i] = work[i] + offsets.shift[i];
+  if (offsets.is_scaled) {
+    const Scaling& scaling = offsets.scaling;
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+      p[i] = work[i] * scaling.factor[i] + scaling.offset[i] + offsets.shift[i];
+  } else {
+    for (std::size_t i = 0; i < kAxisCount; ++i) p[i] = work[i] + offsets.shift[i];
+  }
   if (offsets.rotation != 0.0) {
     const double c = std::cos(offsets.rotation * kRadiansPerDegree);
     const double s = std::sin(offsets.rotation * kRadiansPerDegree);
@@ -29,6 +35,10 @@ Position to_work(const Offsets& offsets, const Position& machine) {
     p[1] = -x * s + p[1] * c;
   }
   for (std::size_t i = 0; i < kAxisCount; ++i) p[i] -= offsets.shift[i];
+  if (offsets.is_scaled) {
+    const Scaling& scaling = offsets.scaling;
+    for (std::size_t i = 0; i < kAxisCount; ++i) p[i] = (p[i] - scaling.offset[i]) / scaling.factor[i];
+  }
   return p;
 }
 

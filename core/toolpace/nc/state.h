@@ -68,12 +68,20 @@ struct OtherSpindle {
   int direction = 0;
 };
 
-/// Where work coordinates lie in the machine: machine = R(rotation)·(work + shift) + origin + tool_length.
+/// One factor an axis about a fixed point: scaled = factor·value + offset. Below 0 it mirrors.
+struct Scaling {
+  Position factor{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+  Position offset{};
+};
+
+/// Where work coordinates lie in the machine: machine = R(rotation)·(scaled(work) + shift) + origin + tool_length.
 struct Offsets {
   Position origin{};      ///< of the active system
   double rotation = 0.0;  ///< [deg] of the active system, about Z
   Position shift{};       ///< G92 and G52, while they apply
   Position tool_length{};
+  bool is_scaled = false;
+  Scaling scaling;  ///< G51 and G51.1, while they apply
 };
 
 struct Tool {
@@ -99,6 +107,7 @@ struct TurningMemory {
   Position end{};
   std::array<bool, kAxisCount> given{};
   double taper = 0.0;  ///< [mm] R: where the cut begins, seen from where it ends
+  double lead = 0.0;   ///< [mm] E of threads; 0 = F
 };
 
 /// What the first blocks of G71 to G76 of lathes say for the second ones. Lengths in mm, across radii.
@@ -110,6 +119,7 @@ struct TurningSetup {
   int finishing_passes = 1;
   double flank_angle = 0.0;  ///< [rad] half the angle of a thread, which it is cut in along
   double least_cut = 0.0, last_cut = 0.0;
+  double pull_out = 0.0;  ///< [leads] over which a thread leaves the work at 45 degrees
 };
 
 /// Cutter radius compensation in progress.
@@ -151,6 +161,7 @@ struct WaitingMove {
   int turns = 0;                         ///< of an arc, + counter-clockwise
   double feed = 0.0, feed_linear = 0.0;  ///< modal where it was read
   std::size_t line = 0, file = 0;
+  bool is_open = false;  ///< ,A alone: it ends where the next line meets it
 };
 
 struct SavedModal {
@@ -168,8 +179,10 @@ struct MendedArcs {
 struct State {
   Modal modal;
   Offsets offsets;
-  Position position{};    ///< of the tool, in work coordinates
-  Code plain_motion = 0;  ///< the last one of G0 G1 G2 G3
+  Scaling mirror, scale;             ///< G51.1 comes first, then G51; offsets.scaling is both of them
+  std::optional<Position> way_home;  ///< the point that G28 or G30 led through last
+  Position position{};               ///< of the tool, in work coordinates
+  Code plain_motion = 0;             ///< the last one of G0 G1 G2 G3
   int selected_tool = 0;
   bool tool_selected = false;  ///< by a T word, if only T0
   Tool loaded;
@@ -183,7 +196,11 @@ struct State {
   std::optional<WaitingMove> waiting;
   std::map<int, OtherSpindle> spindles;  ///< by number, from 1
   MendedArcs mended;
-  bool extruder_told = false;  ///< that E is left out has been said
+  bool extruder_told = false;    ///< that E is left out has been said
+  bool increments_told = false;  ///< that a peck is read in least increments has been said
+  bool turns_c = false;          ///< the program has moved C as an axis
+  bool pocket_told = false;      ///< that the radius of a pocket's tool is not known has been said
+  bool chamfer_told = false;     ///< that C of a straight move is a chamfer has been said
 };
 
 Position to_machine(const Offsets& offsets, const Position& work);

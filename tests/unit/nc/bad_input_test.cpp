@@ -138,7 +138,8 @@ TEST(BadInput, SubProgramsAreReadFromTheGivenFoldersOnly) {
   EXPECT_EQ(ends(*with), (Values{5.0}));
   EXPECT_EQ(with->moves.files.size(), 2u);
   EXPECT_EQ(with->moves.file[0], 1u);
-  EXPECT_EQ(read_file(program("linked"))->diagnostics.at(0).code, "sub-program-refused");  // it is there, and leads outside
+  EXPECT_EQ(read_file(program("linked"))->diagnostics.at(0).code,
+            "sub-program-refused");  // it is there, and leads outside
   for (const char* name : {"../secret", "/etc/passwd", "..", "secret"}) {
     const auto reading = read_file(program(name));
     ASSERT_TRUE(reading);

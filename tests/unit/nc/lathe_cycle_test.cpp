@@ -72,7 +72,7 @@ TEST(LatheCycle, RefusesWhatItCannotTurn) {
 }
 
 TEST(LatheCycle, IsNoCodeOfOtherDialects) {
-  const auto reading = read_as(Dialect::fanuc, "G71 U2 R1\nM30\n");
+  const auto reading = read_as(Dialect::fanuc, "G71 U2. R1.\nM30\n");
   EXPECT_EQ(codes(reading), Codes{"g-code-unfollowed@1:1"});
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -27,6 +28,11 @@ inline std::vector<std::string> codes(const Reading& reading) {
     list.push_back(d.code + "@" + std::to_string(d.where.line) + ":" + std::to_string(d.where.column));
   }
   return list;
+}
+
+inline bool has_code(const Reading& reading, const std::string& code) {
+  return std::any_of(reading.diagnostics.begin(), reading.diagnostics.end(),
+                     [&](const Diagnostic& d) { return d.code == code; });
 }
 
 /// X, Y, Z of a row's end.

@@ -94,7 +94,7 @@ TEST(TurningCycles, RepeatingShiftsThePatternTowardsTheLines) {
 
 TEST(TurningCycles, ThreadsGoDeeperByEqualAreas) {
   // Height 0.92, first cut 0.3: depths 0.3·√n down to 0.87 (R0.05 is left), then twice at 0.92; X28.16 is the root.
-  const auto reading = turned("G0 X32. Z5.\nG76 P021060 Q100 R0.05\nG76 X28.16 Z-18. P920 Q300 F1.5\n");
+  const auto reading = turned("G0 X32. Z5.\nG76 P020060 Q100 R0.05\nG76 X28.16 Z-18. P920 Q300 F1.5\n");
   ASSERT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
   Values radii;
   for (std::size_t i = 0; i < reading.moves.size(); ++i) {

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 
+#include "toolpace/nc/dialects/rules.h"
 #include "toolpace/nc/dialects/signs.h"
 
 namespace toolpace::nc {
 namespace {
 
 constexpr std::size_t kDetectionBytes = std::size_t{256} * 1024;
-constexpr std::size_t kLongestLine = 1000;
+constexpr std::size_t kLongestLookedAt = 1000;
 constexpr std::size_t kDialects = static_cast<std::size_t>(Dialect::marlin) + 1;
 constexpr std::size_t kMostReasons = 4;
 constexpr int kCertain = 6;  // by strong signs: two of them, or one and weak ones
@@ -57,7 +58,7 @@ Dialect choose(const Evidence& evidence, bool named_as_linuxcnc, Dialect& other)
   // X and Z alone, without another sign, are of no lathe.
   if (lathe >= kStrong) {
     if (lathe < kCertain && fanuc <= 0) other = Dialect::linuxcnc;
-    return Dialect::fanuc_lathe;
+    return evidence.score(Dialect::fanuc_lathe_b) >= kStrong ? Dialect::fanuc_lathe_b : Dialect::fanuc_lathe;
   }
   if (haas > 0) return Dialect::haas;
   if (mach3 > 0 && mach3 >= fanuc) return Dialect::mach3;
@@ -76,7 +77,7 @@ DialectGuess detect_dialect(std::string_view text, std::string_view name) {
   SignReader reader;
   for (std::size_t line = 1; !text.empty() && evidence.score(Dialect::linuxcnc) <= 0; ++line) {
     const std::size_t length = std::min(text.find('\n'), text.size());
-    const std::string_view content = text.substr(0, std::min(length, kLongestLine));
+    const std::string_view content = text.substr(0, std::min(length, kLongestLookedAt));
     if (!reader.is_plain(content)) {
       for (const Sign& sign : reader.look_at(content)) evidence.add(sign, line);
     }
@@ -87,7 +88,10 @@ DialectGuess detect_dialect(std::string_view text, std::string_view name) {
   const bool named = is_named_as_linuxcnc(name);
   guess.dialect = choose(evidence, named, guess.other);
   guess.reasons = std::move(evidence.reasons(guess.dialect));
-  if (guess.dialect == Dialect::fanuc_lathe || guess.dialect == Dialect::haas) {
+  if (guess.dialect == Dialect::fanuc_lathe_b) {
+    for (auto& reason : evidence.reasons(Dialect::fanuc_lathe)) guess.reasons.push_back(std::move(reason));
+  }
+  if (rules_of(guess.dialect).macro_statements && guess.dialect != Dialect::fanuc) {
     for (auto& reason : evidence.reasons(Dialect::fanuc)) guess.reasons.push_back(std::move(reason));
   }
   if (guess.reasons.empty() && named) guess.reasons.emplace_back("the file is named .ngc, as LinuxCNC's are");

@@ -6,6 +6,8 @@ namespace toolpace::nc {
 
 std::optional<CodeUse<GGroup>> fanuc_lathe_g_code(Code code) {
   switch (code) {
+    case 870: return CodeUse<GGroup>{GGroup::motion};  // G83 from the side
+    case 1840: return CodeUse<GGroup>{GGroup::motion, true, 740};
     case 980: return CodeUse<GGroup>{GGroup::feed_mode, true, 940};
     case 990: return CodeUse<GGroup>{GGroup::feed_mode, true, 950};
     case 500: return CodeUse<GGroup>{GGroup::once, true, kLatheOrigin};
@@ -25,14 +27,17 @@ std::optional<CodeUse<GGroup>> fanuc_lathe_g_code(Code code) {
     case 740:
     case 750:
     case 760: return CodeUse<GGroup>{GGroup::motion, true, static_cast<Code>(kForeignCodes + code)};
-    case 680: return std::nullopt;
-    default: return fanuc_g_code(code);
+    default: return fanuc_lathe_unfollowed(code) != nullptr ? std::nullopt : fanuc_g_code(code);
   }
 }
 
 const char* fanuc_lathe_unfollowed(Code code) {
   switch (code) {
     case 340: return "cuts a thread of changing lead";
+    case 350:
+    case 360: return "cuts a thread along an arc";
+    case 510: return "scales the path";
+    case 511: return "mirrors the path";
     case 680: return "mirrors the path for a second turret";
     default: return fanuc_unfollowed(code);
   }

@@ -10,8 +10,7 @@ std::optional<CodeUse<GGroup>> sender_g_code(Code code) {
                        400, 431, 490, 530, 540, 550, 560, 570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940});
   if (const auto group = common_g_group(code)) return CodeUse<GGroup>{*group, has};
   if (code == 290) return CodeUse<GGroup>{GGroup::ignored};  // printers probe their bed
-  if (const auto other = fanuc_g_code(code)) return CodeUse<GGroup>{other->group, false};
-  return std::nullopt;
+  return foreign_g_code(code);
 }
 
 std::optional<CodeUse<MGroup>> sender_m_code(int number) {

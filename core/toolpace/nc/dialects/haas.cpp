@@ -5,11 +5,34 @@
 namespace toolpace::nc {
 namespace {
 
+const char* haas_unfollowed(Code code) {
+  switch (code) {
+    case 700:
+    case 710:
+    case 720: return nullptr;
+    case 470: return "engraves text";
+    case 1500: return "mills a pocket";
+    case 1410: return "compensates a tool in space";
+    case 1430: return "lengthens the tool in five axes";
+    case 2340: return "moves the tool's tip while rotary axes turn";
+    case 2540: return "turns the work offset with the rotary axes";
+    case 2680: return "tilts the work plane";
+    default: return fanuc_unfollowed(code);
+  }
+}
+
 std::optional<CodeUse<GGroup>> haas_g_code(Code code) {
-  if (code == 1540) return CodeUse<GGroup>{GGroup::system, true, 541};  // G154 P is G54.1 P
-  // Smoothness, limiting of look-ahead, coordinates of other pallets' fixtures.
-  if (is_listed(code, {1030, 1870})) return CodeUse<GGroup>{GGroup::ignored};
-  return fanuc_g_code(code);
+  if (haas_unfollowed(code) != nullptr) return std::nullopt;
+  if (code >= 1100 && code <= 1290 && code % 10 == 0) return CodeUse<GGroup>{GGroup::system};  // G154 P1 to P20
+  switch (code) {
+    case 700: return CodeUse<GGroup>{GGroup::once, true, kHolesOnCircle};
+    case 710: return CodeUse<GGroup>{GGroup::once, true, kHolesOnArc};
+    case 720: return CodeUse<GGroup>{GGroup::once, true, kHolesOnLine};
+    case 770: return CodeUse<GGroup>{GGroup::motion, true, kBackBoring};
+    case 1000: return CodeUse<GGroup>{GGroup::mirror, true, 501};
+    case 1010: return CodeUse<GGroup>{GGroup::mirror, true, 511};
+    default: return fanuc_g_code(code);
+  }
 }
 
 std::optional<CodeUse<MGroup>> haas_m_code(int number) {
@@ -17,21 +40,12 @@ std::optional<CodeUse<MGroup>> haas_m_code(int number) {
   return fanuc_m_code(number);
 }
 
-const char* haas_unfollowed(Code code) {
-  switch (code) {
-    case 120:
-    case 130: return "mills a circular pocket";
-    case 1500: return "mills a pocket";
-    case 470: return "engraves text";
-    default: return fanuc_unfollowed(code);
-  }
-}
-
 }  // namespace
 
 constinit const DialectRules kHaasRules = [] {
   DialectRules rules = fanuc_kind(Dialect::haas);
   rules.repeats_by_k = rules.repeats_within_p = false;  // L repeats
+  rules.scales_in_thousandths = false;
   rules.g_code = haas_g_code;
   rules.m_code = haas_m_code;
   rules.unfollowed = haas_unfollowed;

@@ -8,8 +8,7 @@ namespace {
 std::optional<CodeUse<GGroup>> linuxcnc_g_code(Code code) {
   if (is_listed(code, {700, 710, 711, 712, 720, 721, 722})) return CodeUse<GGroup>{GGroup::motion};
   if (const auto group = common_g_group(code)) return CodeUse<GGroup>{*group};
-  if (const auto other = fanuc_g_code(code)) return CodeUse<GGroup>{other->group, false};
-  return std::nullopt;
+  return foreign_g_code(code);
 }
 
 std::optional<CodeUse<MGroup>> linuxcnc_m_code(int number) {
@@ -23,9 +22,10 @@ std::optional<CodeUse<MGroup>> linuxcnc_m_code(int number) {
 
 std::optional<CodeUse<GGroup>> unmarked_g_code(Code code) {
   if (const auto use = linuxcnc_g_code(code); use && use->by_dialect) return use;
-  const auto other = fanuc_g_code(code);
-  if (other && other->group == GGroup::ignored) return other;
-  return linuxcnc_g_code(code);
+  auto other = fanuc_g_code(code);
+  const bool moves = other && other->group != GGroup::ignored && other->group != GGroup::machine;
+  if (moves) other->by_dialect = false;
+  return other;
 }
 
 std::optional<CodeUse<MGroup>> unmarked_m_code(int number) {

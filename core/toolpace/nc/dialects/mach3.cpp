@@ -9,11 +9,13 @@ std::optional<CodeUse<GGroup>> mach3_g_code(Code code) {
   if (code == 700) return CodeUse<GGroup>{GGroup::units, true, 200};
   if (code == 710) return CodeUse<GGroup>{GGroup::units, true, 210};
   if (code == 310) return CodeUse<GGroup>{GGroup::motion, true, 383};
-  if (is_listed(code, {500, 401})) return CodeUse<GGroup>{GGroup::ignored};  // scaling off, no arcs at corners
+  if (code == 120) return CodeUse<GGroup>{GGroup::once, true, kPocketRight};
+  if (code == 130) return CodeUse<GGroup>{GGroup::once, true, kPocketLeft};
+  if (code == 401) return CodeUse<GGroup>{GGroup::ignored};  // no arcs at corners
+  if (is_listed(code, {500, 510})) return CodeUse<GGroup>{GGroup::scale};
   if (is_listed(code, {680, 690})) return CodeUse<GGroup>{GGroup::turn_plane};
   if (const auto group = common_g_group(code)) return CodeUse<GGroup>{*group};
-  if (const auto other = fanuc_g_code(code)) return CodeUse<GGroup>{other->group, false};
-  return std::nullopt;
+  return foreign_g_code(code);
 }
 
 std::optional<CodeUse<MGroup>> mach3_m_code(int number) {
@@ -25,7 +27,6 @@ const char* mach3_unfollowed(Code code) {
   switch (code) {
     case 150:
     case 160: return "switches polar coordinates";
-    case 510: return "scales the path";
     default: return nullptr;
   }
 }
@@ -40,6 +41,8 @@ const DialectRules kMach3Rules{.dialect = Dialect::mach3,
                                .motion_beside_home = true,
                                .machine_moves_incremental = true,
                                .ignores_centre_off_plane = true,
+                               .scales_by_axis_words = true,
+                               .pockets_straight = true,
                                .arc = kLinuxcncArcs,
                                .g_code = mach3_g_code,
                                .m_code = mach3_m_code,

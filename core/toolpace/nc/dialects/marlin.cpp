@@ -10,10 +10,13 @@ constexpr ArcTolerance kMarlinArcs{
 
 namespace {
 
+constexpr Code kFirstMakersCode = 1000;  // makers of printers have codes of their own from G100 on
+
 // Retraction, cleaning, probing and levelling of the bed, tools: nothing that the path of a print depends on.
 std::optional<CodeUse<GGroup>> marlin_g_code(Code code) {
   if (is_listed(code, {100, 110, 120, 260, 270, 290, 291, 292, 300, 320, 330, 340, 350, 420, 600, 610, 760, 800, 4250}))
     return CodeUse<GGroup>{GGroup::ignored};
+  if (code >= kFirstMakersCode) return CodeUse<GGroup>{GGroup::machine};
   return sender_g_code(code);
 }
 

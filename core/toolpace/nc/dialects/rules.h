@@ -63,6 +63,10 @@ struct DialectRules {
   bool linuxcnc_cycles = false;            ///< tapping cycles feed out to the level that they leave at
   bool incremental_g10 = false;            ///< G10 adds under G91, and needs no L
   bool lathe_words = false;                ///< U V W H are increments of X Y Z C, T0101 is tool 1 with offset 1
+  bool scales_in_thousandths = false;      ///< G51 P2000 is twice
+  bool scales_by_axis_words = false;       ///< G51 X2 Y2 scales about the zero
+  bool pockets_straight = false;           ///< G12 and G13 reach their circle along X, and not along half a circle
+  bool integers_may_count = false;         ///< X1000 may be 1000 least increments
 
   ArcTolerance arc;
 
@@ -92,6 +96,8 @@ inline constexpr ArcTolerance kLinuxcncArcs{.metric = 0.02828427124746190,
 // What several dialects share.
 std::optional<GGroup> common_g_group(Code tenths);
 std::optional<CodeUse<GGroup>> fanuc_g_code(Code tenths);
+/// What a code of Fanuc's kind does, for dialects that do not have it.
+std::optional<CodeUse<GGroup>> foreign_g_code(Code tenths);
 std::optional<CodeUse<GGroup>> fanuc_lathe_g_code(Code tenths);
 const char* fanuc_lathe_unfollowed(Code tenths);
 std::optional<CodeUse<GGroup>> sender_g_code(Code tenths);
@@ -114,6 +120,7 @@ constexpr DialectRules fanuc_kind(Dialect dialect) {
   rules.repeats_by_k = rules.repeats_within_p = true;
   rules.g80_keeps_motion = rules.motion_beside_home = rules.machine_moves_incremental = true;
   rules.ignores_centre_off_plane = rules.incremental_g10 = true;
+  rules.scales_in_thousandths = rules.integers_may_count = true;
   return rules;
 }
 

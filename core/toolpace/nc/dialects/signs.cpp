@@ -79,6 +79,9 @@ void SignReader::look_at_comments(std::string_view line) {
   if (open == std::string_view::npos) return;
   std::string comment(line.substr(open));
   for (char& c : comment) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  for (const char* model : {"(vf-", "(vf2", " vf-", "(st-", " st-", "umc-"}) {
+    if (contains(comment, model)) add(Dialect::haas, 1, "a comment names a model of Haas");
+  }
   if (contains(comment, "haas")) add(Dialect::haas, 3, "a comment names Haas");
   if (contains(comment, "mach3") || contains(comment, "mach 3") || contains(comment, "mach4"))
     add(Dialect::mach3, 3, "a comment names Mach3");
@@ -117,13 +120,27 @@ void SignReader::look_at_words() {
     if (text_.rfind(macro, 0) == 0) add(Dialect::marlin, 3, "a macro of Klipper");
   }
   if (has_checksum(text_)) add(Dialect::marlin, 3, "a checksum at the end of the line");
-  if (has('g', "154") || has('g', "187") || has('g', "103") || has('m', "97"))
-    add(Dialect::haas, 3, "a code of Haas (G154, G187, G103, M97)");
+  look_at_haas_words();
   const bool no_spindle = !has('s') && !has('x') && !has('z');
   if (has('g', "40.1") || (has('g', "50") && has('g', "90") && no_spindle))
     add(Dialect::mach3, 3, "a header of Mach3 (G40.1, G50)");
-  if ((has('g', "70") || has('g', "71")) && words_.size() == 1)
-    add(Dialect::mach3, 3, "G70 and G71 alone: inch and mm");
+  const bool only_codes =
+      std::all_of(words_.begin(), words_.end(), [](const Word& w) { return w.letter == 'g' || w.letter == 'm'; });
+  if ((has('g', "70") || has('g', "71")) && only_codes)
+    add(Dialect::mach3, 3, "G70 and G71 without words: inch and mm");
+  if (has('g', "12") || has('g', "13")) {
+    if (has('i')) add(has('z') || has('k') || has('d') ? Dialect::haas : Dialect::mach3, 2, "a pocket G12 or G13");
+  }
+}
+
+void SignReader::look_at_haas_words() {
+  if (has('g', "154") || has('g', "187") || has('g', "103") || has('m', "97"))
+    add(Dialect::haas, 3, "a code of Haas (G154, G187, G103, M97)");
+  const bool pattern = has('g', "70") || has('g', "71") || has('g', "72");
+  if (pattern && has('i') && has('l') && !has('p')) add(Dialect::haas, 3, "a pattern of holes G70, G71 or G72");
+  for (const char* offset : {"110", "111", "112", "113", "129"}) {
+    if (has('g', offset) && (has('x') || has('y')) && !has('c')) add(Dialect::haas, 2, "a work offset G110 to G129");
+  }
 }
 
 // What grbl takes and LinuxCNC refuses.
@@ -152,6 +169,10 @@ void SignReader::look_at_lathe_words() {
   if (contour && has('q') && !has('p') && !has('x') && !has('y') && !has('u') && !has('w') && !has('f'))
     add(Dialect::linuxcnc, 3, "a turning cycle with Q");
   if (has('g', "32")) lathe(2, "G32");
+  if (has('g', "50") && has('s')) add(Dialect::fanuc_lathe_b, -6, "G50 S");
+  if (has('g', "92") && has('s') && !has('x')) add(Dialect::fanuc_lathe_b, 3, "G92 S");
+  if ((has('g', "77") || has('g', "78") || has('g', "79")) && (has('x') || has('u')) && has('z'))
+    add(Dialect::fanuc_lathe_b, 3, "a cycle G77, G78 or G79");
   if ((has('u') || has('w')) && !has('g', "4") && !contour && motion) lathe(2, "increments U and W");
 }
 
@@ -196,7 +217,9 @@ const std::vector<Sign>& SignReader::look_at(std::string_view line) {
   words_.clear();
   look_at_comments(line);
   text_ = fold(line);
+  if (text_.rfind("%wait", 0) == 0 || text_.rfind("%msg", 0) == 0) add(Dialect::grbl, 1, "a macro of a sender, %");
   if (text_.empty() || text_.front() == '%') return signs_;
+  if (text_.front() == '<' && !seen_block_ && text_.back() == '>') add(Dialect::fanuc, 3, "a program name <>");
   if (text_.front() == '$') add(Dialect::grbl, 3, "a command of a sender, $");
   if (text_ == "?" || text_ == "!" || text_ == "~") add(Dialect::grbl, 1, "a real-time character");
   if (text_.front() == ':' && !seen_block_) add(Dialect::fanuc, 3, "a program number :");

@@ -33,6 +33,7 @@ class SignReader {
   void look_at_comments(std::string_view line);
   void look_at_o_word();
   void look_at_words();
+  void look_at_haas_words();
   void look_at_sender_words();
   void look_at_lathe_words();
   void add(Dialect dialect, int weight, std::string_view what);

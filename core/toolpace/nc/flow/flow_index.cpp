@@ -106,13 +106,16 @@ FlowIndex::FlowIndex(std::string_view text, bool fanuc) : text_(text), fanuc_(fa
 void FlowIndex::scan() {
   std::size_t begin = 0;
   std::size_t number = 0;
+  bool seen_percent = false;
   while (begin < text_.size()) {
     const void* found = std::memchr(text_.data() + begin, '\n', text_.size() - begin);
     const std::size_t end =
         found ? static_cast<std::size_t>(static_cast<const char*>(found) - text_.data()) : text_.size();
     const std::size_t next = std::min(end + 1, text_.size());
     ++number;
-    scan_line(text_.substr(begin, end - begin), begin, next, number);
+    const std::string_view line = text_.substr(begin, end - begin);
+    if (!fanuc_ && Scanner(line).peek() == '%' && std::exchange(seen_percent, true)) return;  // nothing behind is read
+    scan_line(line, begin, next, number);
     begin = next;
   }
 }
@@ -125,8 +128,8 @@ void FlowIndex::scan_line(std::string_view line, std::size_t begin, std::size_t 
   entry.begin = begin;
   entry.next = next;
   entry.line = number;
-  if (c == 'o' || (fanuc_ && c == ':')) {
-    text.take();
+  if (c == 'o' || (fanuc_ && (c == ':' || c == '<'))) {
+    if (c != '<') text.take();
     if (!read_label(text, entry.label)) return;
     entry.control = read_control(text);
     if (entry.control == Control::unknown && fanuc_) entry.control = Control::none;

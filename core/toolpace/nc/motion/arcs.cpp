@@ -8,6 +8,7 @@
 #include "toolpace/nc/motion/compensation.h"
 #include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/scaling.h"
 #include "toolpace/nc/text/whole_number.h"
 
 namespace toolpace::nc {
@@ -98,9 +99,10 @@ bool find_turns(Context& context, const Block& block, bool clockwise, int& turns
   return true;
 }
 
-double length_of_arc(const PlaneArc& arc, double rise) {
+double length_of_arc(const State& state, const PlaneArc& arc, const PlaneAxes& plane, double rise) {
   const double r = std::hypot(arc.start[0] - arc.centre[0], arc.start[1] - arc.centre[1]);
-  return std::hypot(r * sweep_of(arc), rise);
+  return std::hypot(r * sweep_of(arc) * scale_of(state.offsets, plane.first),
+                    rise * scale_of(state.offsets, plane.normal));
 }
 
 bool check_words(Context& context, const Block& block, const PlaneAxes& plane) {
@@ -159,7 +161,7 @@ void write_arc(Context& context, const PlaneArc& arc, const Position& from, cons
     normal = {x * std::cos(angle) - y * std::sin(angle), x * std::sin(angle) + y * std::cos(angle), 0.0};
   }
   detail.normal = normal;
-  detail.sweep = sweep_of(arc);
+  detail.sweep = sweep_of(arc) * turn_of(offsets, plane);
   context.out.arc(offsets, end, detail, feed_mm_min);
 }
 
@@ -215,10 +217,14 @@ bool go_around(Context& context, const Block& block, const PlaneArc& arc, const 
                                fmt::format("an arc with a radius of more than {:g} mm", kFarthest), "check I J K or R",
                                block.column_of(GGroup::motion));
   }
+  if (!scales_evenly(state.offsets, plane)) {
+    return context.faults.fail("arc-scaled-unevenly",
+                               "an arc whose plane is scaled along one axis more than along the other",
+                               "scale both axes alike, or give the curve as lines", block.column_of(GGroup::motion));
+  }
   Feedrate feed;
-  if (!find_feedrate(context, block, {length_of_arc(arc, end[plane.normal] - from[plane.normal]), 0.0, from[0], end[0]},
-                     feed))
-    return false;
+  const double length = length_of_arc(state, arc, plane, end[plane.normal] - from[plane.normal]);
+  if (!find_feedrate(context, block, {length, 0.0, from[0], end[0]}, feed)) return false;
   if (state.compensation.radius > 0.0) return compensate_arc(context, arc, end, feed);
   if (state.compensation.arc_forbidden) {
     return context.faults.fail("compensation-exit-arc",

@@ -8,6 +8,7 @@
 
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/motion/offset_geometry.h"
+#include "toolpace/nc/scaling.h"
 
 namespace toolpace::nc {
 namespace {
@@ -88,7 +89,7 @@ bool move_open_end(Context& context, const Frame& frame, const Point& corner) {
   }
   if (open.turn != 0) {
     const PlaneArc arc{{open.start.x, open.start.y}, {corner.x, corner.y}, {open.centre.x, open.centre.y}, open.turn};
-    moves.arcs[moves.detail[*c.open_row]].sweep = sweep_of(arc);
+    moves.arcs[moves.detail[*c.open_row]].sweep = sweep_of(arc) * turn_of(state.offsets, frame.plane);
   }
   return true;
 }

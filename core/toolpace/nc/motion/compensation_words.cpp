@@ -7,6 +7,7 @@
 
 #include "toolpace/nc/motion/compensation.h"
 #include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/scaling.h"
 #include "toolpace/nc/text/whole_number.h"
 #include "toolpace/nc/tool_table.h"
 
@@ -97,6 +98,14 @@ bool set_compensation(Context& context, const Block& block) {
   double radius = 0.0;
   int orientation = 0;
   if (!find_radius(context, block, radius, orientation)) return false;
+  const PlaneAxes plane = plane_axes(state.modal.plane);
+  if (!scales_evenly(state.offsets, plane)) {
+    return context.faults.fail(
+        "arc-scaled-unevenly",
+        "cutter radius compensation in a plane that is scaled along one axis more than along the other",
+        "scale both axes alike", column);
+  }
+  radius /= scale_of(state.offsets, plane.first);  // the tool does not grow
   const bool left = code == 410 || code == 411;
   const bool on_left = radius >= 0.0 ? left : !left;  // a negative radius changes sides
   state.modal.compensation = on_left ? 410 : 420;

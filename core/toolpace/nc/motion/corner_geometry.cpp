@@ -2,10 +2,13 @@
 
 #include <cmath>
 
+#include "toolpace/base/axes.h"
+
 namespace toolpace::nc {
 namespace {
 
-constexpr double kNoCorner = 1e-9;  // [rad] smoother than this there is no corner to finish
+constexpr double kWholeLine = 1.0 + 1e-9;  // a chamfer may take the whole line beside it
+constexpr double kNoCorner = 1e-9;         // [rad] smoother than this there is no corner to finish
 
 // The foot of `centre` on the element's line or circle.
 Point foot_on(const OffsetElement& e, Point centre) {
@@ -31,12 +34,12 @@ bool move_left(OffsetElement& e, double distance) {
 
 OffsetElement reversed(const OffsetElement& e) { return {e.end, e.start, e.centre, -e.turn}; }
 
-// The point of the element at `length` from its start; false beyond its end.
+// The point of the element at `length` from its start, as the crow flies; false beyond its end.
 bool point_after_start(const OffsetElement& e, double length, Point& p) {
   if (e.turn == 0) {
     const double whole = norm(e.end - e.start);
-    p = e.start + (e.end - e.start) * (length / whole);
-    return length < whole;
+    p = length < whole ? e.start + (e.end - e.start) * (length / whole) : e.end;
+    return length <= whole * kWholeLine;
   }
   const double radius = norm(e.start - e.centre);
   if (!(length < 2.0 * radius)) return false;
@@ -74,6 +77,17 @@ bool break_corner(OffsetElement& before, OffsetElement& after, double length, Of
   between = {begin, end, {}, 0};
   before.end = begin;
   after.start = end;
+  return true;
+}
+
+bool find_meeting_of_lines(Point a, double angle_of_a, Point b, double angle_of_b, Point& meeting) {
+  const auto direction = [](double angle) {
+    return Point{std::cos(angle * kRadiansPerDegree), std::sin(angle * kRadiansPerDegree)};
+  };
+  const Point along = direction(angle_of_a), other = direction(angle_of_b);
+  const double sine = cross(along, other);
+  if (std::fabs(sine) < kNoCorner) return false;
+  meeting = a + along * (cross(b - a, other) / sine);
   return true;
 }
 

@@ -15,4 +15,7 @@ bool round_corner(OffsetElement& before, OffsetElement& after, double radius, Of
 /// Puts a line between them that begins and ends at `length` from where they meet.
 bool break_corner(OffsetElement& before, OffsetElement& after, double length, OffsetElement& between);
 
+/// Where two lines meet, given a point and an angle [deg] of each; false where they are parallel.
+bool find_meeting_of_lines(Point a, double angle_of_a, Point b, double angle_of_b, Point& meeting);
+
 }  // namespace toolpace::nc

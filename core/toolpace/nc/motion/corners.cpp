@@ -70,10 +70,9 @@ bool run_corner(Context& context, WaitingMove before, const WaitingMove& after) 
   const Position start = programmed_position(context.state);
   const AsRead as_read(context, before);
   const bool is_chamfer = before.block.has_any(1u << kChamferWord);
-  const std::size_t word = is_chamfer                          ? kChamferWord
-                           : before.block.has_any(kCornerBits) ? kFilletWord
-                                                               : word_index('r');
-  const double size = before.block.value[word] * context.state.modal.unit();
+  const double size = before.block.has_any(kCornerBits)
+                          ? before.block.value[is_chamfer ? kChamferWord : kFilletWord] * context.state.modal.unit()
+                          : 0.0;
   const auto fail = [&](const char* code, std::string what, const char* remedy) {
     return context.faults.fail(code, std::move(what), remedy);
   };
@@ -108,19 +107,39 @@ bool run_corner(Context& context, WaitingMove before, const WaitingMove& after) 
   return run_as_it_is(context, before) && run_as_it_is(context, corner);
 }
 
-// On lathes R of a straight move rounds its end.
-bool ends_in_corner(const Context& context, const WaitingMove& move) {
-  return move.block.has_any(kCornerBits) || (context.rules.lathe_words && move.code == 10 && move.block.has('r'));
+bool fail_open(Context& context, const WaitingMove& move) {
+  return context.faults.fail("line-angle-open", fmt::format("the line of line {} has an angle, but no end", move.line),
+                             "give one of its coordinates, or in the next block both coordinates and an angle");
+}
+
+// The end of a line that has an angle alone: where the next one, which has both ends and an angle, meets it.
+bool find_open_end(Context& context, WaitingMove& move, const WaitingMove& next) {
+  const PlaneAxes plane = plane_axes(context.state.modal.plane);
+  const bool names_both = names_axis(context, next.block, plane.first) && names_axis(context, next.block, plane.second);
+  if (next.code != 10 || !next.block.has_any(kLineAngleBit) || !names_both) return fail_open(context, move);
+  Point meeting;
+  if (!find_meeting_of_lines(in_plane(plane, move.end), move.block.value[kLineAngleWord], in_plane(plane, next.end),
+                             next.block.value[kLineAngleWord], meeting)) {
+    return context.faults.fail("line-angle", fmt::format("the line of line {} and the next one do not meet", move.line),
+                               "check the angles", next.block.column[kLineAngleWord]);
+  }
+  move.end[plane.first] = meeting.x;
+  move.end[plane.second] = meeting.y;
+  return true;
 }
 
 bool run_cornered(Context& context, WaitingMove move) {
   State& state = context.state;
+  const PlaneAxes plane = plane_axes(state.modal.plane);
   if (state.waiting) {
-    const WaitingMove before = std::move(*state.waiting);
+    WaitingMove before = std::move(*state.waiting);
     state.waiting.reset();
+    if (before.is_open && !find_open_end(context, before, move)) return false;
     if (!run_corner(context, before, move)) return false;
   }
-  if (!ends_in_corner(context, move)) return run_as_it_is(context, move);
+  move.is_open = move.block.has_any(kLineAngleBit) && !names_axis(context, move.block, plane.first) &&
+                 !names_axis(context, move.block, plane.second);
+  if (!move.is_open && !move.block.has_any(kCornerBits)) return run_as_it_is(context, move);
   state.waiting = std::move(move);
   return true;
 }
@@ -139,6 +158,39 @@ WaitingMove waiting_move(const Context& context, const Block& block, Code code, 
 
 }  // namespace
 
+Block with_corner_words(Context& context, const Block& block, Code motion) {
+  State& state = context.state;
+  Block plain = block;
+  if (motion != 10) {
+    state.turns_c = state.turns_c || block.has('c');
+    return plain;
+  }
+  const auto replace = [&](char letter, std::size_t word) {
+    const std::size_t from = word_index(letter);
+    plain.words &= ~word_bit(letter);
+    if ((plain.words & (1u << word)) != 0) return;
+    plain.words |= 1u << word;
+    plain.value[word] = word == kLineAngleWord ? block.value[from] : std::fabs(block.value[from]);
+    plain.column[word] = block.column[from];
+  };
+  const bool x = names_axis(context, block, 0), z = names_axis(context, block, 2);
+  if (block.has('a')) replace('a', kLineAngleWord);
+  if (block.has('r')) replace('r', kFilletWord);
+  if (block.has('i') && z && !x) replace('i', kChamferWord);
+  if (block.has('k') && x && !z) replace('k', kChamferWord);
+  if (!block.has('c')) return plain;
+  if (state.turns_c || (!x && !z)) {
+    state.turns_c = true;
+    return plain;
+  }
+  replace('c', kChamferWord);
+  if (!std::exchange(state.chamfer_told, true)) {
+    context.faults.warn("lathe-chamfer", "C of a straight move is read as a chamfer, not as the axis C",
+                        "write ,C for a chamfer; the axis C is known by a G0 with it", block.column_of('c'));
+  }
+  return plain;
+}
+
 bool run_cornered_line(Context& context, const Block& block, Code code, const Position& end) {
   return run_cornered(context, waiting_move(context, block, code, end));
 }
@@ -154,6 +206,7 @@ bool release_corner(Context& context) {
   if (!context.state.waiting) return true;
   const WaitingMove move = std::move(*context.state.waiting);
   context.state.waiting.reset();
+  if (move.is_open) return fail_open(context, move);
   context.faults.warn("corner-without-move",
                       fmt::format("no move in the plane follows the corner of line {}; it stays sharp", move.line),
                       "give the move that the corner leads to in the next block");

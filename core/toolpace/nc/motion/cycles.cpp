@@ -4,16 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "toolpace/nc/dwell.h"
 #include "toolpace/nc/motion/cycle_fault.h"
-#include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/motion/drilling.h"
+#include "toolpace/nc/motion/end_point.h"
+#include "toolpace/nc/motion/feedrate.h"
+#include "toolpace/nc/motion/increments.h"
+#include "toolpace/nc/scaling.h"
 #include "toolpace/nc/text/whole_number.h"
 
 namespace toolpace::nc {
 namespace {
 
-constexpr double kPeckClearance = 0.254;  // [mm] 0.010 in, of G73 and G83
 constexpr double kMostPecks = 100000;
 constexpr double kWholeDepth = 1e9;  // [mm] the peck of a hole that is drilled at once
 constexpr int kMostRepeats = 1'000'000;
@@ -29,121 +33,6 @@ Code cycle_of(const Context& context, Code code) {
   return context.rules.lathe_words && code >= 870 ? static_cast<Code>(code - 40) : code;
 }
 
-// One hole, in work coordinates; levels along the plane's normal axis.
-struct Hole {
-  PlaneAxes plane;
-  double first, second;  // its place in the plane
-  double retract;        // R
-  double bottom;
-  double clear;  // level to leave at
-};
-
-class CycleRun {
- public:
-  CycleRun(Context& context, const PlaneAxes& plane, const Feedrate& feed)
-      : context_(context), plane_(plane), feed_(feed) {}
-
-  void rapid(double level) { move(MoveKind::rapid, level); }
-  void feed(double level) { move(MoveKind::feed, level); }
-  void rapid_to(double first, double second) { rapid_to(first, second, context_.state.position[plane_.normal]); }
-  void rapid_to(double first, double second, double at_level) {
-    Position end = context_.state.position;
-    end[plane_.normal] = at_level;
-    end[plane_.first] = first;
-    end[plane_.second] = second;
-    context_.out.line(MoveKind::rapid, context_.state.offsets, end);
-    context_.state.position = end;
-  }
-  void dwell(double seconds) { context_.out.dwell(seconds); }
-
- private:
-  void move(MoveKind kind, double level) {
-    Position end = context_.state.position;
-    end[plane_.normal] = level;
-    context_.out.line(kind, context_.state.offsets, end, feed_);
-    context_.state.position = end;
-  }
-
-  Context& context_;
-  PlaneAxes plane_;
-  Feedrate feed_;
-};
-
-void peck(CycleRun& run, const Hole& hole, double step, bool full_retract) {
-  for (double depth = hole.retract - step; depth > hole.bottom; depth -= step) {
-    run.feed(depth);
-    if (full_retract) run.rapid(hole.retract);
-    run.rapid(depth + kPeckClearance);
-  }
-  run.feed(hole.bottom);
-  run.rapid(hole.clear);
-}
-
-bool check_spindle(Context& context, const Block& block, Code code) {
-  const int direction = context.state.modal.spindle_direction;
-  const bool needs_any = code == 860 || code == 870 || code == 880;
-  const int wanted = code == 740 ? -1 : code == 840 ? 1 : 0;
-  if (needs_any && direction == 0 && context.rules.refuses_doubtful) {
-    return fail(context, block, "spindle-stopped", code_text('G', code) + " while the spindle stands still",
-                "start it with M3 or M4");
-  }
-  if (wanted == 0 || wanted == direction || !context.rules.refuses_doubtful) return true;
-  return fail(context, block, "spindle-direction",
-              fmt::format("{} while the spindle does not turn that way", code_text('G', code)),
-              wanted > 0 ? "start it with M3 before G84" : "start it with M4 before G74");
-}
-
-// Back boring: down beside the hole, sideways into it, up to `top` with the tool, and all of it back.
-void back_bore(CycleRun& run, const Hole& hole, const CycleMemory& memory, double top) {
-  const double beside_first = hole.first + memory.i, beside_second = hole.second + memory.j;
-  run.rapid_to(beside_first, beside_second);
-  run.rapid(hole.bottom);
-  run.rapid_to(hole.first, hole.second);
-  run.feed(top);
-  run.feed(hole.bottom);
-  run.rapid_to(beside_first, beside_second);
-  run.rapid(hole.clear);
-  run.rapid_to(hole.first, hole.second);
-}
-
-bool drill(Context& context, CycleRun& run, const Block& block, const Hole& hole, Code code) {
-  const CycleMemory& memory = context.state.cycle;
-  if (!check_spindle(context, block, code)) return false;
-  const bool incremental = context.state.modal.incremental();
-  const bool as_linuxcnc = context.rules.linuxcnc_cycles;
-  switch (code) {
-    case 730:
-    case 830: peck(run, hole, memory.peck, code == 830); return true;
-    case 870: back_bore(run, hole, memory, memory.k + (incremental ? hole.bottom : 0.0)); return true;
-    case 880:  // the operator retracts by hand
-      run.feed(hole.bottom);
-      run.dwell(memory.dwell);
-      context.out.note(MoveKind::stop, "M0");
-      if (as_linuxcnc) context.state.position[hole.plane.normal] = hole.clear;
-      return true;
-    case 810: run.feed(hole.bottom); break;
-    case 820:
-    case 860:
-      run.feed(hole.bottom);
-      run.dwell(memory.dwell);
-      break;
-    case 850:
-      run.feed(hole.bottom);
-      run.feed(hole.retract);
-      break;
-    case 740:
-    case 840:  // tapping: the spindle turns round at the bottom
-    case 890:
-      run.feed(hole.bottom);
-      run.dwell(memory.dwell);
-      run.feed(as_linuxcnc ? hole.clear : hole.retract);
-      break;
-    default: break;
-  }
-  run.rapid(hole.clear);
-  return true;
-}
-
 bool remember_back_boring(Context& context, const Block& block, bool same_series) {
   CycleMemory& memory = context.state.cycle;
   for (const char letter : {'i', 'j', 'k'}) {
@@ -155,6 +44,21 @@ bool remember_back_boring(Context& context, const Block& block, bool same_series
   if (block.has('j')) memory.j = length_of(context.state, block, 'j');
   if (block.has('k')) memory.k = length_of(context.state, block, 'k');
   return true;
+}
+
+// Fine and back boring of Fanuc's kind: I J, or Q along the plane's first axis, is the way off the wall.
+void remember_shift(Context& context, const Block& block, const PlaneAxes& plane) {
+  const State& state = context.state;
+  CycleMemory& memory = context.state.cycle;
+  const char first = static_cast<char>('i' + plane.first), second = static_cast<char>('i' + plane.second);
+  const double scale = scale_of(state.offsets, plane.first);
+  if (block.has('q')) {
+    memory.i = std::fabs(increments_of(state, block, 'q')) / scale;
+    memory.j = 0.0;
+  }
+  if (!block.has(first) && !block.has(second)) return;
+  memory.i = block.has(first) ? length_of(state, block, first) / scale : 0.0;
+  memory.j = block.has(second) ? length_of(state, block, second) / scale : 0.0;
 }
 
 // A cycle that begins forgets the words of the one before, but not its dwell and the level that the series began at.
@@ -196,12 +100,6 @@ bool remember(Context& context, const Block& block, Code code, bool same_series)
                 fmt::format("give the depth with {}", static_cast<char>(depth_word - 32)));
   }
   const Code form = cycle_of(context, code);
-  if (form == 730 || form == 830) {
-    if (block.has('q')) memory.peck = length_of(state, block, 'q');
-    if (!(memory.peck > 0.0) && context.rules.lathe_words) memory.peck = kWholeDepth;
-    if (!(memory.peck > 0.0))
-      return fail(context, block, "cycle-peck", name + " without a positive Q", "give the depth of a peck with Q");
-  }
   if (block.has('p')) memory.dwell = dwell_of(context, block);
   if ((form == 820 || form == 860 || form == 880 || form == 890) && !block.has('p') && !same_series) {
     if (context.rules.refuses_doubtful)
@@ -209,6 +107,7 @@ bool remember(Context& context, const Block& block, Code code, bool same_series)
     memory.dwell = 0.0;
   }
   if (form == 870 && !remember_back_boring(context, block, same_series)) return false;
+  if (form == kFineBoring || form == kBackBoring) remember_shift(context, block, plane);
   if (!is_dwell(memory.dwell)) {
     return fail(context, block, "dwell-negative", fmt::format("a dwell of {:g} s", memory.dwell),
                 "give a time of 0 to 1e9 s");
@@ -238,64 +137,149 @@ bool check_cycle(Context& context, const Block& block) {
     return fail(context, block, "cycle-with-g53", "G53 with a canned cycle", "use G53 with G0 or G1");
   if (modal.feed_mode == 930)
     return fail(context, block, "cycle-inverse-time", "a canned cycle in inverse-time mode", "use G94");
-  if (block.has_any(kRotaryBits))
+  if (block.has_any(kRotaryBits) && context.rules.refuses_doubtful)
     return fail(context, block, "cycle-rotary", "a rotary axis in a canned cycle", "turn it in a block before");
   return true;
 }
 
-}  // namespace
-
-bool run_cycle(Context& context, const Block& block, Code code) {
-  State& state = context.state;
-  const bool first_of_series = !state.cycle.initial_level.has_value();
-  const bool same_series = !first_of_series && state.cycle.code == code;
-  if (!check_cycle(context, block) || !remember(context, block, code, same_series)) return false;
-  const PlaneAxes plane = cycle_plane(context, code);
-  const Code form = cycle_of(context, code);
-  int repeats = 1;
+// What one block drills, but for the places of its holes.
+struct Cycle {
+  Code form = kNoCode;
+  Hole hole{};
   Feedrate feed;
-  if (!find_repeats(context, block, repeats) ||
-      !find_feedrate(context, block, {0.0, 0.0, state.position[0], state.position[0]}, feed))
-    return false;
-  Position target;
-  if (!find_end(context, block, target)) return false;
+  double initial = 0.0;  // level that the series began at
+};
 
+// Whole numbers that would be deeper than the hole are least increments where they may be.
+bool find_peck(Context& context, const Block& block, const Cycle& cycle) {
+  CycleMemory& memory = context.state.cycle;
+  const double depth = cycle.hole.retract - cycle.hole.bottom;
+  if (block.has('q')) {
+    memory.peck = length_of(context.state, block, 'q');
+    const double counted = increments_of(context.state, block, 'q');
+    if (context.rules.integers_may_count && memory.peck > depth && counted != memory.peck) {
+      memory.peck = counted;
+      if (!std::exchange(context.state.increments_told, true)) {
+        context.faults.warn(
+            "peck-in-increments",
+            fmt::format("a peck of Q{:g} is read in least increments, as {:g} mm", block.of('q'), counted),
+            "write a decimal point where it is a length", block.column_of('q'));
+      }
+    }
+  }
+  if (!(memory.peck > 0.0) && context.rules.lathe_words) memory.peck = kWholeDepth;
+  if (!(memory.peck > 0.0)) {
+    return fail(context, block, "cycle-peck", code_text('G', memory.code) + " without a positive Q",
+                "give the depth of a peck with Q");
+  }
+  if (depth * scale_of(context.state.offsets, cycle.hole.plane.normal) / memory.peck <= kMostPecks) return true;
+  return fail(context, block, "cycle-peck", fmt::format("more than {:g} pecks in one hole", kMostPecks),
+              "give a larger Q");
+}
+
+bool begin_block(Context& context, const Block& block, Code code, Cycle& cycle) {
+  State& state = context.state;
   CycleMemory& memory = state.cycle;
+  const bool first_of_series = !memory.initial_level.has_value();
+  const bool same_series = !first_of_series && memory.code == code;
+  if (!check_cycle(context, block) || !remember(context, block, code, same_series) ||
+      !find_feedrate(context, block, {0.0, 0.0, state.position[0], state.position[0]}, cycle.feed))
+    return false;
+  const PlaneAxes plane = cycle_plane(context, code);
   if (first_of_series) memory.initial_level = state.position[plane.normal];
-  const double initial = *memory.initial_level;
-  const bool incremental = state.modal.incremental();
-  Hole hole{plane, target[plane.first], target[plane.second], memory.r, memory.bottom, 0.0};
+  cycle.form = cycle_of(context, code);
+  cycle.initial = *memory.initial_level;
+  Hole& hole = cycle.hole;
+  hole = {plane, 0.0, 0.0, memory.r, memory.bottom, 0.0};
   if (context.rules.lathe_words) {
-    hole.retract = memory.has_r ? initial + memory.r : initial;
-  } else if (incremental) {
-    hole.retract = memory.r + initial;
+    hole.retract = memory.has_r ? cycle.initial + memory.r : cycle.initial;
+  } else if (state.modal.incremental()) {
+    hole.retract = memory.r + cycle.initial;
     hole.bottom = memory.bottom + hole.retract;
+  }
+  hole.clear = state.modal.retract == 980 ? std::max(cycle.initial, hole.retract) : hole.retract;
+  if (cycle.form == kBackBoring) {
+    hole.clear = std::max(cycle.initial, hole.bottom);
+    return true;
   }
   if (hole.retract < hole.bottom)
     return fail(context, block, "cycle-r-below-depth", "R lies below the bottom of the hole", "check R and the depth");
-  if ((form == 730 || form == 830) && (hole.retract - hole.bottom) / memory.peck > kMostPecks) {
-    return fail(context, block, "cycle-peck", fmt::format("more than {:g} pecks in one hole", kMostPecks),
-                "give a larger Q");
-  }
-  hole.clear = state.modal.retract == 980 ? std::max(initial, hole.retract) : hole.retract;
-  CycleRun run(context, plane, feed);
-  if (initial < hole.retract) run.rapid(hole.retract);
-  context.out.set_mode(state.modal, true);
-  // Holes are reached without going down, under G98 at the initial level at least.
-  const double here = std::max(state.position[plane.normal], hole.retract);
-  double approach = state.modal.retract == 980 ? std::max(initial, here) : here;
-  for (int i = 0; i < repeats && !context.out.is_full(); ++i) {
-    if (incremental && i > 0) {  // the words count again from where the tool is now
-      if (!find_end(context, block, target)) return false;
-      hole.first = target[plane.first];
-      hole.second = target[plane.second];
+  return (cycle.form != 730 && cycle.form != 830) || find_peck(context, block, cycle);
+}
+
+// Holes are reached without going down, under G98 at the initial level at least.
+class Holes {
+ public:
+  Holes(Context& context, const Cycle& cycle)
+      : context_(context), cycle_(cycle), run_(context, cycle.hole.plane, cycle.feed) {
+    const State& state = context.state;
+    const Hole& hole = cycle.hole;
+    if (cycle.form == kBackBoring) {
+      approach_ = hole.clear;
+      return;
     }
-    run.rapid_to(hole.first, hole.second, approach);
-    if (approach != hole.retract) run.rapid(hole.retract);
-    if (!drill(context, run, block, hole, form)) return false;
-    approach = hole.clear;
+    if (cycle.initial < hole.retract) run_.rapid(hole.retract);
+    const double here = std::max(state.position[hole.plane.normal], hole.retract);
+    approach_ = state.modal.retract == 980 ? std::max(cycle.initial, here) : here;
   }
-  context.out.set_mode(state.modal);
+
+  bool drill_at(const Block& block, const Position& place) {
+    Hole hole = cycle_.hole;
+    hole.first = place[hole.plane.first];
+    hole.second = place[hole.plane.second];
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+      if (is_rotary(i)) context_.state.position[i] = place[i];
+    }
+    run_.rapid_to(hole.first, hole.second, approach_);
+    if (cycle_.form == kBackBoring) {
+      bore_back(context_, run_, hole);
+      return true;
+    }
+    if (approach_ != hole.retract) run_.rapid(hole.retract);
+    approach_ = hole.clear;
+    return drill(context_, run_, block, hole, cycle_.form);
+  }
+
+ private:
+  Context& context_;
+  const Cycle& cycle_;
+  CycleRun run_;
+  double approach_ = 0.0;
+};
+
+}  // namespace
+
+bool run_cycle(Context& context, const Block& block, Code code) {
+  Cycle cycle;
+  int repeats = 1;
+  Position target;
+  if (!begin_block(context, block, code, cycle) || !find_repeats(context, block, repeats) ||
+      !find_end(context, block, target))
+    return false;
+  if (repeats == 0 && !context.rules.linuxcnc_cycles) return true;  // the words are kept for later blocks
+  Holes holes(context, cycle);
+  context.out.set_mode(context.state.modal, true);
+  for (int i = 0; i < repeats && !context.out.is_full(); ++i) {
+    // Under G91 the words count again from where the tool is now.
+    if (context.state.modal.incremental() && i > 0 && !find_end(context, block, target)) return false;
+    if (!holes.drill_at(block, target)) return false;
+  }
+  context.out.set_mode(context.state.modal);
+  return true;
+}
+
+bool run_cycle_at(Context& context, Code code, const std::vector<Position>& places) {
+  Cycle cycle;
+  Block none;
+  none.clear();
+  if (!begin_block(context, none, code, cycle)) return false;
+  Holes holes(context, cycle);
+  context.out.set_mode(context.state.modal, true);
+  for (const Position& place : places) {
+    if (context.out.is_full()) break;
+    if (!holes.drill_at(none, place)) return false;
+  }
+  context.out.set_mode(context.state.modal);
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "toolpace/nc/motion/cycle_fault.h"
+#include "toolpace/nc/motion/increments.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/motion/turning.h"
 #include "toolpace/nc/motion/turning_cycles.h"
@@ -15,8 +16,8 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kMostSteps = 100000;
-constexpr int kMostFinishingPasses = 99;
+constexpr double kMostGrooveSteps = 100000;
+constexpr int kMostThreadFinishes = 99;
 
 bool go_axis(Context& context, const Block& block, MoveKind kind, std::size_t axis, double to) {
   State& state = context.state;
@@ -53,7 +54,7 @@ bool plunge(Context& context, const Block& block, const Groove& groove, double t
 bool check_steps(Context& context, const Block& block, const Groove& groove, const Position& start) {
   const double pecks = std::fabs(groove.bottom - start[groove.deep]) / groove.peck;
   const double steps = std::fabs(groove.last - start[groove.aside]) / groove.step;
-  if (pecks <= kMostSteps && steps <= kMostSteps && pecks * steps <= kMostSteps) return true;
+  if (pecks <= kMostGrooveSteps && steps <= kMostGrooveSteps && pecks * steps <= kMostGrooveSteps) return true;
   return fail(context, block, "cycle-peck", "too many steps in one groove", "give larger steps");
 }
 
@@ -109,7 +110,8 @@ bool run_threads(Context& context, const Block& block) {
     if (block.has('p')) {  // mmrraa: finishing passes, chamfer, angle of the thread
       const auto word = whole_number(block.of('p'), 0, 999999);
       if (!word) return fail(context, block, "thread-words", "P of G76 is no number of six digits", "", 'p');
-      setup.finishing_passes = std::clamp(*word / 10000, 1, kMostFinishingPasses);
+      setup.finishing_passes = std::clamp(*word / 10000, 1, kMostThreadFinishes);
+      setup.pull_out = *word / 100 % 100 / 10.0;
       setup.flank_angle = *word % 100 / 2.0 * kRadiansPerDegree;
     }
     if (block.has('q')) setup.least_cut = increments_of(state, block, 'q');
@@ -130,7 +132,7 @@ bool run_threads(Context& context, const Block& block) {
   const Position start = state.position;
   const double side = start[0] >= end[0] ? 1.0 : -1.0;  // outside threads are cut towards smaller X
   const double roughed = std::max(whole - setup.last_cut, std::min(cut, whole));
-  if (std::pow(roughed / cut, 2.0) > kMostSteps)
+  if (std::pow(roughed / cut, 2.0) > kMostGrooveSteps)
     return fail(context, block, "thread-words", "too many passes of a thread", "give a deeper first cut");
   const auto pass = [&](double depth) {
     // In along one flank: the deeper, the nearer to the end the cut begins.
@@ -142,7 +144,8 @@ bool run_threads(Context& context, const Block& block) {
     Position to = state.position;
     to[0] = x;
     to[2] = end[2];
-    return cut_lathe_thread(context, block, to) && go_axis(context, block, MoveKind::rapid, 0, start[0]);
+    return cut_lathe_thread(context, block, to, start[0] - to[0]) &&
+           go_axis(context, block, MoveKind::rapid, 0, start[0]);
   };
   double depth = 0.0;
   for (int n = 1; depth < roughed && !context.out.is_full(); ++n) {

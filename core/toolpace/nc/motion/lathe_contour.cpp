@@ -7,6 +7,7 @@
 
 #include "toolpace/nc/motion/arcs.h"
 #include "toolpace/nc/motion/corner_geometry.h"
+#include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/motion/motion.h"
 
 namespace toolpace::nc {
@@ -105,10 +106,7 @@ bool LatheContourReader::find_corner(const Block& block, Corner& corner) {
     corner = {legs ? CornerKind::legs : CornerKind::fillet, block.value[legs ? kChamferWord : kFilletWord] * unit()};
     return true;
   }
-  if (context_.rules.lathe_words) {
-    if (block.has('r') && motion_ == 10) corner = {CornerKind::fillet, std::fabs(block.of('r')) * unit()};
-    return true;
-  }
+  if (context_.rules.lathe_words) return true;
   if (!block.has('a') && !block.has('c')) return true;
   const char letter = block.has('a') ? 'a' : 'c';
   corner = {letter == 'a' ? CornerKind::fillet : CornerKind::chamfer, block.of(letter) * unit()};
@@ -121,12 +119,63 @@ bool LatheContourReader::find_corner(const Block& block, Corner& corner) {
                               "the size of a corner is not below 0", block.column_of(letter));
 }
 
-bool LatheContourReader::add(const Block& block, std::uint32_t line) {
+// ,A: one coordinate tells the other; a line with its angle alone ends where the next one meets it.
+bool LatheContourReader::find_end_by_angle(const Block& block, std::uint32_t line, const Corner& corner, Point& end) {
+  const double angle = block.value[kLineAngleWord];
+  const bool x = names_axis(context_, block, 0), z = names_axis(context_, block, 2);
+  if (open_) {
+    Point meeting;
+    if (!x || !z || !find_meeting_of_lines(at_, open_->angle, end, angle, meeting)) return fail_open();
+    ContourElement before;
+    before.line = open_->line;
+    before.start = at_;
+    before.end = meeting;
+    before.feed = feed_;
+    push(before, open_->corner);
+    open_.reset();
+    return true;
+  }
+  if (x != z) {
+    Position from{}, to{};
+    from[2] = at_.x;
+    from[0] = at_.y;
+    to = from;
+    to[2] = end.x;
+    to[0] = end.y;
+    if (!find_end_on_line(context_, block, from, to)) return false;
+    end = {to[2], to[0]};
+  }
+  if (!x && !z) open_ = OpenLine{angle, corner, line};
+  return true;
+}
+
+bool LatheContourReader::fail_open() {
+  return context_.faults.fail("line-angle-open",
+                              fmt::format("the line of line {} has an angle, but no end", open_ ? open_->line : 0),
+                              "give one of its coordinates, or in the next block both coordinates and an angle");
+}
+
+void LatheContourReader::push(const ContourElement& element, const Corner& corner) {
+  elements_.push_back(element);
+  corners_.push_back(corner);
+  at_ = element.end;
+}
+
+bool LatheContourReader::add(const Block& given, std::uint32_t line) {
+  if (!find_motion(given)) return false;
+  const bool has_corner_words = context_.rules.lathe_words && motion_ <= 10 && may_mean_corner(given);
+  return has_corner_words ? add_plain(with_corner_words(context_, given, motion_), line) : add_plain(given, line);
+}
+
+bool LatheContourReader::add_plain(const Block& block, std::uint32_t line) {
   ContourElement element;
   element.line = line;
-  element.start = at_;
   Corner corner;
-  if (!find_motion(block) || !find_end(block, element.end) || !find_corner(block, corner)) return false;
+  if (!find_end(block, element.end) || !find_corner(block, corner)) return false;
+  const bool has_angle = block.has_any(kLineAngleBit);
+  if (open_ && !has_angle) return fail_open();
+  if (has_angle && !find_end_by_angle(block, line, corner, element.end)) return false;
+  element.start = at_;
   if (block.has('f')) feed_ = block.of('f');
   element.rapid = motion_ == 0;
   element.feed = feed_;
@@ -136,9 +185,7 @@ bool LatheContourReader::add(const Block& block, std::uint32_t line) {
     element.turn = motion_ == 30 ? 1 : -1;
     if (!find_centre(block, element)) return false;
   }
-  elements_.push_back(element);
-  corners_.push_back(corner);
-  at_ = element.end;
+  push(element, corner);
   State& state = context_.state;
   state.position[0] = state.compensation.programmed[0] = at_.y;
   state.position[2] = state.compensation.programmed[2] = at_.x;
@@ -169,6 +216,7 @@ bool LatheContourReader::finish_corner(ContourElement& before, ContourElement& a
 
 bool LatheContourReader::finish(std::vector<ContourElement>& contour) {
   contour.clear();
+  if (open_) return fail_open();
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     contour.push_back(elements_[i]);
     if (corners_[i].kind == CornerKind::none || i + 1 == elements_.size()) continue;

@@ -1,6 +1,7 @@
 #pragma once
 /// Reads the contour of a lathe cycle from the blocks of its sub-program: G0 to G3 with X Z, U W, I K or R, and corners A C.
 
+#include <optional>
 #include <vector>
 
 #include "toolpace/nc/context.h"
@@ -29,6 +30,16 @@ class LatheContourReader {
     double size = 0.0;  // [mm] radius of a fillet or of the circle in a chamfer, length of legs
   };
 
+  struct OpenLine {
+    double angle;  // [deg]
+    Corner corner;
+    std::uint32_t line;
+  };
+
+  bool add_plain(const Block& block, std::uint32_t line);
+  bool find_end_by_angle(const Block& block, std::uint32_t line, const Corner& corner, Point& end);
+  bool fail_open();
+  void push(const ContourElement& element, const Corner& corner);
   bool find_motion(const Block& block);
   void warn_of_unused(const Block& block);
   bool find_end(const Block& block, Point& end);
@@ -42,6 +53,7 @@ class LatheContourReader {
   Context& context_;
   std::vector<ContourElement> elements_;
   std::vector<Corner> corners_;  // at the end of each element
+  std::optional<OpenLine> open_;
   Point at_;
   Code motion_;
   double feed_ = 0.0;

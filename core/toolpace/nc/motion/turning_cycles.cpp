@@ -7,6 +7,7 @@
 
 #include "toolpace/nc/motion/arcs.h"
 #include "toolpace/nc/motion/cycle_fault.h"
+#include "toolpace/nc/motion/increments.h"
 #include "toolpace/nc/motion/lathe_roughing.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/text/whole_number.h"
@@ -14,10 +15,7 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kLeastIncrement = 0.001;       // [mm]
-constexpr double kLeastIncrementInch = 0.0001;  // [in]
-constexpr double kSmallestCount = 10.0;
-constexpr int kMostRepeats = 1000;
+constexpr int kMostContourRepeats = 1000;
 
 // X is a radius in contours.
 Position at(const Context& context, Point p) {
@@ -128,13 +126,6 @@ bool repeat_lines(Context& context, const Block& block, const std::vector<Contou
 
 }  // namespace
 
-double increments_of(const State& state, const Block& block, char letter) {
-  const double value = block.of(letter);
-  const bool counts = !block.has_point(letter) && std::fabs(value) >= kSmallestCount && value == std::floor(value);
-  if (!counts) return value * state.modal.unit();
-  return value * (state.modal.units == 200 ? kLeastIncrementInch * kMmPerInch : kLeastIncrement);
-}
-
 bool set_up_turning(Context& context, const Block& block, Code code) {
   TurningSetup& setup = context.state.turning_setup;
   const double unit = context.state.modal.unit();
@@ -145,7 +136,7 @@ bool set_up_turning(Context& context, const Block& block, Code code) {
     if (block.has('w')) setup.relief_z = block.of('w') * unit;
     double repeats = block.of('r', 1.0);
     if (repeats > 0.0 && repeats < 1.0) repeats *= 1000.0;  // R0.005 is five, where counts may have a point
-    const auto count = whole_number(repeats, 1, kMostRepeats);
+    const auto count = whole_number(repeats, 1, kMostContourRepeats);
     if (!count)
       return fail(context, block, "lathe-words", "R of G73 is no number of passes",
                   "R is a whole number from 1 to 1000", 'r');

@@ -21,7 +21,4 @@ bool run_grooving(Context& context, const Block& block, Code code);
 /// G76
 bool run_threads(Context& context, const Block& block);
 
-/// A length of the words that Fanuc wants in its least increments: whole numbers from 10 on without a point are such, others lengths.
-double increments_of(const State& state, const Block& block, char letter);
-
 }  // namespace toolpace::nc

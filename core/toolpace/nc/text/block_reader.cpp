@@ -10,14 +10,12 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kCodeWithin = 1e-3;     // tenths
-constexpr Code kFractionalCode = 30000;  // M codes of printers with a decimal
-
 std::string word_text(std::size_t index) {
   if (index == kRadiusWord) return "@";
   if (index == kAngleWord) return "^";
   if (index == kChamferWord) return ",C";
   if (index == kFilletWord) return ",R";
+  if (index == kLineAngleWord) return ",A";
   if (index == kSpindleWord) return "$";
   return std::string(1, static_cast<char>('A' + index));
 }
@@ -34,6 +32,10 @@ std::size_t end_of_comment(std::string_view rest, bool nests) {
   return first;
 }
 
+constexpr std::uint32_t kCoordinateBits = kLinearBits | kRotaryBits | kIncrementBits | kCentreBits | word_bit('r');
+
+bool is_whole(std::string_view number) { return number.find_first_not_of("+-0123456789 \t") == std::string_view::npos; }
+
 bool follows_digit(const Scanner& text, std::size_t column) {
   return column >= 2 && (is_digit(text.line()[column - 2]) || text.line()[column - 2] == '.');
 }
@@ -44,12 +46,6 @@ bool follows_bracket(const Scanner& text) {
 }
 
 }  // namespace
-
-std::string code_text(char letter, Code code) {
-  if (code >= kForeignCodes) return code_text(letter, static_cast<Code>(code - kForeignCodes));
-  return code % 10 == 0 || letter == 'M' ? fmt::format("{}{}", letter, letter == 'M' ? code : code / 10)
-                                         : fmt::format("{}{}.{}", letter, code / 10, code % 10);
-}
 
 bool BlockReader::skip_comments(Scanner& text, std::string* last_comment) {
   for (char c = text.peek(); c == '(' || c == ';'; c = text.peek()) {
@@ -111,6 +107,10 @@ bool BlockReader::read(Scanner& text, Block& block) {
       text.take();
     } else if (c == '*' && rules_.line_checksums) {
       text.move_to(text.end());  // a sender's checksum
+    } else if (c == '%' && !rules_.refuses_doubtful) {
+      text.move_to(text.end());  // M30%
+    } else if (c == '/' && rules_.macro_statements) {
+      skip_slash(text);
     } else {
       return faults_.fail("bad-character", fmt::format("{} begins no word", shown_character(text.rest())),
                           meant_as_word(c), text.column());
@@ -119,19 +119,28 @@ bool BlockReader::read(Scanner& text, Block& block) {
   return is_at_end(text) && (assignments_.empty() || assignments_.make());
 }
 
+// N10 /2 M8: what follows may be deleted.
+void BlockReader::skip_slash(Scanner& text) {
+  text.take();
+  if (is_digit(text.peek())) text.take();
+  if (deletes_blocks_) text.move_to(text.end());
+}
+
 bool BlockReader::read_corner(Scanner& text, Block& block) {
   const std::size_t column = text.column();
   text.take();
   const char c = text.peek();
-  if (c != 'c' && c != 'r') {
-    return faults_.fail("corner-word", "behind a comma stands neither C nor R",
-                        "write ,C for a chamfer or ,R for a rounding; numbers have a decimal point, not a comma",
-                        column);
+  if (c != 'c' && c != 'r' && c != 'a') {
+    return faults_.fail(
+        "corner-word", "behind a comma stands neither C nor R nor A",
+        "write ,C for a chamfer, ,R for a rounding or ,A for the angle of a line; numbers have a decimal "
+        "point, not a comma",
+        column);
   }
   text.take();
   double value = 0.0;
-  return expressions_.read_value(text, value) &&
-         store_word(c == 'c' ? kChamferWord : kFilletWord, value, column, block);
+  const std::size_t index = c == 'c' ? kChamferWord : c == 'r' ? kFilletWord : kLineAngleWord;
+  return expressions_.read_value(text, value) && store_word(index, value, column, block);
 }
 
 bool BlockReader::is_at_end(const Scanner& text) {
@@ -160,6 +169,8 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
   if (!expressions_.read_value(text, value)) return false;
   if (!rules_.refuses_doubtful && std::memchr(begin, '.', static_cast<std::size_t>(text.position() - begin)) != nullptr)
     block.pointed |= word_bit(letter);
+  if (rules_.integers_may_count && is_whole({begin, static_cast<std::size_t>(text.position() - begin)}))
+    block.counted |= word_bit(letter) & kCoordinateBits;
   if (is_vacant(value)) return true;  // a word with a vacant value is as if it were not there
   if (letter == 'g') return read_g(value, column, block);
   const bool is_argument = block.has(GGroup::macro) && letter != 'n' && letter != 'o';
@@ -197,101 +208,6 @@ bool BlockReader::store_word(std::size_t index, double value, std::size_t column
   block.words |= bit;
   block.value[index] = value;
   block.column[index] = static_cast<std::uint32_t>(column);
-  return true;
-}
-
-bool BlockReader::read_g(double value, std::size_t column, Block& block) {
-  const double tenths = std::round(value * 10.0);
-  const bool plausible = std::fabs(value * 10.0 - tenths) < kCodeWithin && tenths >= 0.0 && tenths < 10000.0;
-  const auto use = plausible ? rules_.g_code(static_cast<Code>(tenths)) : std::nullopt;
-  if (!use) {
-    if (const char* const does = plausible ? rules_.unfollowed(static_cast<Code>(tenths)) : nullptr) {
-      return faults_.fail("g-code-unfollowed", fmt::format("G{:g} {}, which is not followed here", value, does),
-                          "post the program without it", column);
-    }
-    return faults_.fail("g-code-unknown", fmt::format("unknown code G{:g}", value), "check the code or the dialect",
-                        column);
-  }
-  const Code code = use->means == kNoCode ? static_cast<Code>(tenths) : use->means;
-  if (!use->by_dialect) {
-    const std::string what =
-        fmt::format("{} is no code of the dialect {}", code_text('G', code), dialect_name(rules_.dialect));
-    if (rules_.refuses_doubtful)
-      return faults_.fail("g-code-unknown", what, "choose the dialect with --dialect", column);
-    faults_.warn("code-not-in-dialect", what + "; it is read as LinuxCNC reads it",
-                 "check what your controller does with it", column);
-  }
-  const auto group = static_cast<std::size_t>(use->group);
-  if (use->group == GGroup::ignored) {
-    faults_.warn("g-code-ignored", fmt::format("{} has no effect on the path here", code_text('G', code)), "", column);
-    block.g_groups |= 1u << group;
-    return true;
-  }
-  if (use->group == GGroup::motion && block.has(GGroup::motion) && (code == 800 || block.g[group] == 800)) {
-    if (code != 800) block.g[group] = code;  // G80 beside another motion code only ends what cycle is on
-    return true;
-  }
-  if (block.has(use->group) && rules_.last_code_wins) {
-    faults_.warn("modal-group-twice",
-                 fmt::format("{} and {} belong to the same modal group; the last counts",
-                             code_text('G', block.g[group]), code_text('G', code)),
-                 "", column);
-  } else if (block.has(use->group)) {
-    return faults_.fail(
-        "modal-group-twice",
-        fmt::format("{} and {} belong to the same modal group", code_text('G', block.g[group]), code_text('G', code)),
-        "keep one of them in this block", column);
-  }
-  block.g_groups |= 1u << group;
-  block.g[group] = code;
-  block.g_column[group] = static_cast<std::uint32_t>(column);
-  return true;
-}
-
-bool BlockReader::read_m(double value, std::size_t column, Block& block) {
-  const double whole = std::round(value);
-  const bool plausible = std::fabs(value - whole) < kCodeWithin && whole >= 0.0 && whole < 30000.0;
-  const auto use = plausible ? rules_.m_code(static_cast<int>(whole)) : std::nullopt;
-  if (!use && rules_.texts_without_quotes && value >= 0.0) {  // M862.3 P "MK3"
-    block.m_groups |= 1u << static_cast<unsigned>(MGroup::ignored);
-    block.m[static_cast<std::size_t>(MGroup::ignored)] = kFractionalCode;
-    return true;
-  }
-  if (!use) {
-    return faults_.fail("m-code-unknown", fmt::format("unknown code M{:g}", value), "check the code or the dialect",
-                        column);
-  }
-  const auto code = static_cast<Code>(whole);
-  if (!use->by_dialect) {
-    faults_.warn("code-not-in-dialect",
-                 fmt::format("M{} is no code of the dialect {}", code, dialect_name(rules_.dialect)),
-                 "check what your controller does with it", column);
-  }
-  if (use->group == MGroup::ignored) {
-    faults_.warn("m-code-ignored", fmt::format("M{} has no effect on the path here", code), "", column);
-  }
-  const auto group = static_cast<std::size_t>(use->group);
-  if (block.has(use->group) && use->group != MGroup::ignored && rules_.last_code_wins) {
-    faults_.warn("modal-group-twice",
-                 fmt::format("M{} and M{} belong to the same modal group; the last counts", block.m[group], code), "",
-                 column);
-  } else if (block.has(use->group) && use->group != MGroup::ignored) {
-    return faults_.fail("modal-group-twice",
-                        fmt::format("M{} and M{} belong to the same modal group", block.m[group], code),
-                        "keep one of them in this block", column);
-  }
-  block.m_groups |= 1u << group;
-  block.m[group] = code;
-  block.m_column[group] = static_cast<std::uint32_t>(column);
-  return true;
-}
-
-// M117 and its like carry free text up to the end of the line.
-bool BlockReader::skip_printer_text(Scanner& text, const Block& block) {
-  if (!rules_.texts_without_quotes || !block.has(MGroup::ignored)) return true;
-  const Code code = block.code(MGroup::ignored);
-  const bool is_text = code == 117 || code == 118 || code == 23 || code == 28 || code == kFractionalCode;
-  if (is_text || text.rest().find('"') != std::string_view::npos) text.move_to(text.end());
   return true;
 }
 

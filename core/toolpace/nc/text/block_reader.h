@@ -31,6 +31,9 @@ class BlockReader {
   /// True once after a comment that ends the program, (abort, …).
   bool take_aborted() { return std::exchange(aborted_, false); }
 
+  /// Whether what stands behind a '/' in a block is left out.
+  void delete_blocks(bool on) { deletes_blocks_ = on; }
+
   ExpressionReader& expressions() { return expressions_; }
   const DialectRules& rules() const { return rules_; }
 
@@ -38,6 +41,7 @@ class BlockReader {
   bool read_word(Scanner& text, char letter, Block& block);
   bool fail_without_value(const Scanner& text, char letter, std::size_t column);
   bool read_corner(Scanner& text, Block& block);
+  void skip_slash(Scanner& text);
   bool read_g(double value, std::size_t column, Block& block);
   bool read_m(double value, std::size_t column, Block& block);
   bool store_word(std::size_t index, double value, std::size_t column, Block& block);
@@ -47,6 +51,7 @@ class BlockReader {
   const DialectRules& rules_;
   ExpressionReader expressions_;
   bool aborted_ = false;
+  bool deletes_blocks_ = false;
   Assignments assignments_;
 };
 

@@ -100,8 +100,9 @@ bool ExpressionReader::apply_function(std::string_view name, std::size_t column,
   if (name == "sin") value = std::sin(x * kRadiansPerDegree);
   if (name == "tan") value = std::tan(x * kRadiansPerDegree);
   if (name == "exp") value = std::exp(x);
-  if (name == "fix") value = std::floor(x);
-  if (name == "fup") value = std::ceil(x);
+  // Fanuc's go towards zero and away from it.
+  if (name == "fix") value = fanuc_ ? std::trunc(x) : std::floor(x);
+  if (name == "fup") value = fanuc_ && x < 0.0 ? std::floor(x) : std::ceil(x);
   if (name == "round") value = std::round(x);
   if (name == "ln") {
     if (!(x > 0.0)) return domain("the logarithm needs a positive argument");

@@ -13,13 +13,14 @@
 namespace toolpace::nc {
 
 inline constexpr int kParameterCount = 5602;       ///< #1 … #5601
-inline constexpr int kMacroVariables = 20000;      ///< the same of Fanuc's kind
+inline constexpr int kMacroVariables = 150000;     ///< the same of Fanuc's kind
 inline constexpr int kLinuxcncLocals = 30;         ///< #1 … #30 belong to the call
 inline constexpr int kFanucLocals = 33;            ///< #1 … #33 belong to the macro call
 inline constexpr std::size_t kMostNames = 100000;  ///< named parameters of one program, all calls together
 
 // Numbers that the controller itself uses (LinuxCNC's numbering).
 inline constexpr int kProbedPosition = 5061;
+inline constexpr int kProbeSucceeded = 5070;
 inline constexpr int kHomeG28 = 5161;
 inline constexpr int kHomeG30 = 5181;
 inline constexpr int kG92Applied = 5210;

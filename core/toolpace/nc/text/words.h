@@ -28,6 +28,17 @@ inline constexpr Code kLatheFaceGroove = kForeignCodes + 740;  ///< G74
 inline constexpr Code kLatheGroove = kForeignCodes + 750;      ///< G75
 inline constexpr Code kLatheThreads = kForeignCodes + 760;     ///< G76
 
+inline constexpr Code kMillCodes = 25000;                 ///< the same of mills of Fanuc's kind
+inline constexpr Code kPocketRight = kMillCodes + 120;    ///< G12
+inline constexpr Code kPocketLeft = kMillCodes + 130;     ///< G13
+inline constexpr Code kFineBoring = kMillCodes + 760;     ///< G76
+inline constexpr Code kBackBoring = kMillCodes + 870;     ///< G87
+inline constexpr Code kHolesOnCircle = kMillCodes + 700;  ///< G70 of Haas
+inline constexpr Code kHolesOnArc = kMillCodes + 710;     ///< G71 of Haas
+inline constexpr Code kHolesOnLine = kMillCodes + 720;    ///< G72 of Haas
+inline constexpr Code kToReference = kMillCodes + 270;    ///< G27
+inline constexpr Code kFromReference = kMillCodes + 290;  ///< G29
+
 /// Modal groups of G codes (RS-274/NGC numbering where it has one).
 enum class GGroup : std::uint8_t {
   once,            ///< G4 G10 G28 G30 G52 G53 G92 …
@@ -47,7 +58,11 @@ enum class GGroup : std::uint8_t {
   macro,           ///< G65 G66 G67 (Fanuc)
   turn_plane,      ///< G68 G69 (Fanuc)
   polar,           ///< G15 G16 (Fanuc)
+  scale,           ///< G50 G51 (Fanuc)
+  mirror,          ///< G50.1 G51.1 (Fanuc)
   ignored,         ///< known, without effect on the path
+  kept,            ///< the same, and the block's words belong to it
+  machine,         ///< the same, defined by the machine
   count
 };
 
@@ -68,15 +83,17 @@ enum class MGroup : std::uint8_t {
 /// Letters as indices: 'a' = 0. '@' and '^' (polar radius and angle) follow, and words of other characters.
 inline constexpr std::size_t kRadiusWord = 26;
 inline constexpr std::size_t kAngleWord = 27;
-inline constexpr std::size_t kChamferWord = 28;  ///< ",C"
-inline constexpr std::size_t kFilletWord = 29;   ///< ",R"
-inline constexpr std::size_t kSpindleWord = 30;  ///< "$"
-inline constexpr std::size_t kWordCount = 31;
+inline constexpr std::size_t kChamferWord = 28;    ///< ",C"
+inline constexpr std::size_t kFilletWord = 29;     ///< ",R"
+inline constexpr std::size_t kSpindleWord = 30;    ///< "$"
+inline constexpr std::size_t kLineAngleWord = 31;  ///< ",A"
+inline constexpr std::size_t kWordCount = 32;
 
 constexpr std::size_t word_index(char letter) { return static_cast<std::size_t>(letter - 'a'); }
 constexpr std::uint32_t word_bit(char letter) { return 1u << word_index(letter); }
 inline constexpr std::uint32_t kPolarBits = (1u << kRadiusWord) | (1u << kAngleWord);
 inline constexpr std::uint32_t kCornerBits = (1u << kChamferWord) | (1u << kFilletWord);
+inline constexpr std::uint32_t kLineAngleBit = 1u << kLineAngleWord;
 inline constexpr std::uint32_t kIncrementBits = word_bit('u') | word_bit('v') | word_bit('w');
 inline constexpr std::uint32_t kLinearBits = word_bit('x') | word_bit('y') | word_bit('z');
 inline constexpr std::uint32_t kRotaryBits = word_bit('a') | word_bit('b') | word_bit('c');
@@ -91,8 +108,10 @@ struct MacroArgument {
 };
 
 struct Block {
-  std::uint32_t words = 0;     ///< bit set of the words present, G M N O not among them
-  std::uint32_t pointed = 0;   ///< those of them that are written with a decimal point
+  std::uint32_t words = 0;    ///< bit set of the words present, G M N O not among them
+  std::uint32_t pointed = 0;  ///< those of them that are written with a decimal point
+  std::uint32_t counted =
+      0;  ///< coordinates written as whole numbers without a point, where those may count increments
   std::uint32_t g_groups = 0;  ///< bit set of GGroup
   std::uint32_t m_groups = 0;  ///< bit set of MGroup
   std::array<double, kWordCount> value;
@@ -105,7 +124,7 @@ struct Block {
   std::string message;                   ///< text of the last comment where someone may need it (alarms)
 
   void clear() {
-    words = pointed = g_groups = m_groups = 0;
+    words = pointed = counted = g_groups = m_groups = 0;
     if (!arguments.empty()) arguments.clear();
     if (!message.empty()) message.clear();
   }

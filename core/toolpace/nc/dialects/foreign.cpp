@@ -1,0 +1,92 @@
+#include "toolpace/nc/dialects/foreign.h"
+
+#include <algorithm>
+#include <string>
+
+namespace toolpace::nc {
+namespace {
+
+constexpr std::size_t kLinesLookedAt = 400;
+constexpr std::size_t kLongestForeignLine = 300;
+
+constexpr const char* kHeidenhain = "a conversational program for Heidenhain controllers";
+constexpr const char* kHeidenhainIso = "a DIN/ISO program for Heidenhain controllers";
+constexpr const char* kSiemens = "a program for Siemens controllers (Sinumerik)";
+constexpr const char* kOkuma = "a program for Okuma controllers (OSP)";
+constexpr const char* kApt = "an APT or cutter location file";
+constexpr const char* kGerber = "a Gerber drawing";
+constexpr const char* kExcellon = "an Excellon drill file";
+constexpr const char* kPlotter = "a plotter file (HPGL)";
+
+struct Mark {
+  const char* text;  // in capitals, without comments
+  const char* language;
+  bool begins_line;
+};
+constexpr Mark kMarks[] = {{"BEGIN PGM", kHeidenhain, false},
+                           {"TOOL CALL ", kHeidenhain, false},
+                           {"BLK FORM ", kHeidenhain, false},
+                           {"CYCL DEF", kHeidenhain, false},
+                           {"%_N_", kSiemens, true},
+                           {"CYCLE800(", kSiemens, false},
+                           {"CYCLE8", kSiemens, false},
+                           {"MCALL ", kSiemens, false},
+                           {"T=\"", kSiemens, false},
+                           {"CR=", kSiemens, false},
+                           {"=IC(", kSiemens, false},
+                           {"=AC(", kSiemens, false},
+                           {"DEF REAL ", kSiemens, false},
+                           {"DEF INT ", kSiemens, false},
+                           {"MSG(\"", kSiemens, false},
+                           {"WORKPIECE(", kSiemens, false},
+                           {"SUPA ", kSiemens, false},
+                           {"TRAORI", kSiemens, false},
+                           {"CALL O", kOkuma, false},
+                           {"VC1=", kOkuma, false},
+                           {"PARTNO", kApt, true},
+                           {"LOADTL/", kApt, false},
+                           {"GOTO/", kApt, false},
+                           {"%FSLA", kGerber, true},
+                           {"METRIC,TZ", kExcellon, true},
+                           {"METRIC,LZ", kExcellon, true},
+                           {"INCH,TZ", kExcellon, true},
+                           {"INCH,LZ", kExcellon, true},
+                           {"IN;", kPlotter, true}};
+
+std::string without_comments(std::string_view line) {
+  std::string text;
+  int depth = 0;
+  for (const char c : line) {
+    const bool opens = c == '(' && (text.empty() || text.back() == ' ' || depth > 0);  // CYCLE81(…) is none
+    if (c == ';' && depth == 0 && !text.empty() && text != "IN") break;
+    if (opens) ++depth;
+    if (depth == 0) text.push_back(static_cast<char>(c >= 'a' && c <= 'z' ? c - 32 : c));
+    if (c == ')' && depth > 0) --depth;
+  }
+  return text;
+}
+
+bool is_iso_of_heidenhain(const std::string& text) {
+  const std::size_t last = text.find_last_not_of(" \t\r");
+  return last != std::string::npos && text[last] == '*' && text[0] == '%' && text.find(" G7") != std::string::npos;
+}
+
+}  // namespace
+
+std::optional<ForeignLanguage> find_foreign_language(std::string_view text) {
+  for (std::size_t line = 1; line <= kLinesLookedAt && !text.empty(); ++line) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    const std::string words = without_comments(text.substr(0, std::min(length, kLongestForeignLine)));
+    text.remove_prefix(std::min(length + 1, text.size()));
+    if (words.empty() || words.front() == ';') continue;
+    if (is_iso_of_heidenhain(words)) return ForeignLanguage{kHeidenhainIso, line, 1};
+    for (const Mark& mark : kMarks) {
+      const std::size_t at = words.find(mark.text);
+      if (at == std::string::npos || (mark.begins_line && at != 0)) continue;
+      return ForeignLanguage{mark.language, line, at + 1};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace toolpace::nc
