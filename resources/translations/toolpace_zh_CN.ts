@@ -1348,6 +1348,10 @@
             <source>scale-missing</source>
             <translation>没有缩放系数</translation>
         </message>
+        <message>
+            <source>lathe-level</source>
+            <translation>R 按绝对位置读取</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>

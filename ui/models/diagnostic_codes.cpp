@@ -128,6 +128,7 @@ constexpr std::array kCodes = {QT_TRANSLATE_NOOP("codes", "arc-centre-incomplete
                                QT_TRANSLATE_NOOP("codes", "lathe-contour-unused"),
                                QT_TRANSLATE_NOOP("codes", "lathe-contour-words"),
                                QT_TRANSLATE_NOOP("codes", "lathe-corner-too-large"),
+                               QT_TRANSLATE_NOOP("codes", "lathe-level"),
                                QT_TRANSLATE_NOOP("codes", "lathe-plane"),
                                QT_TRANSLATE_NOOP("codes", "lathe-system-b"),
                                QT_TRANSLATE_NOOP("codes", "lathe-too-many-passes"),

@@ -220,6 +220,9 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "give the move that the corner leads to in the next block"),
     QT_TRANSLATE_NOOP("remedies", "give it with F"),
     QT_TRANSLATE_NOOP("remedies", "give a smaller ,C or ,R"),
+    QT_TRANSLATE_NOOP(
+        "remedies",
+        "give its radius with I; of growing circles the first radius with I, the last with K, the step with Q"),
     QT_TRANSLATE_NOOP("remedies", "put them into a block of their own"),
     QT_TRANSLATE_NOOP("remedies", "give a scale of 0.0001 to 10000"),
     QT_TRANSLATE_NOOP("remedies", "give the scale with P"),

@@ -135,7 +135,7 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
       (named == kLatheTurning || named == kLatheFacing || named == kLatheThreading))
     return read_as_system_b(context, block, named);
   if (named == 800) {
-    if (axes && !claimed && context.rules.g80_keeps_motion) {
+    if (axes && !claimed && !context.rules.refuses_doubtful) {
       motion = context.state.plain_motion;
       context.faults.warn("axes-with-g80",
                           fmt::format("axis words in a block with G80 move by {}", code_text('G', motion)),
@@ -150,11 +150,17 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
   } else if (named != kNoCode) {
     motion = named;
   } else if (axes && !claimed) {
-    if (context.state.modal.motion == 800) {
+    motion = context.state.modal.motion;
+    if (motion == 800 && context.rules.refuses_doubtful) {
       return context.faults.fail("axes-without-motion", "axis words while no motion code is active",
                                  "give a motion code such as G0 or G1");
     }
-    motion = context.state.modal.motion;
+    if (motion == 800) {
+      motion = context.state.plain_motion;
+      context.faults.warn("axes-without-motion",
+                          fmt::format("axis words while no motion code is active move by {}", code_text('G', motion)),
+                          "give a motion code such as G0 or G1");
+    }
   } else if (!claimed && block.has_any(kCentreBits) &&
              (context.state.modal.motion == 20 || context.state.modal.motion == 30)) {
     motion = context.state.modal.motion;

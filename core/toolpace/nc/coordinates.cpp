@@ -175,6 +175,11 @@ bool run_g92(Context& context, const Block& block, Code code) {
     store_shift(context, load_position(context.parameters, kG92Offset), true);
   } else {
     Position shift = state.offsets.shift;
+    if (code == kLatheOrigin) {  // G50 U W: where the tool stands reads so much more
+      Position read = state.position;
+      if (!add_increments(context, block, read)) return false;
+      for (std::size_t i = 0; i < kAxisCount; ++i) shift[i] += state.position[i] - read[i];
+    }
     for (std::size_t i = 0; i < kAxisCount; ++i) {
       if (!block.has(kAxisLetters[i])) continue;
       const double value = word_value(state, block, i);

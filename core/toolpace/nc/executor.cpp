@@ -157,9 +157,9 @@ bool Executor::run_subprogram_code(const Block& block) {
     ended_ = true;
     return true;
   }
-  if (!block.has('p'))
+  if (!block.has('p') && block.called.empty())
     return context_.faults.fail("m98-without-p", "M98 without P", "name the sub-program with P", column);
-  double number = block.of('p');
+  double number = block.of('p', 0.0);
   double repeats = block.of('l', 1.0);
   if (context_.rules.repeats_within_p && !block.has('l') && number >= 10000.0) {  // P00021000: twice O1000
     repeats = std::floor(number / 10000.0);
@@ -170,7 +170,8 @@ bool Executor::run_subprogram_code(const Block& block) {
     return context_.faults.fail("call-repeats", fmt::format("{:g} repeats of a call", repeats),
                                 "L is a whole number from 0 to 999999999", column);
   if (block.code(MGroup::subprogram) == 97) return flow_.call_line(number, *times, block.column_of('p'));
-  return flow_.call_number(number, *times, block.column_of('p'), std::nullopt);
+  if (!block.called.empty()) return flow_.call_numbered(block.called, *times, column, std::nullopt);
+  return flow_.call_numbered(label_of(number), *times, block.column_of('p'), std::nullopt);
 }
 
 }  // namespace toolpace::nc

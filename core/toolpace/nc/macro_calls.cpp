@@ -42,7 +42,7 @@ bool MacroCalls::run(const Block& block) {
     if (!modal_.active || !block.has_any(kAxisBits)) return true;
     if (modal_.running_at) return true;
     modal_.running_at = flow_.depth();
-    return flow_.call_number(modal_.program, 1, 0, modal_.arguments);
+    return flow_.call_numbered(modal_.program, 1, 0, modal_.arguments);
   }
   const Code code = block.code(GGroup::macro);
   const std::size_t column = block.column_of(GGroup::macro);
@@ -50,12 +50,13 @@ bool MacroCalls::run(const Block& block) {
     modal_.active = false;
     return true;
   }
-  if (!block.has('p'))
+  if (!block.has('p') && block.called.empty())
     return faults_.fail("macro-without-p", fmt::format("{} without P", code_text('G', code)), "name the macro with P",
                         column);
+  const std::string program = block.called.empty() ? label_of(block.of('p')) : block.called;
   const std::vector<double> locals = locals_of(block.arguments);
   if (code == 660) {
-    modal_ = {true, block.of('p'), locals, std::nullopt};
+    modal_ = {true, program, locals, std::nullopt};
     return true;
   }
   const double repeats = block.of('l', 1.0);
@@ -63,7 +64,7 @@ bool MacroCalls::run(const Block& block) {
   if (!times)
     return faults_.fail("call-repeats", fmt::format("{:g} repeats of a macro", repeats),
                         "L is a whole number from 0 to 999999999", column);
-  return flow_.call_number(block.of('p'), *times, column, locals);
+  return flow_.call_numbered(program, *times, column, locals);
 }
 
 bool raise_alarm(Context& context, const Block& block) {

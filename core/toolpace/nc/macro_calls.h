@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "toolpace/nc/context.h"
@@ -21,7 +22,7 @@ class MacroCalls {
  private:
   struct Standing {
     bool active = false;
-    double program = 0.0;
+    std::string program;  ///< its number or name
     std::vector<double> arguments;
     std::optional<std::size_t> running_at;  // depth of calls that it was called from, while it runs
   };

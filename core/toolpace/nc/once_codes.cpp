@@ -22,7 +22,8 @@ bool run_once_code(Context& context, const Block& block) {
     case kHolesOnCircle:
     case kHolesOnArc:
     case kHolesOnLine: return run_hole_pattern(context, block, code);
-    case kLatheOrigin: return !block.has_any(kLinearBits | kRotaryBits) || run_g92(context, block, code);
+    case kLatheOrigin:
+      return !block.has_any(kLinearBits | kRotaryBits | kIncrementBits) || run_g92(context, block, code);
     case 520:
     case 920:
     case 921:

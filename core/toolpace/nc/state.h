@@ -98,6 +98,7 @@ struct CycleMemory {
   Code code = kNoCode;  ///< words stick only while the same cycle goes on
   double r = 0.0, bottom = 0.0, dwell = 0.0, peck = 0.0, i = 0.0, j = 0.0, k = 0.0;
   bool has_r = false, has_bottom = false;
+  bool bottom_is_increment = false;     ///< W of lathes: it counts from R
   std::optional<double> initial_level;  ///< level before the first cycle of a series, in the plane's normal axis
 };
 
@@ -196,11 +197,12 @@ struct State {
   std::optional<WaitingMove> waiting;
   std::map<int, OtherSpindle> spindles;  ///< by number, from 1
   MendedArcs mended;
-  bool extruder_told = false;    ///< that E is left out has been said
-  bool increments_told = false;  ///< that a peck is read in least increments has been said
-  bool turns_c = false;          ///< the program has moved C as an axis
-  bool pocket_told = false;      ///< that the radius of a pocket's tool is not known has been said
-  bool chamfer_told = false;     ///< that C of a straight move is a chamfer has been said
+  bool extruder_told = false;     ///< that E is left out has been said
+  bool lathe_level_told = false;  ///< that R of a lathe's drilling cycle is a level has been said
+  bool increments_told = false;   ///< that a peck is read in least increments has been said
+  bool turns_c = false;           ///< the program has moved C as an axis
+  bool pocket_told = false;       ///< that the radius of a pocket's tool is not known has been said
+  bool chamfer_told = false;      ///< that C of a straight move is a chamfer has been said
 };
 
 Position to_machine(const Offsets& offsets, const Position& work);

@@ -60,5 +60,23 @@ TEST(FanucLathe, SystemBHasItsCyclesUnderOtherNumbers) {
   EXPECT_NEAR(reading.moves.feed.at(2), 100.0 / 60, 1e-12);
 }
 
+// On Haas's lathes R is a level; on Fanuc's it counts from the level before, and W from R.
+TEST(FanucLathe, RThatWouldLeadAwayFromTheWorkIsALevel) {
+  const auto level = read_as(Dialect::fanuc_lathe, "G21 G97 S500 M3\nG0 X0 Z10.\nG81 Z-9. R2. F.1\nG80\nM30\n");
+  EXPECT_EQ(ends(level, 2), (Values{10, 10, 2, -9, 10}));
+  EXPECT_TRUE(has_code(level, "lathe-level"));
+  const auto depth = read_as(Dialect::fanuc_lathe, "G21 G97 S500 M3\nG0 X0 Z10.\nG81 W-5. R-8. F.1\nG80\nM30\n");
+  EXPECT_FALSE(depth.refused) << testing::PrintToString(codes(depth));
+  EXPECT_EQ(ends(depth, 2), (Values{10, 10, 2, -3, 10}));
+}
+
+// Radius 10 reads as 12 after U4 (a diameter): X20 is 2 nearer to the axis than it was.
+TEST(FanucLathe, G50ShiftsByIncrements) {
+  const auto reading = read_as(Dialect::fanuc_lathe, "G21\nG0 X20. Z0\nG50 U4. W-1.\nG0 X20. Z0\nM30\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading, 0), (Values{10, 8}));
+  EXPECT_EQ(ends(reading, 2), (Values{0, 1}));
+}
+
 }  // namespace
 }  // namespace toolpace::nc

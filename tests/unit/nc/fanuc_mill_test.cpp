@@ -199,6 +199,16 @@ TEST(Fanuc, ProgramsMayHaveNames) {
   EXPECT_EQ(ends(reading), (Values{10}));
 }
 
+TEST(Fanuc, SubProgramsMayBeCalledByName) {
+  const auto reading = read_program(
+      "%\n<MAIN>\nG21 G90\nM98 <PART_A> L2\nG65 <MOVE> X7.\nM98 <GONE>\nM30\n<PART_A>\nG91 G0 X1.\nG90\nM99\n<MOVE>\n"
+      "G0 X#24\nM99\n%\n",
+      {}, "a.nc");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{1, 2, 7}));
+  EXPECT_EQ(codes(reading), (Codes{"sub-program-missing@6:1"}));
+}
+
 // 12500 least increments of 0.001 mm; under G20 they are 0.0001 in.
 TEST(IntegerWords, AllLargeAndWithoutAPointAreLeastIncrements) {
   const std::string text = "O1\nG21 G90 G17\nG0 X12500 Y-20000\nG1 Z-5000 F200\nG2 X22500 Y-10000 R10000\nM30\n";

@@ -166,6 +166,16 @@ TEST(Percent, MayEndTheLastBlock) {
   EXPECT_TRUE(reading.diagnostics.empty()) << testing::PrintToString(codes(reading));
 }
 
+TEST(UnmarkedText, AxesWithoutAMotionCodeMoveByG0WithAWarning) {
+  const auto reading = read_program("G21 G90\nX5\nG1 X6 F100\nG80\nX7\nM30\n", {}, "a.tap");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{5, 6, 7}));
+  EXPECT_EQ(reading.moves.kind,
+            (std::vector<MoveKind>{MoveKind::rapid, MoveKind::feed, MoveKind::feed, MoveKind::end}));
+  EXPECT_TRUE(has_code(reading, "axes-without-motion"));
+  EXPECT_TRUE(read_program("G21 G90\nX5\nM2\n").refused);
+}
+
 TEST(UnmarkedText, CodesOfOtherDialectsKeepTheirMeaning) {
   const auto reading = read_program("G21 G90\nG0 X10 Y10\nG31 Z-100 F500\nG92 Z0\nG0 Z3\nM30\n", {}, "a.tap");
   EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));

@@ -45,7 +45,7 @@ bool Flow::enter(const std::string& label, std::size_t column, int repeats, bool
   }
   if (at == kNoMatch) {
     const FoundFile& found = files_.find(label, fanuc);
-    const std::string name = is_digit(label.front()) ? label : "<" + label + ">";
+    const std::string name = !label.empty() && is_digit(label.front()) ? label : "<" + label + ">";
     if (files_.failure()) return lose("sub-program-refused", "a sub-program's file cannot be read", "", column);
     if (!found.trouble.empty()) {
       return faults_.fail("sub-program-refused", fmt::format("sub-program O{}: {}", name, found.trouble), found.remedy,
@@ -89,11 +89,11 @@ bool Flow::call_sub(int number, std::size_t column) {
   return true;
 }
 
-bool Flow::call_number(double number, int repeats, std::size_t column,
-                       const std::optional<std::vector<double>>& arguments) {
+bool Flow::call_numbered(const std::string& label, int repeats, std::size_t column,
+                         const std::optional<std::vector<double>>& arguments) {
   if (repeats == 0) return true;
   was_missing_ = false;
-  if (!enter(label_of(number), column, repeats, true)) return was_missing_;
+  if (!enter(label, column, repeats, true)) return was_missing_;
   calls_.back().arguments = arguments;
   if (arguments) {
     parameters_.enter_call(*arguments);

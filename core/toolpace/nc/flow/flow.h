@@ -45,7 +45,8 @@ class Flow {
   /// Fanuc's IF WHILE DO END GOTO. @return true if the line is one; `good` = no fault
   bool run_fanuc_statement(Scanner& text, bool& good);
   /// M98 and G65. `arguments` none: the caller's #1… are shared or copied as the dialect does.
-  bool call_number(double number, int repeats, std::size_t column, const std::optional<std::vector<double>>& arguments);
+  bool call_numbered(const std::string& label, int repeats, std::size_t column,
+                     const std::optional<std::vector<double>>& arguments);
   /// M97 of Haas: calls the lines from N<number> on, up to M99.
   bool call_line(double number, int repeats, std::size_t column);
   /// Calls the sub O<number>, without arguments, as "O… call" does.

@@ -74,23 +74,6 @@ bool find_polar_end(Context& context, const Block& block, const Position& from, 
   return true;
 }
 
-// U V W H of lathes, whatever G90 or G91 would say.
-bool add_increments(Context& context, const Block& block, Position& end) {
-  const State& state = context.state;
-  for (std::size_t i = 0; i < kAxisCount; ++i) {
-    const char letter = kIncrementLetters[i];
-    if (letter == '\0' || !block.has(letter)) continue;
-    if (block.has(kAxisLetters[i])) {
-      const char shown = static_cast<char>(letter - 32), axis = static_cast<char>(kAxisLetters[i] - 32);
-      return context.faults.fail("increment-twice", fmt::format("both {} and {} in a block", axis, shown),
-                                 "give one of them", block.column_of(letter));
-    }
-    const double value = is_rotary(i) ? block.of(letter) : block.of(letter) * state.modal.unit();
-    end[i] += i == 0 && state.modal.lathe_diameter == 70 ? value / 2.0 : value;
-  }
-  return true;
-}
-
 bool find_machine_end(Context& context, const Block& block, Position& end) {
   const State& state = context.state;
   if (state.modal.incremental() && !context.rules.machine_moves_incremental) {
@@ -108,6 +91,22 @@ bool find_machine_end(Context& context, const Block& block, Position& end) {
 }
 
 }  // namespace
+
+bool add_increments(Context& context, const Block& block, Position& end) {
+  const State& state = context.state;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const char letter = kIncrementLetters[i];
+    if (letter == '\0' || !block.has(letter)) continue;
+    if (block.has(kAxisLetters[i])) {
+      const char shown = static_cast<char>(letter - 32), axis = static_cast<char>(kAxisLetters[i] - 32);
+      return context.faults.fail("increment-twice", fmt::format("both {} and {} in a block", axis, shown),
+                                 "give one of them", block.column_of(letter));
+    }
+    const double value = is_rotary(i) ? block.of(letter) : block.of(letter) * state.modal.unit();
+    end[i] += i == 0 && state.modal.lathe_diameter == 70 ? value / 2.0 : value;
+  }
+  return true;
+}
 
 const Position& programmed_position(const State& state) {
   if (state.waiting) return state.waiting->end;

@@ -13,6 +13,9 @@ bool find_end(Context& context, const Block& block, Position& end);
 /// both axes or none are given.
 bool find_end_on_line(Context& context, const Block& block, const Position& from, Position& end);
 
+/// Adds U V W H of lathes, whatever G90 or G91 would say.
+bool add_increments(Context& context, const Block& block, Position& end);
+
 /// Where the program thinks the tool is: the contour while compensation is active, else the tool.
 const Position& programmed_position(const State& state);
 

@@ -109,6 +109,8 @@ bool BlockReader::read(Scanner& text, Block& block) {
       text.move_to(text.end());  // a sender's checksum
     } else if (c == '%' && !rules_.refuses_doubtful) {
       text.move_to(text.end());  // M30%
+    } else if (c == '<' && (block.has(MGroup::subprogram) || block.has(GGroup::macro)) && rules_.macro_statements) {
+      if (!read_name(text, faults_, block.called)) return false;
     } else if (c == '/' && rules_.macro_statements) {
       skip_slash(text);
     } else {
@@ -167,10 +169,7 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
   double value = 0.0;
   const char* const begin = text.position();
   if (!expressions_.read_value(text, value)) return false;
-  if (!rules_.refuses_doubtful && std::memchr(begin, '.', static_cast<std::size_t>(text.position() - begin)) != nullptr)
-    block.pointed |= word_bit(letter);
-  if (rules_.integers_may_count && is_whole({begin, static_cast<std::size_t>(text.position() - begin)}))
-    block.counted |= word_bit(letter) & kCoordinateBits;
+  if (!rules_.refuses_doubtful) note_form({begin, static_cast<std::size_t>(text.position() - begin)}, letter, block);
   if (is_vacant(value)) return true;  // a word with a vacant value is as if it were not there
   if (letter == 'g') return read_g(value, column, block);
   const bool is_argument = block.has(GGroup::macro) && letter != 'n' && letter != 'o';
@@ -189,6 +188,15 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
                         follows_digit(text, column) ? kMeantZero : "an O word stands first in its line", column);
   }
   return store_word(word_index(letter), value, column, block);
+}
+
+// Whether a word is written with a point, or without one where it may count increments.
+void BlockReader::note_form(std::string_view number, char letter, Block& block) const {
+  if (std::memchr(number.data(), '.', number.size()) != nullptr) {
+    block.pointed |= word_bit(letter);
+  } else if (rules_.integers_may_count && is_whole(number)) {
+    block.counted |= word_bit(letter) & kCoordinateBits;
+  }
 }
 
 bool BlockReader::store_word(std::size_t index, double value, std::size_t column, Block& block) {

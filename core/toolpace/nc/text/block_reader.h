@@ -44,6 +44,7 @@ class BlockReader {
   void skip_slash(Scanner& text);
   bool read_g(double value, std::size_t column, Block& block);
   bool read_m(double value, std::size_t column, Block& block);
+  void note_form(std::string_view number, char letter, Block& block) const;
   bool store_word(std::size_t index, double value, std::size_t column, Block& block);
   bool skip_printer_text(Scanner& text, const Block& block);
 

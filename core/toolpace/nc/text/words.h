@@ -122,11 +122,13 @@ struct Block {
   std::array<std::uint32_t, static_cast<std::size_t>(MGroup::count)> m_column;
   std::vector<MacroArgument> arguments;  ///< of G65, in the order written
   std::string message;                   ///< text of the last comment where someone may need it (alarms)
+  std::string called;                    ///< of M98 <NAME>, in small letters
 
   void clear() {
     words = pointed = counted = g_groups = m_groups = 0;
     if (!arguments.empty()) arguments.clear();
     if (!message.empty()) message.clear();
+    if (!called.empty()) called.clear();
   }
   bool is_empty() const { return words == 0 && g_groups == 0 && m_groups == 0; }
   bool has(char letter) const { return (words & word_bit(letter)) != 0; }
