@@ -221,6 +221,14 @@ TEST(IntegerWords, AllLargeAndWithoutAPointAreLeastIncrements) {
   EXPECT_EQ(ends(read_program("O1\nG20\nG0 X15000\nM30\n")), (Values{38.1}));
 }
 
+TEST(IntegerWords, RepeatsAreNoCoordinates) {
+  const auto reading = read_program("O1\nG21 G90\nG0 X0. Y0. Z5.\nG91 G99 G81 X1. Z-1. R-1. K3 F100\nG80\nM30\n");
+  EXPECT_TRUE(reading.diagnostics.empty()) << testing::PrintToString(codes(reading));
+  const auto counted = read_program("O1\nG21 G90\nG0 Z5000\nG91 G99 G81 X1000 Z-1000 R-1000 K3 F100\nG80\nM30\n");
+  EXPECT_FALSE(counted.refused) << testing::PrintToString(codes(counted));
+  EXPECT_EQ(ends(counted).back(), 3.0);
+}
+
 TEST(IntegerWords, BesideOthersAreLengthsAndTold) {
   const std::string text = "O1\nG21 G90\nG0 X10 Y2.5\nX0\nM30\n";
   const auto reading = read_program(text);

@@ -146,7 +146,8 @@ TEST(Foreign, OtherLanguagesAreNamedWithTheirLine) {
 }
 
 TEST(Foreign, CommentsSpeakNoOtherLanguage) {
-  const auto reading = read_program("(TOOL CALL 5, CYCLE8 CR=2)\nG21 G0 X1 ; MCALL CYCLE81(1)\nM2\n");
+  const auto reading =
+      read_program("(TOOL CALL 5, CYCLE8 CR=2)\nN5(CYCLE81 OF OLD)\nG21 G0 X1 ; MCALL CYCLE81(1)\nM2\n");
   EXPECT_FALSE(reading.refused);
   EXPECT_FALSE(read_text("G0 X1\nCALL O200\n", "a.nc", {.dialect = Dialect::fanuc})->moves.empty());
 }

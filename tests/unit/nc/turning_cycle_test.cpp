@@ -26,8 +26,8 @@ double radius_left_at(const Moves& moves, double z) {
 const std::string kLines = "N10 G0 X20.\nG1 Z-10. F.1\nX30. Z-20.\nX40.\nZ-30.\nN20 X52.\n";
 
 TEST(TurningCycles, RoughingLeavesTheAllowanceAndNoMore) {
-  for (const std::string cycle :
-       {"G71 U3. R.5\nG71 P10 Q20 U.4 W.1 F.2\n", "G71 P10 Q20 U.4 W.1 D3. F.2\n", "G71 P10 Q20 U.4 W.1 D3000 F.2\n"}) {
+  for (const std::string cycle : {"G71 U3. R.5\nG71 P10 Q20 U.4 W.1 F.2\n", "G71 P10 Q20 U.4 W.1 D3. F.2\n",
+                                  "G71 P10 Q20 U.4 W.1 D3000 F.2\n", "G71 U3000 R500\nG71 P10 Q20 U400 W100 F.2\n"}) {
     const auto reading = turned("G0 X52. Z2.\n" + cycle + kLines);
     ASSERT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
     EXPECT_NEAR(radius_left_at(reading.moves, -5.0), 10.2, 1e-9) << cycle;

@@ -53,13 +53,23 @@ constexpr Mark kMarks[] = {{"BEGIN PGM", kHeidenhain, false},
                            {"INCH,LZ", kExcellon, true},
                            {"IN;", kPlotter, true}};
 
+// CYCLE81( and MSG( open no comment: words of three letters and more stand before the parenthesis.
+bool ends_in_function(const std::string& text) {
+  std::size_t begin = text.size();
+  while (begin > 0 &&
+         ((text[begin - 1] >= 'A' && text[begin - 1] <= 'Z') || (text[begin - 1] >= '0' && text[begin - 1] <= '9')))
+    --begin;
+  std::size_t letters = begin;
+  while (letters < text.size() && text[letters] >= 'A') ++letters;
+  return letters - begin >= 3;
+}
+
 std::string without_comments(std::string_view line) {
   std::string text;
   int depth = 0;
   for (const char c : line) {
-    const bool opens = c == '(' && (text.empty() || text.back() == ' ' || depth > 0);  // CYCLE81(…) is none
     if (c == ';' && depth == 0 && !text.empty() && text != "IN") break;
-    if (opens) ++depth;
+    if (c == '(' && (depth > 0 || !ends_in_function(text))) ++depth;
     if (depth == 0) text.push_back(static_cast<char>(c >= 'a' && c <= 'z' ? c - 32 : c));
     if (c == ')' && depth > 0) --depth;
   }

@@ -17,7 +17,8 @@ struct Coordinates {
   double largest = 0.0, smallest = 1e300;
 };
 
-bool is_coordinate(char letter) { return std::string_view("xyzuvwijkr").find(letter) != std::string_view::npos; }
+// K may be a number of repeats.
+bool is_coordinate(char letter) { return std::string_view("xyzuvwijr").find(letter) != std::string_view::npos; }
 
 // Macro calls, data and times take other numbers.
 bool says_other_numbers(std::string_view line) {

@@ -16,6 +16,7 @@ namespace toolpace::nc {
 namespace {
 
 constexpr int kMostContourRepeats = 1000;
+constexpr double kSmallestDepth = 20.0;  // no pass is as deep: without a point it counts least increments
 
 // X is a radius in contours.
 Position at(const Context& context, Point p) {
@@ -43,8 +44,9 @@ Point here(const Context& context) {
 
 // U and W of a second block: what is left for finishing, across the radius.
 Point allowance(const Context& context, const Block& block) {
-  const double unit = context.state.modal.unit();
-  return {block.of('w', 0.0) * unit, block.of('u', 0.0) * unit / 2.0};
+  const State& state = context.state;
+  return {block.has('w') ? increments_of(state, block, 'w', kSmallestDepth) : 0.0,
+          block.has('u') ? increments_of(state, block, 'u', kSmallestDepth) / 2.0 : 0.0};
 }
 
 // Feeds that the contour gives hold while it is finished.
@@ -144,8 +146,8 @@ bool set_up_turning(Context& context, const Block& block, Code code) {
     return true;
   }
   const char depth = code == kLatheFaceRough ? 'w' : 'u';
-  if (block.has(depth)) setup.step = std::fabs(block.of(depth)) * unit;
-  if (block.has('r')) setup.retract = std::fabs(block.of('r')) * unit;
+  if (block.has(depth)) setup.step = std::fabs(increments_of(context.state, block, depth, kSmallestDepth));
+  if (block.has('r')) setup.retract = std::fabs(increments_of(context.state, block, 'r', kSmallestDepth));
   return true;
 }
 
