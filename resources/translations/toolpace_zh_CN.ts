@@ -1352,6 +1352,10 @@
             <source>lathe-level</source>
             <translation>R 按绝对位置读取</translation>
         </message>
+        <message>
+            <source>arc-centre-absolute</source>
+            <translation>圆心按绝对坐标读取</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -2638,6 +2642,10 @@
         <message>
             <source>scale both axes alike</source>
             <translation>请使两轴缩放相同</translation>
+        </message>
+        <message>
+            <source>write G90.1, or G91.1 and distances from the start</source>
+            <translation>请写 G90.1，或写 G91.1 并给出到起点的距离</translation>
         </message>
     </context>
     <context>

@@ -220,6 +220,10 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "give the move that the corner leads to in the next block"),
     QT_TRANSLATE_NOOP("remedies", "give it with F"),
     QT_TRANSLATE_NOOP("remedies", "give a smaller ,C or ,R"),
+    QT_TRANSLATE_NOOP("remedies", "write G90.1, or G91.1 and distances from the start"),
+    QT_TRANSLATE_NOOP(
+        "remedies",
+        "give its radius with I; of growing circles the first radius with I, the last with K, the step with Q"),
     QT_TRANSLATE_NOOP(
         "remedies",
         "give its radius with I; of growing circles the first radius with I, the last with K, the step with Q"),

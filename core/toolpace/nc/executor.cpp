@@ -161,7 +161,8 @@ bool Executor::run_subprogram_code(const Block& block) {
     return context_.faults.fail("m98-without-p", "M98 without P", "name the sub-program with P", column);
   double number = block.of('p', 0.0);
   double repeats = block.of('l', 1.0);
-  if (context_.rules.repeats_within_p && !block.has('l') && number >= 10000.0) {  // P00021000: twice O1000
+  const bool may_repeat = context_.rules.repeats_within_p && !block.has('l') && number >= 10000.0;
+  if (may_repeat && !flow_.has_program(label_of(number))) {  // P00021000: twice O1000
     repeats = std::floor(number / 10000.0);
     number -= repeats * 10000.0;
   }

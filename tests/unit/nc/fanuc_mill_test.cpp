@@ -199,6 +199,12 @@ TEST(Fanuc, ProgramsMayHaveNames) {
   EXPECT_EQ(ends(reading), (Values{10}));
 }
 
+TEST(Fanuc, ALongNumberIsAProgramBeforeItIsARepeat) {
+  const std::string subs = "M30\nO900003\nG0 X1.\nM99\nO3\nG91 G0 Y1.\nG90\nM99\n";
+  EXPECT_EQ(ends(read_program("O1\nG21 G90\nM98 P900003\n" + subs)), (Values{1}));
+  EXPECT_EQ(ends(read_program("O1\nG21 G90\nM98 P20003\n" + subs), 1), (Values{1, 2}));
+}
+
 TEST(Fanuc, SubProgramsMayBeCalledByName) {
   const auto reading = read_program(
       "%\n<MAIN>\nG21 G90\nM98 <PART_A> L2\nG65 <MOVE> X7.\nM98 <GONE>\nM30\n<PART_A>\nG91 G0 X1.\nG90\nM99\n<MOVE>\n"

@@ -167,6 +167,18 @@ TEST(Percent, MayEndTheLastBlock) {
   EXPECT_TRUE(reading.diagnostics.empty()) << testing::PrintToString(codes(reading));
 }
 
+// About (10, 10) both ends lie 10 away; 10 beside the start they would not.
+TEST(UnmarkedText, CentresThatFitAsPlacesAloneAreReadSo) {
+  const std::string text = "G21 G90 G17\nG0 X20 Y10\nG3 X10 Y20 I10 J10 F100\nX0 Y10 I10 J10\nM30\n";
+  const auto reading = read_program(text, {}, "a.tap");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(codes(reading), (Codes{"arc-centre-absolute@3:12"}));
+  ASSERT_EQ(reading.moves.arcs.size(), 2u);
+  EXPECT_NEAR(reading.moves.arcs[1].centre.x(), 10.0, 1e-12);
+  EXPECT_TRUE(has_code(read_as(Dialect::fanuc, text), "arc-radius-differs")) << "Fanuc's centres are distances";
+  EXPECT_TRUE(read_as(Dialect::linuxcnc, text).refused);
+}
+
 TEST(UnmarkedText, AxesWithoutAMotionCodeMoveByG0WithAWarning) {
   const auto reading = read_program("G21 G90\nX5\nG1 X6 F100\nG80\nX7\nM30\n", {}, "a.tap");
   EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));

@@ -89,6 +89,11 @@ bool Flow::call_sub(int number, std::size_t column) {
   return true;
 }
 
+bool Flow::has_program(const std::string& label) {
+  return index().find_sub(label) != kNoMatch ||
+         files_.at(0).flow(reader_.rules().macro_statements).find_sub(label) != kNoMatch;
+}
+
 bool Flow::call_numbered(const std::string& label, int repeats, std::size_t column,
                          const std::optional<std::vector<double>>& arguments) {
   if (repeats == 0) return true;

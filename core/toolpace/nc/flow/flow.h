@@ -47,6 +47,8 @@ class Flow {
   /// M98 and G65. `arguments` none: the caller's #1… are shared or copied as the dialect does.
   bool call_numbered(const std::string& label, int repeats, std::size_t column,
                      const std::optional<std::vector<double>>& arguments);
+  /// Whether the text has a program of this number or name.
+  bool has_program(const std::string& label);
   /// M97 of Haas: calls the lines from N<number> on, up to M99.
   bool call_line(double number, int repeats, std::size_t column);
   /// Calls the sub O<number>, without arguments, as "O… call" does.

@@ -35,26 +35,49 @@ void remember_mended(Context& context, double difference, double radius) {
   mended.file = context.out.file();
 }
 
+struct Radii {
+  double at_start, at_end;
+};
+
+Radii radii_about(const PlaneArc& arc, const std::array<double, 2>& centre) {
+  return {std::hypot(arc.start[0] - centre[0], arc.start[1] - centre[1]),
+          std::hypot(arc.end[0] - centre[0], arc.end[1] - centre[1])};
+}
+
+bool fits(const Context& context, const Radii& r) {
+  const ArcTolerance& arc = context.arc;
+  if (r.at_start < arc.least_radius || r.at_end < arc.least_radius) return false;
+  const double difference = std::fabs(r.at_start - r.at_end);
+  const double tolerance = context.state.modal.units == 200 ? arc.inch : arc.metric;
+  const double relative = arc.relative * std::max(r.at_start, r.at_end);
+  return difference <= tolerance || (difference <= relative && difference <= arc.most * tolerance);
+}
+
 bool find_centre_by_offset(Context& context, const Block& block, PlaneArc& arc) {
-  const Modal& modal = context.state.modal;
+  Modal& modal = context.state.modal;
   const PlaneAxes plane = plane_axes(modal.plane);
   const char first = static_cast<char>('i' + plane.first);
   const char second = static_cast<char>('i' + plane.second);
-  const bool absolute = modal.arc_distance == 901;
-  if (absolute && !(block.has(first) && block.has(second))) {
+  const bool absolute = modal.arc_distance == 901, names_both = block.has(first) && block.has(second);
+  if (absolute && !names_both) {
     return context.faults.fail(
         "arc-centre-incomplete", "an arc with absolute centre (G90.1) needs both centre words",
         fmt::format("give {} and {}", static_cast<char>(first - 32), static_cast<char>(second - 32)),
         block.column_of(GGroup::motion));
   }
-  arc.centre = {block.of(first, 0.0) * modal.unit(), block.of(second, 0.0) * modal.unit()};
-  if (!absolute) {
-    arc.centre[0] += arc.start[0];
-    arc.centre[1] += arc.start[1];
+  const std::array<double, 2> words = {block.of(first, 0.0) * modal.unit(), block.of(second, 0.0) * modal.unit()};
+  const std::array<double, 2> beside_start = {arc.start[0] + words[0], arc.start[1] + words[1]};
+  arc.centre = absolute ? words : beside_start;
+  const bool may_be_absolute = context.rules.centres_may_be_absolute && !absolute && names_both;
+  if (may_be_absolute && !fits(context, radii_about(arc, arc.centre)) && fits(context, radii_about(arc, words))) {
+    arc.centre = words;
+    modal.arc_distance = 901;
+    context.faults.warn("arc-centre-absolute",
+                        "the centres of arcs are read as places from here on, as under G90.1: none fits as a distance",
+                        "write G90.1, or G91.1 and distances from the start", block.column_of(first));
   }
-  const double r1 = std::hypot(arc.start[0] - arc.centre[0], arc.start[1] - arc.centre[1]);
-  const double r2 = std::hypot(arc.end[0] - arc.centre[0], arc.end[1] - arc.centre[1]);
-  return check_radii(context, r1, r2, block.column_of(first));
+  const Radii radii = radii_about(arc, arc.centre);
+  return check_radii(context, radii.at_start, radii.at_end, block.column_of(first));
 }
 
 bool find_centre_by_radius(Context& context, const Block& block, bool clockwise, PlaneArc& arc) {
@@ -172,9 +195,7 @@ bool check_radii(Context& context, double at_start, double at_end, std::size_t c
                                "check the centre words I J K", column);
   }
   const double difference = std::fabs(at_start - at_end);
-  const double tolerance = context.state.modal.units == 200 ? arc.inch : arc.metric;
-  const double relative = arc.relative * std::max(at_start, at_end);
-  if (difference > tolerance && (difference > relative || difference > arc.most * tolerance)) {
+  if (!fits(context, {at_start, at_end})) {
     return context.faults.fail(
         "arc-radius-differs",
         fmt::format("the end of the arc lies {:.4f} mm off its radius: {:.4f} mm at the start, {:.4f} mm at the end",
