@@ -199,6 +199,13 @@ TEST(Fanuc, ProgramsMayHaveNames) {
   EXPECT_EQ(ends(reading), (Values{10}));
 }
 
+TEST(Fanuc, ThenMayJump) {
+  EXPECT_EQ(ends(read_program("O1\nG21 G90\nIF[1EQ1]THEN GOTO 9\nG0 X1.\nN9 G0 X2.\nM30\n")), (Values{2}));
+  EXPECT_EQ(ends(read_program("O1\nG21 G90\nIF[1EQ2]THEN GOTO 9\nGOTO N8\nG0 X1.\nN8 X3.\nN9 X2.\nM30\n")),
+            (Values{3, 2}));
+  EXPECT_EQ(ends(read_program("O1\nG21 G90\nIF[1EQ1]THEN #1=4.\nG0 X#1\nM30\n")), (Values{4}));
+}
+
 TEST(Fanuc, ALongNumberIsAProgramBeforeItIsARepeat) {
   const std::string subs = "M30\nO900003\nG0 X1.\nM99\nO3\nG91 G0 Y1.\nG90\nM99\n";
   EXPECT_EQ(ends(read_program("O1\nG21 G90\nM98 P900003\n" + subs)), (Values{1}));

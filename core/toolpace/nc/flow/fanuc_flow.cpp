@@ -9,8 +9,9 @@ namespace {
 // Macro words may be cut off behind their second letter: WH, GO, EN.
 bool take_macro_word(Scanner& text, std::string_view word) {
   if (!text.take_word(word.substr(0, 2))) return false;
-  for (std::size_t i = 2; i < word.size() && text.peek() == word[i]; ++i) text.take();
-  return !is_letter(text.peek());
+  std::size_t i = 2;
+  for (; i < word.size() && text.peek() == word[i]; ++i) text.take();
+  return i == word.size() || !is_letter(text.peek());  // THEN GOTO, GOTO N10
 }
 
 }  // namespace
@@ -38,6 +39,7 @@ bool Flow::find_contour(double first, double last, bool before, Place& begin, st
 bool Flow::run_goto(Scanner& text) {
   const std::size_t column = text.column();
   double number = 0.0;
+  if (text.peek() == 'n') text.take();
   if (!reader_.expressions().read_value(text, number)) {
     lost_ = true;
     return false;
@@ -64,7 +66,7 @@ bool Flow::run_fanuc_statement(Scanner& text, bool& good) {
     }
     if (take_macro_word(text, "then")) {
       if (!holds) return true;
-      return false;  // the rest of the line is a block
+      return run_fanuc_statement(text, good);  // THEN GOTO, or the rest of the line is a block
     }
     good = faults_.fail("then-missing", "GOTO or THEN is missing behind IF []",
                         "write IF [..] GOTO n or IF [..] THEN #n = ..", text.column());
