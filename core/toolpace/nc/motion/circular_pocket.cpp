@@ -88,8 +88,9 @@ bool find_tool_radius(Context& context, const Block& block, double& radius) {
 bool read_pocket(Context& context, const Block& block, Code code, Pocket& pocket) {
   const State& state = context.state;
   const auto refuse = [&](const char* fault, std::string what, const char* remedy, char letter) {
-    return context.faults.fail(fault, std::move(what), remedy,
-                               block.has(letter) ? block.column_of(letter) : block.column_of(GGroup::once));
+    return context.faults.fail(
+        fault, std::move(what), remedy,
+        letter != '\0' && block.has(letter) ? block.column_of(letter) : block.column_of(GGroup::once));
   };
   const std::string name = code_text('G', code);
   if (state.modal.plane != 170) return refuse("pocket-plane", name + " outside the XY plane", "use G17", '\0');
