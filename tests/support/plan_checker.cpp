@@ -13,8 +13,11 @@ struct State {
   double s, v, a, j;
 };
 
+/// A phase that counts from the chain's begin.
+struct PlacedPhase : Phase {};
+
 /// Written out here once more, on purpose: the checker trusts none of the core's functions.
-State state_at(const Phase& p, double t) {
+State state_at(const PlacedPhase& p, double t) {
   if (p.shape == PhaseShape::constant_jerk) {
     return {p.distance + t * (p.speed + t * (p.acceleration / 2 + t * p.rate / 6)),
             p.speed + t * (p.acceleration + t * p.rate / 2), p.acceleration + t * p.rate, p.rate};
@@ -25,7 +28,7 @@ State state_at(const Phase& p, double t) {
           p.rate / (T * T) * (60 * u - 180 * u2 + 120 * u3)};
 }
 
-double time_at(const Phase& p, double s) {
+double time_at(const PlacedPhase& p, double s) {
   double low = 0, high = p.duration;
   if (state_at(p, high).s <= s) return high;
   double t = high / 2;
@@ -41,10 +44,14 @@ double time_at(const Phase& p, double s) {
 
 class Measure {
  public:
-  Measure(const SpeedLimits& limits, const MotionPlan& plan) : limits_(limits), phases_(plan.phases) {
+  Measure(const SpeedLimits& limits, const MotionPlan& plan) : limits_(limits) {
     long double sum = 0;
     node_.push_back(0);
     for (const double length : limits.length) node_.push_back(static_cast<double>(sum += length));
+    for (const Phase& p : plan.phases) {
+      phases_.push_back({p});
+      phases_.back().distance += node_[p.node];
+    }
     top_ = *std::max_element(limits.block_cap.begin(), limits.block_cap.end());
   }
 
@@ -60,7 +67,7 @@ class Measure {
   }
 
  private:
-  void raise(double& slot, double value, const char* what, const Phase& p) {
+  void raise(double& slot, double value, const char* what, const PlacedPhase& p) {
     if (!(value > slot) && !std::isnan(value)) return;
     slot = std::isnan(value) ? 1e300 : value;
     if (value <= 1 + 1e-9) return;
@@ -70,7 +77,7 @@ class Measure {
     use_.where = text.str();
   }
 
-  void check_seam(const Phase& before, const Phase& after) {
+  void check_seam(const PlacedPhase& before, const PlacedPhase& after) {
     const State end = state_at(before, before.duration);
     const auto& d = limits_.dynamics_of(std::min(block_, limits_.size() - 1));
     use_.position_step = std::max(use_.position_step, std::abs(end.s - after.distance));
@@ -83,7 +90,7 @@ class Measure {
   }
 
   /// Runs through the blocks that the phase covers.
-  void walk(const Phase& p) {
+  void walk(const PlacedPhase& p) {
     const double end = state_at(p, p.duration).s;
     double t = 0;
     for (;;) {
@@ -107,12 +114,12 @@ class Measure {
     return 2 * a * (share * std::max(1.0, node_.back()));
   }
 
-  void check_node(const Phase& p, double v) {
+  void check_node(const PlacedPhase& p, double v) {
     const double cap = limits_.node_cap[block_];
     raise(use_.node_speed, (v * v) / (cap * cap + place_slack(1e-10)), "node speed", p);
   }
 
-  void check_stretch(const Phase& p, double t0, double t1) {
+  void check_stretch(const PlacedPhase& p, double t0, double t1) {
     std::vector<double> times = {t0, t1};
     const auto add = [&](double t) {
       if (t > t0 && t < t1) times.push_back(t);
@@ -148,7 +155,7 @@ class Measure {
   }
 
   const SpeedLimits& limits_;
-  const std::vector<Phase>& phases_;
+  std::vector<PlacedPhase> phases_;
   std::vector<double> node_;
   std::size_t block_ = 0;
   double top_ = 0;

@@ -46,7 +46,7 @@ class TimedStretch {
 
   /// A motion near the fastest one.
   ArcMotion motion(const std::vector<double>& corner) const {
-    ArcMotion start = retime::motion_of({plan_.phases, 0, 0.0, plan_time(), 0.0, position_.back()});
+    ArcMotion start = retime::motion_of({plan_.phases, 0, 0.0, plan_time(), position_, 0, end_ - begin_});
     const retime::AlongLimits along{std::min(along_.acceleration, along_.deceleration),
                                     std::min(along_.jerk, along_.jerk_deceleration)};
     std::vector<double> speed;
@@ -156,7 +156,7 @@ class TimedStretch {
   const PathLimits& along_;
   std::array<AxisLimits, kAxisCount> axes_;
   std::size_t begin_, end_;
-  std::vector<double> position_;
+  NodePositions position_;
   MotionPlan plan_;
   std::vector<std::size_t> rows_;
 };

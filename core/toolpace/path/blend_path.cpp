@@ -7,7 +7,6 @@
 #include "toolpace/path/corner_chain.h"
 #include "toolpace/path/merge_lines.h"
 #include "toolpace/path/move_teller.h"
-#include "toolpace/path/node_positions.h"
 
 namespace toolpace {
 namespace {
@@ -42,7 +41,7 @@ class Blender {
       }
       if (i < path_.size()) add_rest(i);
     }
-    out_.path.position = node_positions(out_.path.length);
+    out_.path.position = NodePositions(out_.path.length);
     return std::move(out_);
   }
 

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "toolpace/path/node_positions.h"
-
 namespace toolpace {
 namespace {
 
@@ -38,7 +36,7 @@ class Builder {
   }
 
   Path finish() {
-    path_.position = node_positions(path_.length);
+    path_.position = NodePositions(path_.length);
     return std::move(path_);
   }
 

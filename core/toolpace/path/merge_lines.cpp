@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "toolpace/path/node_positions.h"
-
 namespace toolpace {
 namespace {
 
@@ -30,7 +28,7 @@ class Merger {
       i = add_run(i, std::min(rest, i + kMostMerged));
     }
     pass_pauses(path_.size(), pause);
-    out_.path.position = node_positions(out_.path.length);
+    out_.path.position = NodePositions(out_.path.length);
     return std::move(out_);
   }
 

@@ -1,17 +1,44 @@
 #include "toolpace/path/node_positions.h"
 
 namespace toolpace {
+namespace {
 
-std::vector<double> node_positions(const std::vector<double>& lengths) {
-  std::vector<double> position(lengths.size() + 1, 0.0);
-  double sum = 0.0, carry = 0.0;
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const double next = sum + lengths[i];
-    carry += sum >= lengths[i] ? (sum - next) + lengths[i] : (lengths[i] - next) + sum;
-    sum = next;
-    position[i + 1] = sum + carry;
+/// Neumaier's sum of values that are not negative.
+class Sum {
+ public:
+  void add(double value) {
+    const double next = sum_ + value;
+    carry_ += sum_ >= value ? (sum_ - next) + value : (value - next) + sum_;
+    sum_ = next;
   }
-  return position;
+  double value() const { return sum_ + carry_; }
+  /// What rounding takes from the value.
+  double rest() const { return (sum_ - value()) + carry_; }
+
+ private:
+  double sum_ = 0.0, carry_ = 0.0;
+};
+
+}  // namespace
+
+NodePositions::NodePositions(const std::vector<double>& lengths)
+    : sum_(lengths.size() + 1, 0.0), rest_(lengths.size() + 1, 0.0f) {
+  Sum sum;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    sum.add(lengths[i]);
+    sum_[i + 1] = sum.value();
+    rest_[i + 1] = static_cast<float>(sum.rest());
+  }
+}
+
+void sum_lengths(const std::vector<double>& lengths, std::size_t first, std::size_t last,
+                 std::vector<double>& position) {
+  Sum sum;
+  position[first] = 0.0;
+  for (std::size_t i = first; i < last; ++i) {
+    sum.add(lengths[i]);
+    position[i + 1] = sum.value();
+  }
 }
 
 }  // namespace toolpace

@@ -11,6 +11,7 @@
 #include "toolpace/nc/moves.h"
 #include "toolpace/path/arc.h"
 #include "toolpace/path/blend.h"
+#include "toolpace/path/node_positions.h"
 #include "toolpace/path/spline.h"
 
 namespace toolpace {
@@ -24,7 +25,7 @@ struct Path {
   std::vector<std::uint32_t> move;    ///< row of Moves that it comes from, whose feed holds (see handovers)
   std::vector<std::uint32_t> detail;  ///< index into arcs, spline_pieces or blends; kNoDetail for lines
   std::vector<AxisVector> node;       ///< size() + 1 points where segments meet [mm, rad]
-  std::vector<double> position;       ///< path position of each node: what lies before it, see node_positions()
+  NodePositions position;             ///< of each node: the path that lies before it [mm; deg]
 
   std::vector<ArcCurve> arcs;
   std::vector<SplineCurve> splines;

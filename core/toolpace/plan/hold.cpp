@@ -41,11 +41,12 @@ class HoldInserter {
     const double begin = result.cycle_time();
     for (Phase p : stop_) {
       p.begin += begin;
+      p.node = node_;
       p.distance += state_.distance;
       result.phases.push_back(p);
     }
     const double at = state_.distance + end_of(stop_);
-    if (hold_.pause > 0) result.phases.push_back({result.cycle_time(), hold_.pause, at, 0, 0, 0, kJerk});
+    if (hold_.pause > 0) result.phases.push_back({result.cycle_time(), hold_.pause, at, 0, 0, 0, kJerk, node_});
     auto rest = plan_rest(at, monitor);
     if (!rest) return tl::make_unexpected(rest.error());
     append_rest(*rest, at, result);
@@ -54,6 +55,8 @@ class HoldInserter {
 
  private:
   double length() const { return position_.back(); }
+  /// Path position where the stop begins.
+  double here() const { return position_[node_] + state_.distance; }
 
   /// The first moment from the wanted one on at which a stop fits.
   void find_start() {
@@ -78,6 +81,7 @@ class HoldInserter {
     stop_.clear();
     if (!(time > kSameMoment * p.duration)) time = 0;  // nothing is left to cut into pieces
     state_ = evaluate(p, time);
+    node_ = p.node;
     if (time == 0) return;
     if (p.shape == kJerk || time >= p.duration) {
       head_.push_back(p);
@@ -92,7 +96,7 @@ class HoldInserter {
   /// off by (time/64)²/12 of the jerk at the cut.
   void cut_quintic(const Phase& p, double time) {
     constexpr int kPieces = 64;
-    Phase piece{p.begin, time / kPieces, p.distance, p.speed, p.acceleration, 0, kJerk};
+    Phase piece{p.begin, time / kPieces, p.distance, p.speed, p.acceleration, 0, kJerk, p.node};
     for (int i = 1; i <= kPieces; ++i) {
       piece.rate = (evaluate(p, time * i / kPieces).acceleration - piece.acceleration) / piece.duration;
       head_.push_back(piece);
@@ -104,6 +108,8 @@ class HoldInserter {
     }
   }
 
+  double start_of(const Phase& p) const { return position_[p.node] + p.distance; }
+
   static bool is_resting(const Phase& p) { return p.speed == 0 && p.rate == 0 && p.acceleration == 0; }
 
   std::size_t block_at(double distance) const {
@@ -114,13 +120,13 @@ class HoldInserter {
 
   /// Brakes with the smallest limits of the blocks that the stop takes.
   bool find_stop() {
-    const std::size_t first = block_at(state_.distance);
+    const std::size_t first = block_at(here());
     Brakes brakes = brakes_of(first);
     std::size_t reached = first;
     for (;;) {
       auto phases = brake(std::max(0.0, state_.speed), state_.acceleration, brakes);
       if (!phases) return false;
-      const double end = state_.distance + end_of(*phases);
+      const double end = here() + end_of(*phases);
       if (end > length() * (1 + kSamePlace)) return false;
       const std::size_t last = block_at(end);
       if (last <= reached) {
@@ -158,9 +164,9 @@ class HoldInserter {
 
   /// Braking speeds fall, except while a positive acceleration is taken away.
   double highest_in(std::size_t block) const {
-    double highest = state_at(std::max(position_[block], state_.distance)).speed;
+    double highest = state_at(std::max(position_[block], here())).speed;
     for (const Phase& p : stop_) {
-      const double at = state_.distance + p.distance;
+      const double at = here() + p.distance;
       if (at >= position_[block] && at <= position_[block + 1]) highest = std::max(highest, p.speed);
     }
     return highest;
@@ -168,7 +174,7 @@ class HoldInserter {
 
   /// State of the stop at a place.
   PhaseState state_at(double distance) const {
-    const double way = distance - state_.distance;
+    const double way = distance - here();
     for (const Phase& p : stop_) {
       if (evaluate(p, p.duration).distance < way) continue;
       double low = 0, high = p.duration;
@@ -182,13 +188,15 @@ class HoldInserter {
   }
 
   /// Plans from the stop to the end.
-  Result<MotionPlan> plan_rest(double at, const Monitor& monitor) const {
-    std::size_t first = block_at(at);
-    double left = position_[first + 1] - at;
+  /// @param at  from node_
+  Result<MotionPlan> plan_rest(double at, const Monitor& monitor) {
+    std::size_t first = block_at(position_[node_] + at);
+    double left = position_.between(node_, first + 1) - at;
     if (left <= kSamePlace * length() && first + 1 <= limits_.size()) {
       ++first;
       left = first < limits_.size() ? limits_.length[first] : 0.0;
     }
+    rest_ = static_cast<std::uint32_t>(first);
     if (first >= limits_.size()) return MotionPlan{};
     SpeedLimits rest = slice(limits_, first, limits_.size());
     rest.length.front() = left;
@@ -201,7 +209,7 @@ class HoldInserter {
     double begin = result.cycle_time();
     std::size_t old = phase_ + 1;
     const auto add_pauses = [&](double upto, double time) {
-      for (; old < plan_.phases.size() && plan_.phases[old].distance <= upto; ++old) {
+      for (; old < plan_.phases.size() && start_of(plan_.phases[old]) <= upto; ++old) {
         if (!is_resting(plan_.phases[old])) continue;
         result.phases.push_back(plan_.phases[old]);
         result.phases.back().begin = begin + time;
@@ -209,9 +217,14 @@ class HoldInserter {
       }
     };
     for (Phase p : rest.phases) {
-      if (p.speed == 0) add_pauses(at + p.distance + same, p.begin);
+      if (p.node == 0) {  // where the stop is
+        p.node = node_;
+        p.distance += at;
+      } else {
+        p.node += rest_;
+      }
+      if (p.speed == 0) add_pauses(start_of(p) + same, p.begin);
       p.begin += begin;
-      p.distance += at;
       result.phases.push_back(p);
     }
     add_pauses(length() + same, rest.cycle_time());
@@ -221,10 +234,12 @@ class HoldInserter {
   const MotionPlan& plan_;
   const PlanOptions& options_;
   const Hold& hold_;
-  std::vector<double> position_;
+  NodePositions position_;
   std::size_t phase_ = 0;    ///< in which the hold begins
+  std::uint32_t node_ = 0;   ///< from which it counts
+  std::uint32_t rest_ = 0;   ///< first block of what is planned from the stop on
   std::vector<Phase> head_;  ///< what is left of it
-  PhaseState state_{};       ///< at its end
+  PhaseState state_{};       ///< at its end, its distance from the node
   std::vector<Phase> stop_;  ///< from there to rest, distances from there
 };
 

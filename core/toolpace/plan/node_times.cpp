@@ -15,20 +15,17 @@ double time_to_cover(const Phase& p, double way) {
 }
 
 std::vector<double> node_times(const SpeedLimits& limits, const MotionPlan& plan) {
-  const std::vector<double> position = node_positions(limits);
+  const NodePositions position = node_positions(limits);
   std::vector<double> time(position.size(), 0.0);
   const auto& phases = plan.phases;
   std::size_t k = 0;
   for (std::size_t i = 1; i < position.size() && !phases.empty(); ++i) {
-    while (k + 1 < phases.size() && phases[k + 1].distance <= position[i] && phases[k].distance < position[i]) ++k;
+    // From a phase's start to this node.
+    const auto way = [&](const Phase& p) { return position.between(p.node, i) - p.distance; };
+    while (k + 1 < phases.size() && way(phases[k + 1]) >= 0 && way(phases[k]) > 0) ++k;
     // A node at the seam of two phases is reached when the first of them ends, whatever rest may follow.
     const Phase& p = phases[k];
-    if (p.distance >= position[i]) {
-      time[i] = p.begin;
-    } else {
-      time[i] = p.begin + time_to_cover(p, position[i] - p.distance);
-    }
-    time[i] = std::max(time[i], time[i - 1]);
+    time[i] = std::max(p.begin + time_to_cover(p, way(p)), time[i - 1]);
   }
   if (!phases.empty()) time.back() = std::max(time[time.size() - 2], plan.cycle_time());
   return time;

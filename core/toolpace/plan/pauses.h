@@ -9,7 +9,7 @@
 namespace toolpace {
 
 /// The plan with a standing phase for each pause; everything after it is later by its duration.
-/// @param positions  path position of each node; the plan rests at every node that has a pause
-MotionPlan insert_pauses(MotionPlan plan, const std::vector<Path::Pause>& pauses, const std::vector<double>& positions);
+/// @param positions  of the path; the plan rests at every node that has a pause
+MotionPlan insert_pauses(MotionPlan plan, const std::vector<Path::Pause>& pauses, const NodePositions& positions);
 
 }  // namespace toolpace

@@ -4,29 +4,34 @@
 #include <cmath>
 #include <vector>
 
-#include "toolpace/law/phase.h"
+#include "toolpace/law/phase_list.h"
 #include "toolpace/limits/ramp_limits.h"
 
 namespace toolpace::detail {
 
-/// Writes phases one after another while time is summed with compensation and positions are set by the caller, so that
-/// neither drifts over millions of blocks.
+/// Writes phases one after another while time is summed with compensation and distances are set by the caller, from a node
+/// near by, so that neither drifts over millions of blocks.
 class PhaseWriter {
  public:
   explicit PhaseWriter(std::vector<Phase>& phases) : phases_(phases) {}
 
   double time() const { return time_; }
 
+  /// From here on distances count from this node of the chain.
+  void count_from(std::size_t node) { node_ = static_cast<std::uint32_t>(node); }
+
   /// Appends a phase at the present time; durations ≤ 0 are left out.
   void push(Phase phase) {
     if (!(phase.duration > 0)) return;
     phase.begin = time_;
+    phase.node = node_;
     advance(phase.duration);
     phases_.push_back(phase);
   }
 
-  /// Appends phases whose times count from 0. May take their storage.
+  /// Appends phases whose times count from 0 and whose distances count from the present node. May take their storage.
   void splice(std::vector<Phase>& phases) {
+    for (Phase& p : phases) p.node = node_;
     const double end = phases.empty() ? 0.0 : phases.back().begin + phases.back().duration;
     if (phases_.empty() && time_ == 0) {
       phases_.swap(phases);
@@ -66,14 +71,11 @@ class PhaseWriter {
   /// Appends the phases of a ramp so that the first one starts at `position`.
   template <class Law>
   void push_ramp(double v0, double v1, const RampLimits& limits, double position) {
-    const std::size_t first = phases_.size();
-    Law::append_ramp(v0, v1, limits, phases_);
-    if (phases_.size() == first) return;
-    const double shift = position - phases_[first].distance;
-    for (std::size_t i = first; i < phases_.size(); ++i) {
-      phases_[i].distance += shift;
-      phases_[i].begin = time_;
-      advance(phases_[i].duration);
+    PhaseList ramp;
+    Law::append_ramp(v0, v1, limits, ramp);
+    for (Phase p : ramp) {
+      p.distance += position;
+      push(p);
     }
   }
 
@@ -87,6 +89,7 @@ class PhaseWriter {
   }
 
   std::vector<Phase>& phases_;
+  std::uint32_t node_ = 0;
   double sum_ = 0.0, carry_ = 0.0, time_ = 0.0;
 };
 

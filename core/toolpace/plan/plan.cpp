@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "toolpace/law/law_table.h"
-#include "toolpace/path/node_positions.h"
 #include "toolpace/plan/block/block_plan.h"
 #include "toolpace/plan/span/dispatch.h"
 
@@ -99,7 +98,5 @@ Result<MotionPlan> plan_motion(const SpeedLimits& limits, const PlanOptions& opt
   if (monitor.is_cancelled()) return tl::make_unexpected(cancelled_error());
   return plan;
 }
-
-std::vector<double> node_positions(const SpeedLimits& limits) { return node_positions(limits.length); }
 
 }  // namespace toolpace

@@ -6,6 +6,7 @@
 #include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
 #include "toolpace/limits/speed_limits.h"
+#include "toolpace/path/node_positions.h"
 #include "toolpace/plan/motion_plan.h"
 #include "toolpace/plan/options.h"
 
@@ -40,7 +41,7 @@ std::vector<double> node_times(const SpeedLimits& limits, const MotionPlan& plan
 /// @pre node_time.size() ≥ 2
 std::size_t segment_at(const std::vector<double>& node_time, double time);
 
-/// Path position of each node of a chain of its own [mm], the first one 0.
-std::vector<double> node_positions(const SpeedLimits& limits);
+/// Of each node of a chain of its own [mm].
+inline NodePositions node_positions(const SpeedLimits& limits) { return NodePositions(limits.length); }
 
 }  // namespace toolpace

@@ -60,12 +60,19 @@ Motion& Motion::at(double time) {
   const bool goes_on = time >= time_;
   time_ = std::clamp(time, 0.0, duration());
   along_ = {};
+  node_ = 0;
   if (!plan_.phases.empty()) {
     phase_ = phase_at(time_);
     const Phase& phase = plan_.phases[phase_];
     along_ = evaluate(phase, std::min(time_ - phase.begin, phase.duration));
+    node_ = phase.node;
   }
-  if (time_ >= duration()) along_.distance = path_.position.back();
+  if (time_ >= duration()) {
+    along_.distance = 0;
+    node_ = path_.size();
+  }
+  from_node_ = along_.distance;
+  along_.distance += path_.position[node_];
   if (path_.size() > 0) find_segment(goes_on);
   spline_ = spline_at(time_);
   if (spline_) {
@@ -85,8 +92,9 @@ Motion& Motion::at(double time, std::size_t segment) {
 double Motion::time_at(double position) {
   const auto& phases = plan_.phases;
   if (phases.empty()) return 0;
-  arriving_ = last_reached(phases.size(), arriving_, [&](std::size_t i) { return phases[i].distance <= position; });
-  return phases[arriving_].begin + time_to_cover(phases[arriving_], position - phases[arriving_].distance);
+  const auto start = [&](std::size_t i) { return path_.position[phases[i].node] + phases[i].distance; };
+  arriving_ = last_reached(phases.size(), arriving_, [&](std::size_t i) { return start(i) <= position; });
+  return phases[arriving_].begin + time_to_cover(phases[arriving_], position - start(arriving_));
 }
 
 std::size_t Motion::phase_at(double time) const {
@@ -103,8 +111,8 @@ const TimeSpline* Motion::spline_at(double time) {
 
 /// @param goes_on  later than before: where positions are rounded at the seams of phases, a motion never steps back over a node
 void Motion::find_segment(bool goes_on) {
-  const std::size_t found =
-      last_reached(path_.size(), segment_, [&](std::size_t i) { return path_.position[i] <= along_.distance; });
+  const std::size_t found = last_reached(path_.size(), segment_,
+                                         [&](std::size_t i) { return path_.position.between(node_, i) <= from_node_; });
   enter(goes_on ? std::max(segment_, found) : found);
 }
 
@@ -112,9 +120,9 @@ void Motion::enter(std::size_t segment) {
   segment_ = segment;
   const double length = path_.length[segment];
   // Positions are rounded: at the node the whole length is covered, whatever their difference.
-  on_segment_ = along_.distance >= path_.position[segment + 1]
+  on_segment_ = from_node_ >= path_.position.between(node_, segment + 1)
                     ? length
-                    : std::clamp(along_.distance - path_.position[segment], 0.0, length);
+                    : std::clamp(from_node_ - path_.position.between(node_, segment), 0.0, length);
 }
 
 std::uint32_t Motion::move() {
@@ -199,9 +207,9 @@ void Motion::add_on_path(const Part& part, std::size_t axis, PhaseBounds& box) {
   const double reach = evaluate(p, part.to).distance, sliver = kSliver * p.duration;
   at(p.begin + part.from);
   for (double from = part.from;;) {
-    const bool is_last = segment_ + 1 == path_.size() || path_.position[segment_ + 1] >= reach;
-    const double to =
-        is_last ? part.to : std::clamp(time_to_cover(p, path_.position[segment_ + 1] - p.distance), from, part.to);
+    const double end = path_.position.between(p.node, segment_ + 1);
+    const bool is_last = segment_ + 1 == path_.size() || end >= reach;
+    const double to = is_last ? part.to : std::clamp(time_to_cover(p, end - p.distance), from, part.to);
     if (to - from > sliver || part.to - part.from <= sliver) add_on_segment({p, from, to}, axis, box);
     if (is_last) return;
     ++segment_;
@@ -216,7 +224,8 @@ void Motion::add_on_segment(const Part& part, std::size_t axis, PhaseBounds& box
   }
   for (int k = 0; k < kCurveInstants; ++k) {
     const PhaseState state = evaluate(part.phase, part.from + (part.to - part.from) * k / (kCurveInstants - 1));
-    const double s = std::clamp(state.distance - path_.position[segment_], 0.0, path_.length[segment_]);
+    const double s =
+        std::clamp(state.distance - path_.position.between(part.phase.node, segment_), 0.0, path_.length[segment_]);
     box.add(of_axis(chained(frame_at(path_, segment_, s), state), axis));
   }
 }

@@ -77,7 +77,8 @@ class Motion {
   // Of the instant gone to; the indices are where the next search begins.
   double time_ = 0;
   PhaseState along_ = {};
-  double on_segment_ = 0;
+  std::size_t node_ = 0;  ///< of its phase
+  double from_node_ = 0, on_segment_ = 0;
   const TimeSpline* spline_ = nullptr;
   AxisMotion beside_ = {kNowhere, kNowhere, kNowhere, kNowhere};  ///< on that spline
   std::size_t phase_ = 0, arriving_ = 0, last_spline_ = 0, segment_ = 0, handover_ = 0;

@@ -15,7 +15,7 @@ namespace {
 
 using test::symmetric;
 
-/// Distance at which the plan rests for exactly `pause`.
+/// Where the plan of one block rests for exactly `pause`.
 double resting_place(const MotionPlan& plan, double pause) {
   for (const Phase& p : plan.phases) {
     if (p.speed == 0 && p.rate == 0 && p.acceleration == 0 && p.duration == pause) return p.distance;

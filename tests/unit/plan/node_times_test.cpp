@@ -21,7 +21,8 @@ TEST(NodeTimes, AgreeWithTheDistanceThatThePlanHasCovered) {
       ASSERT_GE(times[i], times[i - (i > 0)]);
       while (k + 1 < plan->phases.size() && plan->phases[k + 1].begin <= times[i]) ++k;
       const Phase& p = plan->phases[k];
-      EXPECT_NEAR(evaluate(p, times[i] - p.begin).distance, positions[i], 1e-9 * positions.back()) << seed << " " << i;
+      EXPECT_NEAR(positions[p.node] + evaluate(p, times[i] - p.begin).distance, positions[i], 1e-9 * positions.back())
+          << seed << " " << i;
     }
   }
 }
@@ -36,11 +37,11 @@ TEST(NodeTimes, ReachANodeBeforeItsDwell) {
   const double arrival = node_times(limits, *plan)[1];
   MotionPlan paused;
   for (const Phase& p : plan->phases) {
-    if (p.distance == 1.0 && (paused.phases.empty() || paused.phases.back().distance < 1.0)) {
-      paused.phases.push_back({p.begin, 0.5, 1.0, 0, 0, 0, PhaseShape::constant_jerk});
+    if (p.node == 1 && paused.phases.back().node == 0) {
+      paused.phases.push_back({p.begin, 0.5, 0, 0, 0, 0, PhaseShape::constant_jerk, 1});
     }
     paused.phases.push_back(p);
-    if (p.distance >= 1.0) paused.phases.back().begin += 0.5;
+    if (p.node == 1) paused.phases.back().begin += 0.5;
   }
   const auto times = node_times(limits, paused);
   EXPECT_DOUBLE_EQ(times[1], arrival);

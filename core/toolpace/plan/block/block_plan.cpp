@@ -30,12 +30,12 @@ MotionPlan plan_with(const SpeedLimits& limits, std::size_t blocks, const Monito
   const std::vector<double> v = node_speeds<Law>(chain, blocks, monitor);
   MotionPlan plan;
   if (v.empty()) return plan;
-  const std::vector<double> position = node_positions(limits);
   plan.phases.reserve(limits.size() * 2);
   PhaseWriter writer(plan.phases);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     if ((i & 0xFFFF) == 0 && monitor.is_cancelled()) return {};
-    append_stretch<Law>({position[i], limits.length[i], limits.block_cap[i], v[i], v[i + 1]}, chain.drive(i), writer);
+    writer.count_from(i);
+    append_stretch<Law>({limits.length[i], limits.block_cap[i], v[i], v[i + 1]}, chain.drive(i), writer);
   }
   return plan;
 }
@@ -48,7 +48,7 @@ double time_with(const SpeedLimits& limits) {
   const std::vector<double> v = speeds_of_whole_chain<Law>(chain);
   double sum = 0;
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    sum += stretch_time({0, limits.length[i], limits.block_cap[i], v[i], v[i + 1]}, terms[limits.ramp[i]]);
+    sum += stretch_time({limits.length[i], limits.block_cap[i], v[i], v[i + 1]}, terms[limits.ramp[i]]);
   }
   return sum;
 }
@@ -63,7 +63,7 @@ BlockSpeeds block_ramp_speeds(const SpeedLimits& limits, LawKind law) {
     BlockSpeeds v{speeds_of_whole_chain<Law>({limits.length, limits.ramp, limits.dynamics, terms, cap}), {}};
     for (std::size_t i = 0; i < limits.size(); ++i) {
       v.peak.push_back(
-          peak_speed({0, limits.length[i], limits.block_cap[i], v.node[i], v.node[i + 1]}, terms[limits.ramp[i]]));
+          peak_speed(Stretch{limits.length[i], limits.block_cap[i], v.node[i], v.node[i + 1]}, terms[limits.ramp[i]]));
     }
     return v;
   });

@@ -31,7 +31,6 @@ inline bool fits(double v0, double v1, double length, const MoveTerms& terms) {
 
 /// A block as its profile sees it.
 struct Stretch {
-  double begin;        ///< path position of its start [mm]
   double length;       ///< [mm]
   double cap;          ///< top speed [mm/s]
   double entry, exit;  ///< [mm/s] ≤ cap
@@ -56,7 +55,7 @@ inline double stretch_time(const Stretch& s, const MoveTerms& terms) {
   return up + down + std::max(0.0, rest) / peak;
 }
 
-/// Appends the stretch's fastest profile: one of the seven shapes.
+/// Appends the stretch's fastest profile, counted from its start: one of the seven shapes.
 /// @source Ning et al. 2014, section 2
 template <class Law>
 void append_stretch(const Stretch& s, const Drive& drive, PhaseWriter& out) {
@@ -66,9 +65,9 @@ void append_stretch(const Stretch& s, const Drive& drive, PhaseWriter& out) {
   // A remainder below the rounding of the ramps' lengths is no cruise.
   double cruise = s.length - up - down;
   if (!(cruise > s.length * 2 * kFit)) cruise = 0.0;
-  if (peak > s.entry) out.template push_ramp<Law>(s.entry, peak, drive.limits.up, s.begin);
-  if (cruise > 0) out.push({0, cruise / peak, s.begin + up, peak, 0.0, 0.0, PhaseShape::constant_jerk});
-  if (peak > s.exit) out.template push_ramp<Law>(peak, s.exit, drive.limits.down, s.begin + (s.length - down));
+  if (peak > s.entry) out.template push_ramp<Law>(s.entry, peak, drive.limits.up, 0.0);
+  if (cruise > 0) out.push({0, cruise / peak, up, peak, 0.0, 0.0, PhaseShape::constant_jerk});
+  if (peak > s.exit) out.template push_ramp<Law>(peak, s.exit, drive.limits.down, s.length - down);
 }
 
 /// Durations for each of a list of ramp limits.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "toolpace/law/phase.h"
+#include "toolpace/path/node_positions.h"
 
 namespace toolpace::detail::retime {
 
@@ -118,20 +119,22 @@ struct PlanPart {
   const std::vector<Phase>& phases;
   std::size_t first;       ///< phase in which it begins
   double begin, duration;  ///< [s]
-  double from, to;         ///< positions [mm]
+  const NodePositions& position;
+  std::size_t from, to;  ///< nodes
 };
 
 /// The same on knots, its positions counted from its own begin.
 inline ArcMotion motion_of(const PlanPart& part) {
   const auto n = std::max(kLeastIntervals, static_cast<std::size_t>(std::ceil(part.duration / kInterval)));
-  const double step = part.duration / static_cast<double>(n), length = part.to - part.from;
+  const double step = part.duration / static_cast<double>(n), length = part.position.between(part.from, part.to);
   std::vector<double> position(n + 1);
   std::size_t phase = part.first;
   for (std::size_t k = 0; k <= n; ++k) {
     const double t = part.begin + static_cast<double>(k) * step;
     while (phase + 1 < part.phases.size() && part.phases[phase + 1].begin <= t) ++phase;
     const Phase& p = part.phases[phase];
-    const double at = evaluate(p, std::clamp(t - p.begin, 0.0, p.duration)).distance - part.from;
+    const double at =
+        part.position.between(part.from, p.node) + evaluate(p, std::clamp(t - p.begin, 0.0, p.duration)).distance;
     position[k] = std::clamp(at, k > 0 ? position[k - 1] : 0.0, length);
   }
   position.front() = 0;

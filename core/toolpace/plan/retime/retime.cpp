@@ -101,8 +101,8 @@ class PlanRetimer {
   void time_anew(Stretch& s, const Monitor& monitor) const {
     if (!may_gain(s.begin, s.end)) return;
     const double begin = start_time_[s.begin];
-    const detail::retime::PlanPart start{start_.phases,      s.first_start,   begin, start_time_[s.end] - begin,
-                                         position_[s.begin], position_[s.end]};
+    const detail::retime::PlanPart start{start_.phases, s.first_start, begin, start_time_[s.end] - begin,
+                                         position_,     s.begin,       s.end};
     detail::retime::StretchRetimer retimer({path_, axes_, along_, speed_, corner_, s.begin, s.end});
     ArcMotion motion = retimer.run(motion_of(start), {monitor.stop, {}});
     if (!motion.empty() && motion.duration() < node_time_[s.end] - node_time_[s.begin]) s.motion = std::move(motion);
@@ -140,7 +140,7 @@ class PlanRetimer {
   void add(const Stretch& s) {
     if (!s.motion.empty()) {
       is_faster_ = true;
-      return add(s.motion, position_[s.begin]);
+      return add(s.motion, s.begin);
     }
     const double from = node_time_[s.begin], to = node_time_[s.end];
     for (std::size_t i = s.first_phase; i < s.end_phase; ++i) {
@@ -150,11 +150,11 @@ class PlanRetimer {
     time_ += to - from;
   }
 
-  void add(const ArcMotion& motion, double position) {
+  void add(const ArcMotion& motion, std::size_t node) {
     for (std::size_t k = 0; k < motion.intervals(); ++k) {
       const ArcMotion::State& s = motion.knot(k);
-      out_.phases.push_back(
-          {time_, motion.step(k), position + s.distance, s.speed, s.acceleration, s.jerk, PhaseShape::constant_jerk});
+      out_.phases.push_back({time_, motion.step(k), s.distance, s.speed, s.acceleration, s.jerk,
+                             PhaseShape::constant_jerk, static_cast<std::uint32_t>(node)});
       time_ += motion.step(k);
     }
   }
@@ -167,7 +167,8 @@ class PlanRetimer {
   std::vector<double> speed_;   // at most, of each segment, curvature aside
   std::vector<double> corner_;  // at most, of each node; infinite where only its segments hold it down
   const MotionPlan &plan_, &start_;
-  std::vector<double> node_time_, start_time_, position_;
+  std::vector<double> node_time_, start_time_;
+  NodePositions position_;
   std::size_t phase_ = 0, start_phase_ = 0;
   double time_ = 0;
   bool is_faster_ = false;

@@ -68,7 +68,8 @@ class SmoothPlanner {
       paused_ += path_.pauses[pause_].duration;
     }
     if (!hold_ || hold_->time >= time_ + paused_) return;
-    result_.plan.phases.push_back({time_, hold_->pause, position_[node], 0, 0, 0, PhaseShape::constant_jerk});
+    result_.plan.phases.push_back(
+        {time_, hold_->pause, 0, 0, 0, 0, PhaseShape::constant_jerk, static_cast<std::uint32_t>(node)});
     time_ += hold_->pause;
     hold_.reset();
   }
@@ -92,7 +93,7 @@ class SmoothPlanner {
     for (std::size_t i = 0; i < times.size(); ++i) set_node_time(run, run.begin + i, time_ + times[i]);
     for (Phase& phase : plan->phases) {
       phase.begin += time_;
-      phase.distance += position_[run.begin];
+      phase.node += static_cast<std::uint32_t>(run.begin);
       result_.plan.phases.push_back(phase);
     }
     time_ += duration;
@@ -125,7 +126,7 @@ class SmoothPlanner {
   void set_node_times(const Run& run, const TubePath& tube, const TubeMotion& motion, const TubeProgress& progress) {
     std::size_t k = 0;
     for (std::size_t i = run.begin; i <= run.end; ++i) {
-      const double at = position_[i] - position_[run.begin];
+      const double at = position_.between(run.begin, i);
       while (k + 1 < tube.segments() && tube.distance[k + 1] <= at) ++k;
       set_node_time(run, i, time_ + (at <= tube.distance[k] ? motion.pass[k] : progress.time_at(k, at)));
     }
@@ -153,12 +154,13 @@ class SmoothPlanner {
   void sketch(const Run& run, const TubeProgress& progress) {
     const TimeSpline& spline = result_.plan.splines.back();
     const std::size_t cells = spline.points() - 3;
+    const auto begin = static_cast<std::uint32_t>(run.begin);
     double speed = along(spline, evaluate(spline, 0.0)).speed;
     for (std::size_t i = 0; i < cells; ++i) {
       const double t = static_cast<double>(i) * spline.step;
       const double next = along(spline, evaluate(spline, t + spline.step)).speed;
-      result_.plan.phases.push_back({time_ + t, spline.step, position_[run.begin] + progress.at_knot(i), speed,
-                                     (next - speed) / spline.step, 0.0, PhaseShape::constant_jerk});
+      result_.plan.phases.push_back({time_ + t, spline.step, progress.at_knot(i), speed, (next - speed) / spline.step,
+                                     0.0, PhaseShape::constant_jerk, begin});
       speed = next;
     }
   }
@@ -168,7 +170,7 @@ class SmoothPlanner {
   const Machine& machine_;
   const SpeedLimits& limits_;
   const PlanOptions& options_;
-  std::vector<double> position_;
+  NodePositions position_;
   std::optional<Hold> hold_;  ///< that is not in the plan yet
   double time_ = 0;           ///< of the plan so far, without the path's pauses
   double paused_ = 0;         ///< by the path so far

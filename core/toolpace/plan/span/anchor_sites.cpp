@@ -35,10 +35,9 @@ bool is_seam(const SpeedLimits& limits, std::size_t node, double ratio) {
 
 Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap, double seam_ratio) {
   const std::vector<double> square = fastest_squares(limits, cap);
-  const std::vector<double> position = node_positions(limits);
   Anchors a;
+  a.position = node_positions(limits);
   const auto add = [&](std::size_t node) {
-    a.position.push_back(position[node]);
     a.cap.push_back(cap[node]);
     a.node.push_back(node);
   };
@@ -53,7 +52,7 @@ Anchors find_anchors(const SpeedLimits& limits, const std::vector<double>& cap, 
     const double share = std::isinf(up) ? 1.0 : up / (up + down);
     const double peak = square[i] + share * (square[i + 1] - square[i] + 2 * down * limits.length[i]);
     const Span s = span_of_block(limits, i, !(peak < f * f * (1 - kTouch)));
-    if (a.span.size() < a.position.size()) {
+    if (a.span.size() < a.node.size()) {
       a.span.push_back(s);
     } else {
       a.span.back().include(s);

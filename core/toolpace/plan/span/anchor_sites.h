@@ -9,6 +9,7 @@
 
 #include "toolpace/law/peak_speed.h"
 #include "toolpace/limits/speed_limits.h"
+#include "toolpace/path/node_positions.h"
 #include "toolpace/plan/block/block_profile.h"
 
 namespace toolpace::detail {
@@ -54,9 +55,10 @@ struct Span {
 
 /// Every place that may be an anchor, and the spans between neighbours.
 struct Anchors {
-  std::vector<double> position, cap;  ///< one a place
-  std::vector<std::size_t> node;      ///< one a place
-  std::vector<Span> span;             ///< from place i to i + 1
+  NodePositions position;         ///< of all nodes of the chain
+  std::vector<double> cap;        ///< one a place
+  std::vector<std::size_t> node;  ///< one a place
+  std::vector<Span> span;         ///< from place i to i + 1
 };
 
 /// Nodes that the acceleration-limited optimum touches, where caps are lower than feeds or feeds change; and seams.

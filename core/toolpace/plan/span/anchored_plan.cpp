@@ -48,7 +48,7 @@ class AnchorPlanner {
   /// With every anchor that there may be.
   Layout run_once() {
     Layout all;
-    for (std::size_t i = 0; i < anchors_.position.size(); ++i) all.place.push_back(i);
+    for (std::size_t i = 0; i < anchors_.node.size(); ++i) all.place.push_back(i);
     all.trial.resize(all.place.size());
     settle(all);
     return all;
@@ -75,15 +75,15 @@ class AnchorPlanner {
   }
 
  private:
-  static Stretch stretch(double begin, const Span& s, double v0, double v1) {
-    return {begin, s.length, std::max({s.cap(), v0, v1}), v0, v1};
+  static Stretch stretch(const Span& s, double v0, double v1) {
+    return {s.length, std::max({s.cap(), v0, v1}), v0, v1};
   }
 
   void sum_up(Layout& l) const {
     l.time = 0;
     l.span_time.resize(l.span.size());
     for (std::size_t i = 0; i < l.span.size(); ++i) {
-      l.span_time[i] = stretch_time(stretch(0, l.span[i], l.speed[i], l.speed[i + 1]), l.span[i].terms);
+      l.span_time[i] = stretch_time(stretch(l.span[i], l.speed[i], l.speed[i + 1]), l.span[i].terms);
       l.time += l.span_time[i];
     }
   }
@@ -119,7 +119,7 @@ class AnchorPlanner {
     append_stretch<Law>(s, drive, writer);
     std::size_t k = 0;
     for (std::size_t p = from + 1; p < to; ++p) {
-      const double at = anchors_.position[p];
+      const double at = anchors_.position.between(anchors_.node[from], anchors_.node[p]);
       while (k + 1 < phases_.size() && phases_[k + 1].distance <= at) ++k;
       const double cap = anchors_.cap[p] * (1 + kRounding);
       const double ends = evaluate(phases_[k], phases_[k].duration).speed;
@@ -185,7 +185,7 @@ class AnchorPlanner {
         merged.cap() >= std::max(entry, last.exit) && merged.length <= before * merged.cap() * (1 + kTouch);
     if (may_fit) merged.prepare<Law>();
     if (may_fit && fits(entry, last.exit, merged.length, merged.terms)) {
-      const Stretch s = stretch(anchors_.position[from], merged, entry, last.exit);
+      const Stretch s = stretch(merged, entry, last.exit);
       const double time = stretch_time(s, merged.terms);
       if (time <= before * (1 + kTouch) && first_broken(s, merged.drive(), from, last.to) == last.to) {
         last.span = merged;
@@ -206,7 +206,7 @@ class AnchorPlanner {
       for (std::size_t i = 0; i < l.span.size(); ++i) {
         place.push_back(l.place[i]);
         trial.push_back(l.trial[i]);
-        const Stretch s = stretch(anchors_.position[l.place[i]], l.span[i], l.speed[i], l.speed[i + 1]);
+        const Stretch s = stretch(l.span[i], l.speed[i], l.speed[i + 1]);
         const std::size_t broken = first_broken(s, l.span[i].drive(), l.place[i], l.place[i + 1]);
         if (broken == l.place[i + 1]) continue;
         place.push_back(broken);
@@ -232,8 +232,8 @@ MotionPlan write_plan(const Anchors& anchors, const Layout& l) {
   PhaseWriter writer(plan.phases);
   for (std::size_t i = 0; i < l.span.size(); ++i) {
     const double cap = std::max({l.span[i].cap(), l.speed[i], l.speed[i + 1]});
-    append_stretch<Law>({anchors.position[l.place[i]], l.span[i].length, cap, l.speed[i], l.speed[i + 1]},
-                        l.span[i].drive(), writer);
+    writer.count_from(anchors.node[l.place[i]]);
+    append_stretch<Law>({l.span[i].length, cap, l.speed[i], l.speed[i + 1]}, l.span[i].drive(), writer);
   }
   return plan;
 }

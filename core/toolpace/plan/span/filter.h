@@ -23,7 +23,7 @@ struct SpanChain {
   const SpeedLimits& limits;
   const std::vector<double>& cap;       ///< [mm/s]
   const std::vector<double>& square;    ///< of fastest_squares [mm²/s²]
-  const std::vector<double>& position;  ///< of the nodes [mm]
+  const std::vector<double>& position;  ///< of these nodes, counted from the first [mm]
   std::size_t first, last;
 };
 

@@ -56,11 +56,11 @@ std::vector<Dynamics> smallest_in_windows(const SpeedLimits& limits, std::size_t
 
 StopWindow::StopWindow(const SpeedLimits& limits, LawKind law, std::size_t blocks) : limits_(limits), law_(law) {
   const std::size_t n = limits.size();
-  const std::vector<double> position = node_positions(limits);
+  const NodePositions position = node_positions(limits);
   way_.assign(n + 1, kUnbounded);
   double shortest = kUnbounded;
   for (std::size_t i = 1; i + blocks - 1 < n; ++i) {
-    way_[i] = position[i + blocks - 1] - position[i];
+    way_[i] = position.between(i, i + blocks - 1);
     shortest = std::min(shortest, way_[i]);
   }
   const Dynamics all = smallest_of_all(limits);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "toolpace/plan/plan.h"
+#include "toolpace/path/node_positions.h"
 #include "toolpace/plan/span/emit.h"
 #include "toolpace/plan/span/filter.h"
 #include "toolpace/plan/span/hull.h"
@@ -41,6 +41,7 @@ class StretchPlanner {
 
   /// @return false where the stretch has no hull, which never happens from rest to rest
   bool add(const SpanChain& chain) {
+    writer_.count_from(chain.first);
     if (!has_one_limit(chain)) {
       select_kernels(chain, kernels_);
       if (mixed_.plan(chain, kernels_, best_)) {
@@ -117,12 +118,13 @@ class StretchPlanner {
 MotionPlan plan_span_ramps(const SpeedLimits& limits, const std::vector<double>& cap, int passes,
                            const Monitor& monitor) {
   const std::vector<double> square = fastest_squares(limits, cap);
-  const std::vector<double> position = node_positions(limits);
+  std::vector<double> position(limits.size() + 1);
   MotionPlan plan;
   StretchPlanner planner(passes, plan.phases);
   for (std::size_t first = 0; first < limits.size();) {
     std::size_t last = first + 1;
     while (last < limits.size() && cap[last] > 0) ++last;
+    sum_lengths(limits.length, first, last, position);
     if (monitor.is_cancelled() || !planner.add({limits, cap, square, position, first, last})) return {};
     first = last;
   }

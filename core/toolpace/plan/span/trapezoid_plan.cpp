@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/path/node_positions.h"
 #include "toolpace/plan/phase_writer.h"
-#include "toolpace/plan/plan.h"
 #include "toolpace/plan/span/filter.h"
 
 namespace toolpace::detail {
@@ -16,6 +16,8 @@ constexpr double kShortestShare = 1e-13;
 class TrapezoidWriter {
  public:
   explicit TrapezoidWriter(std::vector<Phase>& phases) : writer_(phases) {}
+
+  void count_from(std::size_t node) { writer_.count_from(node); }
 
   void add(double begin, double length, double cap, double square0, double square1, const Dynamics& d) {
     const double up = d.up.acceleration, down = d.down.acceleration;
@@ -42,12 +44,17 @@ class TrapezoidWriter {
 
 MotionPlan plan_trapezoids(const SpeedLimits& limits, const std::vector<double>& cap) {
   const std::vector<double> square = fastest_squares(limits, cap);
-  const std::vector<double> position = node_positions(limits);
+  std::vector<double> position(limits.size() + 1);
   MotionPlan plan;
   // Address space, not memory: what is not written is not there.
   plan.phases.reserve(3 * limits.size());
   TrapezoidWriter writer(plan.phases);
-  for (std::size_t i = 0; i < limits.size(); ++i) {
+  for (std::size_t i = 0, end = 0; i < limits.size(); ++i) {
+    if (i == end) {
+      for (++end; end < limits.size() && cap[end] > 0;) ++end;
+      sum_lengths(limits.length, i, end, position);
+      writer.count_from(i);
+    }
     writer.add(position[i], limits.length[i], limits.block_cap[i], square[i], square[i + 1], limits.dynamics_of(i));
   }
   return plan;
