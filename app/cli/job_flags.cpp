@@ -140,9 +140,11 @@ void JobFlags::add_to(Command& command) {
   laws.number("--tacc-ms MS", tacc_ms, "five-phase-time: least duration of a ramp up; default 50");
   laws.number("--tdec-ms MS", tdec_ms, "five-phase-time: least duration of a ramp down; default 50");
   laws.word("--lookahead N", lookahead, "Depth in blocks, or all (default); 1 = full stop at every node");
-  laws.word("--ramps KIND", ramps,
-            "block (default): ramps end inside their block; span: they run across\nblocks, and paths with curves are "
-            "timed as fast as the axes allow");
+  laws.word(
+      "--ramps KIND", ramps,
+      "block (default): ramps end inside their block; span: they run across\nblocks, seven-phase and time-optimal "
+      "ones turn back without losing their acceleration,\nand paths with curves are timed as fast as the axes "
+      "allow");
   laws.number("--hold-at-s S", hold_at, "Feed hold at this time: a jerk-limited stop on the path, then a resume");
 
   Flags corners = command.titled("Corners");

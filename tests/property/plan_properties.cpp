@@ -31,6 +31,7 @@ struct Family {
   std::size_t blocks;    ///< a chain
   std::uint64_t chains;  ///< for each law
   bool mixed;            ///< limits that change from block to block
+  bool reverses = false;
 };
 
 class PlansOfRandomChains : public ::testing::TestWithParam<Family> {};
@@ -39,7 +40,8 @@ TEST_P(PlansOfRandomChains, KeepEveryLimit) {
   const Family& f = GetParam();
   constexpr std::size_t kDepths[] = {0, 0, 1, 2, 3, 8, 40};
   for (std::uint64_t seed = 1; seed <= test::case_count(f.chains); ++seed) {
-    const SpeedLimits limits = test::random_chain(seed, f.blocks, f.mixed);
+    SpeedLimits limits = test::random_chain(seed, f.blocks, f.mixed);
+    if (f.reverses) limits = test::with_reversals(std::move(limits), seed);
     for (const LawRow& law : law_table()) {
       PlanOptions options;
       options.law = law.kind;
@@ -57,7 +59,26 @@ TEST_P(PlansOfRandomChains, KeepEveryLimit) {
 INSTANTIATE_TEST_SUITE_P(Families, PlansOfRandomChains,
                          ::testing::Values(Family{Ramps::block, 500, 280, false}, Family{Ramps::block, 500, 70, true},
                                            Family{Ramps::span, 150, 210, false}, Family{Ramps::span, 100, 70, true},
-                                           Family{Ramps::span, 3, 500, false}, Family{Ramps::span, 7, 300, true}));
+                                           Family{Ramps::span, 3, 500, false}, Family{Ramps::span, 7, 300, true},
+                                           Family{Ramps::span, 60, 300, false, true},
+                                           Family{Ramps::span, 4, 500, false, true},
+                                           Family{Ramps::span, 8, 300, true, true}));
+
+// Turning back with acceleration is worth it, whatever lies between the turns.
+TEST(PlansOfRandomChains, AreNeverSlowerForTurningBack) {
+  for (std::uint64_t seed = 1; seed <= test::case_count(2000); ++seed) {
+    const bool mixed = seed % 3 == 0;
+    const SpeedLimits rests = test::random_chain(seed + 500000, 2 + seed % 30, mixed);
+    const SpeedLimits turns = test::with_reversals(rests, seed);
+    for (const LawKind law : {LawKind::seven_phase, LawKind::time_optimal}) {
+      PlanOptions options;
+      options.law = law;
+      options.ramps = Ramps::span;
+      EXPECT_LE(plan_motion(turns, options)->cycle_time(), plan_motion(rests, options)->cycle_time() * (1 + 1e-3))
+          << describe(options, seed + 500000, mixed);
+    }
+  }
+}
 
 // Micro and huge blocks side by side, limits from crawling to violent, in units from µm to m: nothing depends on scale.
 TEST(PlansOfRandomChains, KeepEveryLimitAtEveryScale) {
@@ -117,7 +138,8 @@ void expect_no_loss_by_depth(const SpeedLimits& limits, std::uint64_t seed, bool
 TEST(PlansOfRandomChains, AreNeverSlowerUnderADeeperLookAhead) {
   for (std::uint64_t seed = 1; seed <= test::case_count(120); ++seed) {
     const bool mixed = seed % 3 != 0;
-    expect_no_loss_by_depth(test::random_chain(seed + 200000, 3 + seed % 14, mixed), seed + 200000, mixed);
+    const SpeedLimits limits = test::random_chain(seed + 200000, 3 + seed % 14, mixed);
+    expect_no_loss_by_depth(seed % 2 == 0 ? limits : test::with_reversals(limits, seed), seed + 200000, mixed);
   }
   for (std::uint64_t seed = 1; seed <= test::case_count(4); ++seed) {
     expect_no_loss_by_depth(test::random_chain(seed + 300000, 50, seed % 2 == 0), seed + 300000, seed % 2 == 0);

@@ -118,6 +118,14 @@ class Draw {
 
 }  // namespace
 
+SpeedLimits with_reversals(SpeedLimits limits, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  for (std::uint32_t node = 1; node < limits.size(); ++node) {
+    if (random() % 3 == 0) limits.reversals.push_back(node);
+  }
+  return limits;
+}
+
 SpeedLimits wild_chain(std::uint64_t seed) {
   Draw draw(seed);
   const double mm = draw.log_uniform(1e-3, 1e3), s = draw.log_uniform(0.1, 10);

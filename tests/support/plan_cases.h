@@ -35,6 +35,9 @@ SpeedLimits limits_of(const Polyline& polyline, const PolylineRules& rules, std:
 /// Seeded random chain: micro and long blocks, collinear stretches, mixed feeds, stops, low node caps.
 SpeedLimits random_chain(std::uint64_t seed, std::size_t blocks, bool mixed_dynamics = false);
 
+/// The same chain as one that goes back at some of its nodes.
+SpeedLimits with_reversals(SpeedLimits limits, std::uint64_t seed);
+
 /// Seeded random chain over many orders of magnitude: lengths, feeds, caps and limits in units drawn at random.
 SpeedLimits wild_chain(std::uint64_t seed);
 

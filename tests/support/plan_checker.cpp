@@ -84,9 +84,12 @@ class Measure {
     use_.speed_step = std::max(use_.speed_step, std::abs(end.v - after.speed) / top_);
     use_.time_step = std::max(use_.time_step, std::abs(before.begin + before.duration - after.begin));
     const double limit = std::min(d.up.acceleration, d.down.acceleration);
-    if (std::isfinite(limit)) {
-      use_.acceleration_step = std::max(use_.acceleration_step, std::abs(end.a - after.acceleration) / limit);
-    }
+    if (!std::isfinite(limit)) return;
+    // Going back, the path's direction changes its sign, and with it an acceleration that does not.
+    const double same = std::abs(end.a - after.acceleration), back = std::abs(end.a + after.acceleration);
+    const bool turns = after.speed == 0 && after.distance == node_[after.node] &&
+                       std::binary_search(limits_.reversals.begin(), limits_.reversals.end(), after.node);
+    use_.acceleration_step = std::max(use_.acceleration_step, (turns ? back : same) / limit);
   }
 
   /// Runs through the blocks that the phase covers.

@@ -27,6 +27,36 @@ Dynamics largest_jerks(const SpeedLimits& limits, LawKind law) {
   return all;
 }
 
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+std::vector<Envelope> envelopes(const SpeedLimits& limits, RampLimits Dynamics::*side, double jerk) {
+  std::vector<Envelope> all;
+  for (const Dynamics& d : limits.dynamics) all.emplace_back((d.*side).acceleration, jerk);
+  return all;
+}
+
+/// Whether the stretch that a block lies in begins, and ends, at a reversal: there a motion may rest with all its acceleration,
+/// as if there were no limit of the jerk.
+struct Turns {
+  bool before = false, after = false;
+};
+
+std::vector<Turns> turns_of(const SpeedLimits& limits, const std::vector<double>& cap) {
+  std::vector<Turns> turns(limits.size());
+  const auto turns_at = [&](std::size_t node) {
+    return std::binary_search(limits.reversals.begin(), limits.reversals.end(), node);
+  };
+  if (limits.reversals.empty()) return turns;
+  const auto is_end = [&](std::size_t node) { return cap[node] == 0 || turns_at(node); };
+  for (std::size_t first = 0; first < limits.size();) {
+    std::size_t last = first + 1;
+    while (last < limits.size() && !is_end(last)) ++last;
+    const Turns ends{turns_at(first), turns_at(last)};
+    for (; first < last; ++first) turns[first] = ends;
+  }
+  return turns;
+}
+
 /// The fastest way through a block along the envelope.
 struct Passage {
   double rise = 0, cruise = 0, fall = 0;                 ///< lengths [mm]
@@ -110,24 +140,28 @@ double path_bound(const SpeedLimits& limits, LawKind law) {
   const std::size_t n = limits.size();
   if (n == 0) return 0.0;
   const Dynamics jerks = largest_jerks(limits, law);
-  std::vector<Envelope> up, down;
-  for (const Dynamics& d : limits.dynamics) {
-    up.emplace_back(d.up.acceleration, jerks.up.jerk);
-    down.emplace_back(d.down.acceleration, jerks.down.jerk);
-  }
+  const std::vector<Envelope> rising = envelopes(limits, &Dynamics::up, jerks.up.jerk);
+  const std::vector<Envelope> falling = envelopes(limits, &Dynamics::down, jerks.down.jerk);
+  const std::vector<Envelope> turned = envelopes(limits, &Dynamics::up, kNone),
+                              turning = envelopes(limits, &Dynamics::down, kNone);
   const std::vector<double> cap = detail::joined_caps(limits);
+  const std::vector<Turns> turns = turns_of(limits, cap);
+  const auto up = [&](std::size_t i) -> const Envelope& { return (turns[i].before ? turned : rising)[limits.ramp[i]]; };
+  const auto down = [&](std::size_t i) -> const Envelope& {
+    return (turns[i].after ? turning : falling)[limits.ramp[i]];
+  };
   std::vector<double> v = cap;
-  for (std::size_t i = 0; i < n; ++i) v[i + 1] = std::min(v[i + 1], up[limits.ramp[i]].after(v[i], limits.length[i]));
-  for (std::size_t i = n; i-- > 0;) v[i] = std::min(v[i], down[limits.ramp[i]].after(v[i + 1], limits.length[i]));
+  for (std::size_t i = 0; i < n; ++i) v[i + 1] = std::min(v[i + 1], up(i).after(v[i], limits.length[i]));
+  for (std::size_t i = n; i-- > 0;) v[i] = std::min(v[i], down(i).after(v[i + 1], limits.length[i]));
   const bool has_jerk = law_row(law).bounds_jerk;
   ValleyScan valleys(limits);
   double sum = 0.0, carry = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t r = limits.ramp[i];
-    const Passage p = pass(v[i], v[i + 1], limits.block_cap[i], limits.length[i], up[r], down[r]);
+    const Passage p = pass(v[i], v[i + 1], limits.block_cap[i], limits.length[i], up(i), down(i));
     double t = p.time();
-    if (has_jerk && i > 0) t += valleys.take(i, p, v[i] == cap[i] ? v[i] : 0.0);
-    if (has_jerk && i == 0) valleys.take(i, p, 0.0);
+    // Between turns nothing says how much of its acceleration a valley has to give up.
+    const bool throws_valley = i > 0 && v[i] == cap[i] && !turns[i].before && !turns[i].after;
+    if (has_jerk) t += valleys.take(i, p, throws_valley ? v[i] : 0.0);
     const double next = sum + t;
     carry += (sum - next) + t;
     sum = next;

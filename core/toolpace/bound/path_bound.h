@@ -16,6 +16,9 @@ namespace toolpace {
 /// at least that of the fastest motion through that cap alone (bound_valley.h), whatever its acceleration there; these
 /// stretches do not overlap, and each counts with the larger of its two times.
 ///
+/// At a reversal a motion may be at rest with all its acceleration: stretches from there, and to there, are bounded as if jerk
+/// had no limit.
+///
 /// Holds for every look-ahead and both kinds of ramps. Dwells are not in it.
 /// @param law  trapezoids are not held to the jerk
 /// @return 0 for an empty chain. Accuracy 1e-11 relative, rounded towards shorter times

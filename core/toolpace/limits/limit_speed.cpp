@@ -13,6 +13,7 @@
 namespace toolpace {
 namespace {
 
+constexpr double kOpposite = 1e-9;     // difference of opposite directions, by rounding
 constexpr double kSmoothJoint = 1e-5;  // difference of directions that rounding of micrometre-long lines may leave
 
 using AxesLimits = std::array<AxisLimits, kAxisCount>;
@@ -78,6 +79,7 @@ class Limiter {
       corner.rule = CornerRule::stop;
       corner.step.reset();
     }
+    if (is_reversal(i)) limits_.reversals.push_back(static_cast<std::uint32_t>(i));
     const double allowed =
         corner.rule == CornerRule::blend && is_inside_spline(path_, i) ? kUnlimited : node_speed(corner, i);
     const double lower = std::min(limits_.block_cap[i - 1], limits_.block_cap[i]);
@@ -97,6 +99,10 @@ class Limiter {
       limits_.node_cap[pause.node] = 0.0;
       limits_.node_cause[pause.node] = Cause::stop;
     }
+    std::erase_if(limits_.reversals, [&](std::uint32_t node) {
+      return std::binary_search(path_.pauses.begin(), path_.pauses.end(), Path::Pause{node, 0, 0},
+                                [](const Path::Pause& a, const Path::Pause& b) { return a.node < b.node; });
+    });
     limits_.dynamics.shrink_to_fit();
     limits_.dynamics_cause.shrink_to_fit();
     return std::move(limits_);
@@ -109,6 +115,13 @@ class Limiter {
     const bool is_curve = path_.kind[i - 1] >= SegmentKind::spline || path_.kind[i] >= SegmentKind::spline;
     const bool smooth = is_curve && corner.rule == CornerRule::blend && (leaving - arriving).norm() < kSmoothJoint;
     return smooth ? kUnlimited : corner_speed(corner, arriving, leaving, machine_);
+  }
+
+  /// Whether every axis goes back between two lines. What is left of its direction would be a step of acceleration.
+  bool is_reversal(std::size_t i) const {
+    if (path_.kind[i - 1] != SegmentKind::line || path_.kind[i] != SegmentKind::line) return false;
+    if (!((path_.node[i] - path_.node[i - 1]).dot(path_.node[i + 1] - path_.node[i]) < 0)) return false;
+    return (end_direction(path_, i - 1) + start_direction(path_, i)).norm() <= kOpposite;
   }
 
   const AxesLimits& axes_of(std::size_t i) const {

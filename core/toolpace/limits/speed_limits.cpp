@@ -25,6 +25,7 @@ SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end) {
                    cut(all.node_cause, end + 1),
                    {},
                    {},
+                   {},
                    all.along,
                    {},
                    {}};
@@ -35,6 +36,9 @@ SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end) {
       if (!all.dynamics_cause.empty()) part.dynamics_cause.push_back(all.dynamics_cause[ramp]);
     }
     ramp = static_cast<std::uint32_t>(part.dynamics.size() - 1);
+  }
+  for (const std::uint32_t node : all.reversals) {
+    if (node >= begin && node <= end) part.reversals.push_back(node - static_cast<std::uint32_t>(begin));
   }
   part.node_cap.front() = part.node_cap.back() = 0.0;
   part.node_cause.front() = part.node_cause.back() = Cause::stop;

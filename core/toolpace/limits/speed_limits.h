@@ -20,6 +20,11 @@ struct SpeedLimits {
   std::vector<double> node_cap;  ///< [mm/s] ≥ 0; 0 = the machine rests there; first and last are 0
   std::vector<Cause> node_cause;
 
+  /// Nodes where the path goes back the way it came, from line to line and without a pause, rising. There an axis that slows
+  /// down to rest and one that speeds up again accelerate the same way: rest need not be without acceleration. Slices may
+  /// have them at their ends, where they rest all the same.
+  std::vector<std::uint32_t> reversals;
+
   std::vector<Dynamics> dynamics;  ///< the distinct ramp limits
   /// What sets them, one entry each: acceleration (of the path) or axis_acceleration. Empty = acceleration everywhere.
   std::vector<Cause> dynamics_cause;

@@ -21,7 +21,8 @@ namespace toolpace {
 /// With Ramps::block a ramp ends inside its block, and a node is crossed with zero acceleration; a window of
 /// `lookahead` blocks that ends at rest slides over the chain (1 = a stop at every node). With Ramps::span ramps run
 /// across blocks, and look-ahead means that at every node the machine can still stop inside its window; a deeper one
-/// never takes longer.
+/// never takes longer. Where the path goes back (SpeedLimits::reversals) seven-phase and time-optimal ramps across blocks are at
+/// rest for an instant only, with the acceleration that both sides have.
 ///
 /// @return usage error "limits-unbounded" where speed and acceleration (or jerk, where the law needs it) have no limit
 ///         at all; infeasible "feed-zero" where a block may not move; cancelled

@@ -17,6 +17,7 @@ using detail::retime::ArcMotion;
 constexpr double kLongest = 1000;
 /// A stretch that takes no longer than this multiple of what its feed commands, or whose curves do not, has nothing to gain.
 constexpr double kWorthwhile = 1.003;
+constexpr double kAtRest = 1e-6;        // of a phase's acceleration
 constexpr double kTimeRounding = 1e-9;  // [s]
 constexpr std::size_t kBatch = 64;      // stretches that are timed before they are written
 
@@ -99,13 +100,25 @@ class PlanRetimer {
   }
 
   void time_anew(Stretch& s, const Monitor& monitor) const {
-    if (!may_gain(s.begin, s.end)) return;
+    if (turns_back(s) || !may_gain(s.begin, s.end)) return;
     const double begin = start_time_[s.begin];
     const detail::retime::PlanPart start{start_.phases, s.first_start, begin, start_time_[s.end] - begin,
                                          position_,     s.begin,       s.end};
     detail::retime::StretchRetimer retimer({path_, axes_, along_, speed_, corner_, s.begin, s.end});
     ArcMotion motion = retimer.run(motion_of(start), {monitor.stop, {}});
     if (!motion.empty() && motion.duration() < node_time_[s.end] - node_time_[s.begin]) s.motion = std::move(motion);
+  }
+
+  /// Whether it begins or ends at a reversal with acceleration, which its neighbour shares.
+  bool turns_back(const Stretch& s) const {
+    if (s.first_phase == s.end_phase) return false;
+    const Phase &first = plan_.phases[s.first_phase], &last = plan_.phases[s.end_phase - 1];
+    return first.acceleration != 0 || std::abs(evaluate(last, last.duration).acceleration) > kAtRest * peak(last);
+  }
+
+  static double peak(const Phase& p) {
+    const PhaseExtrema e = extrema(p);
+    return std::max(e.max_acceleration, e.max_deceleration);
   }
 
   /// Lines alone are run as fast as they can be. Every moving axis of X, Y, Z has to be limited.

@@ -31,6 +31,7 @@ std::optional<Peaks> solve_sharp(const SpanRamp& ramp, double low_bottom, double
   const double quarter = ramp.slack / 4, last = step * square / 4;
   double s = (force + std::sqrt(force * force + 4 * both * last)) / (2 * both);
   if (!(quarter * s * s <= both)) s = std::max(2 * std::cbrt(force * ramp.jerk), 1.2 * std::sqrt(square));
+  if (both < 0) s += 2 * std::sqrt(-both * ramp.jerk);  // between turns, which have bottoms below 0
   for (int i = 0; i < kMaxSteps; ++i) {
     const double rise = quarter * s * s;
     const double f = ((rise + both) * s - force) * s - last;
@@ -58,7 +59,10 @@ double bound_root(const Gap& g) {
   const double a = g.low.top, d = g.high.top;
   const double high_square = g.high_bottom * g.high_bottom;
   const double square = (2 * a * d * g.length + d * (g.low_bottom * g.low_bottom) + a * high_square) / (a + d);
-  double w = std::sqrt(std::max(square - high_square, 0.0) / (std::sqrt(square) + g.high_bottom) * g.high.jerk);
+  const double peak = std::sqrt(square);
+  const double rise =
+      g.high_bottom < 0 ? peak - g.high_bottom : std::max(square - high_square, 0.0) / (peak + g.high_bottom);
+  double w = std::sqrt(std::max(rise, 0.0) * g.high.jerk);
   if (g.high_bottom > 0) {
     w = std::min(w, std::max(g.length - g.step_length, 0.0) * g.high.jerk / (2 * g.high_bottom));
   }
@@ -103,6 +107,7 @@ double solve_peak(const Gap& g) {
 double solve_flank(const SpanRamp& ramp, double low_bottom, double high_bottom, double gap) {
   const auto sharp = solve_sharp(ramp, low_bottom, high_bottom, gap);
   if (sharp && sharp->low <= ramp.top) return std::max(0.0, -sharp->high);
+  if (!(high_bottom > 0)) return -1.0;
   const double u = ramp.slack, step = high_bottom - low_bottom;
   const auto excess = [&](double y) {
     const double dv = y * y * u;

@@ -99,7 +99,7 @@ class HullWriter {
 
 void emit_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits, const std::vector<HullEntry>& hull,
                PhaseWriter& out) {
-  const Bridge rest;
+  const Bridge rest{.leave = kernels.back().tilt};
   HullWriter writer(limits, out);
   for (std::size_t e = 0; e < hull.size(); ++e) {
     const Kernel& k = kernels[hull[e].kernel];
@@ -110,7 +110,7 @@ void emit_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits, con
 }
 
 void emit_hull(const std::vector<Kernel>& kernels, const MixedHull& hull, PhaseWriter& out) {
-  const Bridge rest;
+  const Bridge rest{.leave = kernels.back().tilt};
   for (std::size_t e = 0; e < hull.entries.size(); ++e) {
     const Kernel& k = kernels[hull.entries[e].kernel];
     const bool is_last = e + 1 == hull.entries.size();

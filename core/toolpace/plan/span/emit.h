@@ -18,4 +18,7 @@ void emit_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits, con
 /// The same where each bridge has limits of its own.
 void emit_hull(const std::vector<Kernel>& kernels, const MixedHull& hull, PhaseWriter& out);
 
+/// A turn's kernel has its bottom beyond the node; the node itself, and its rest, are exact.
+inline void begin_at_rest(std::vector<Phase>& phases) { phases.front().distance = phases.front().speed = 0.0; }
+
 }  // namespace toolpace::detail

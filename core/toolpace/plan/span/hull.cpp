@@ -11,7 +11,7 @@ class HullBuilder {
   }
 
   bool run() {
-    hull_.push_back({{}, 0});
+    hull_.push_back({{.meet = kernels_.front().tilt}, 0});
     for (std::uint32_t k = 1; k < kernels_.size(); ++k) add(k);
     return is_whole();
   }
@@ -56,7 +56,9 @@ class HullBuilder {
     }
   }
 
-  bool is_whole() const { return feasible_ && hull_.back().kernel + 1 == kernels_.size(); }
+  bool is_whole() const {
+    return feasible_ && hull_.back().kernel + 1 == kernels_.size() && hull_.back().bridge.meet <= kernels_.back().tilt;
+  }
 
   const std::vector<Kernel>& kernels_;
   const SpanLimits& limits_;
@@ -80,7 +82,8 @@ bool rebuild_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits,
 }
 
 double hull_time(const std::vector<Kernel>& kernels, const SpanLimits& limits, const std::vector<HullEntry>& hull) {
-  double sum = 0.0;
+  // A turn has its acceleration already, and keeps it.
+  double sum = kernels.back().tilt * limits.down.slack - kernels.front().tilt * limits.up.slack;
   for (std::size_t e = 0; e + 1 < hull.size(); ++e) {
     const Kernel& near = kernels[hull[e].kernel];
     const Kernel& far = kernels[hull[e + 1].kernel];

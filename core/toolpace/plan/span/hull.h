@@ -9,7 +9,7 @@
 
 namespace toolpace::detail {
 
-/// A touched cap and the bridge that leads to it. The first one is the start and has no bridge.
+/// A touched cap and the bridge that leads to it. The first one is the start and has none: it is met with its own tilt.
 struct HullEntry {
   Bridge bridge;
   std::uint32_t kernel;
@@ -26,8 +26,8 @@ inline bool is_in_order(const Kernel& k, const Bridge& met, const Bridge& left) 
 /// skipped; a touched one that would have to be left before it is met is dropped again. Linear: at most two bridges a
 /// kernel, amortised.
 /// @param kernels  sorted by `left`
-/// @return false where the start cannot be left fast enough or the end not be reached, which never happens from rest
-///         to rest
+/// @return false where the start cannot be left, or the end not be met, as their tilts say, which never happens where these
+///         are 0
 bool build_hull(const std::vector<Kernel>& kernels, const SpanLimits& limits, std::vector<HullEntry>& hull);
 
 /// Brings a hull up to date after some kernels were changed: goes anew only from each changed kernel on until the new hull

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "toolpace/law/law_table.h"
+#include "toolpace/plan/increasing_root.h"
 #include "toolpace/plan/plan.h"
 
 namespace toolpace::detail {
@@ -93,6 +94,19 @@ void StopWindow::lower(std::vector<double>& cap) const {
   for (std::size_t i = 1; i + 1 < cap.size(); ++i) {
     if (way_[i] == kUnbounded || stop_length(cap[i], 0, dynamics_of(i)) <= way_[i]) continue;
     cap[i] = way_[i] > 0 ? std::min(cap[i], law.reach(0, way_[i], dynamics_of(i).down)) : 0.0;
+  }
+}
+
+void StopWindow::lower(std::vector<Turn>& turns, const std::vector<double>& cap) const {
+  if (never_binds_) return;
+  for (Turn& turn : turns) {
+    const double way = way_[turn.node];
+    const Dynamics& d = dynamics_of(turn.node);
+    const auto excess = [&](double a) { return stop_length(0, a, d) - way; };
+    const double at_most = excess(turn.acceleration);
+    if (!(at_most > 0)) continue;
+    const double most = way > 0 ? increasing_root(0.0, turn.acceleration, -way, at_most, excess) * (1 - kMargin) : 0.0;
+    turn.acceleration = is_worth_turning(most, d.up.jerk, cap[turn.node]) ? most : 0.0;
   }
 }
 

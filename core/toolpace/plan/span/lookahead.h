@@ -8,6 +8,7 @@
 #include "toolpace/law/law.h"
 #include "toolpace/limits/speed_limits.h"
 #include "toolpace/plan/motion_plan.h"
+#include "toolpace/plan/span/turns.h"
 
 namespace toolpace::detail {
 
@@ -19,6 +20,9 @@ class StopWindow {
 
   /// Lowers caps to what can be stopped from, with zero acceleration, by the law's own ramp.
   void lower(std::vector<double>& cap) const;
+
+  /// Lowers the accelerations of turns to what can be taken away and stopped from; to 0 where they gain nothing then.
+  void lower(std::vector<Turn>& turns, const std::vector<double>& cap) const;
 
   /// Whether the plan could stop inside its window at every node. With an acceleration a > 0 that takes v·a/J + a³/3J² to be
   /// brought to zero, and a²/2J more speed to be stopped from.

@@ -63,12 +63,31 @@ bool SpanPlanner::has_rivals() const {
 
 int SpanPlanner::usual_passes() const { return law_ == LawKind::time_optimal ? kPassesForOptimum : kPasses; }
 
-MotionPlan SpanPlanner::plan_by(const SpanMethod& method, const std::vector<double>& cap, int passes) const {
+SpanCaps SpanPlanner::own_caps() const {
+  SpanCaps caps{joined_caps(limits_), {}, {}};
+  if (!turns_back(law_) || limits_.reversals.empty()) return caps;
+  caps.turns = possible_turns(limits_, caps.speed, limits_.reversals);
+  std::vector<std::uint32_t> resting = limits_.reversals;
+  std::erase_if(resting, [&](std::uint32_t node) { return caps.speed[node] > 0; });
+  caps.resting =
+      resting.size() == limits_.reversals.size() ? caps.turns : possible_turns(limits_, caps.speed, std::move(resting));
+  return caps;
+}
+
+/// Nodes that rest anyway lose nothing by turning. Whether others do that could be crossed at a speed is known of the whole alone.
+MotionPlan SpanPlanner::plan_hull(const std::vector<double>& cap, const SpanCaps& caps, int passes) const {
+  MotionPlan plan = plan_span_ramps(limits_, cap, caps.turns, passes, monitor_);
+  if (caps.resting.size() == caps.turns.size() || monitor_.is_cancelled()) return plan;
+  MotionPlan other = plan_span_ramps(limits_, cap, caps.resting, passes, monitor_);
+  return is_faster(other, plan) ? other : plan;
+}
+
+MotionPlan SpanPlanner::plan_by(const SpanMethod& method, const SpanCaps& caps, int passes) const {
+  const std::vector<double>& cap = caps.speed;
   switch (method.kind) {
     case SpanMethod::Kind::trapezoid: return plan_trapezoids(limits_, cap);
-    case SpanMethod::Kind::hull: return plan_span_ramps(limits_, cap, passes, monitor_);
-    case SpanMethod::Kind::seams:
-      return plan_span_ramps(limits_, settle_seams(limits_, cap, method.seam_ratio), passes, monitor_);
+    case SpanMethod::Kind::hull: return plan_hull(cap, caps, passes);
+    case SpanMethod::Kind::seams: return plan_hull(settle_seams(limits_, cap, method.seam_ratio), caps, passes);
     case SpanMethod::Kind::anchors: break;
   }
   return plan_anchored_ramps(limits_, cap, {law_, method.seam_ratio, passes > 0}, monitor_);
@@ -81,9 +100,9 @@ void SpanPlanner::choose_by_samples() {
     const std::size_t first = k * (limits_.size() - kSampleBlocks) / (kSamples - 1);
     const SpeedLimits part = slice(limits_, first, first + kSampleBlocks);
     const SpanPlanner planner(part, law_, monitor_);
-    const std::vector<double> cap = joined_caps(part);
+    const SpanCaps caps = planner.own_caps();
     for (std::size_t m = 0; m < methods_.size(); ++m) {
-      const MotionPlan plan = planner.plan_by(methods_[m], cap, usual_passes());
+      const MotionPlan plan = planner.plan_by(methods_[m], caps, usual_passes());
       time[m] += plan.phases.empty() ? std::numeric_limits<double>::infinity() : plan.cycle_time();
     }
   }
@@ -93,9 +112,9 @@ void SpanPlanner::choose_by_samples() {
 MotionPlan SpanPlanner::plan_whole() {
   MotionPlan plan;
   if (methods_.size() > 1 && limits_.size() > kLongChain) choose_by_samples();
-  const std::vector<double> cap = joined_caps(limits_);
+  const SpanCaps caps = own_caps();
   for (std::size_t m = 0; m < methods_.size(); ++m) {
-    MotionPlan other = plan_by(methods_[m], cap, usual_passes());
+    MotionPlan other = plan_by(methods_[m], caps, usual_passes());
     if (monitor_.is_cancelled()) return {};
     if (!is_faster(other, plan)) continue;
     plan = std::move(other);
@@ -107,14 +126,16 @@ MotionPlan SpanPlanner::plan_whole() {
 }
 
 MotionPlan SpanPlanner::plan_within(const SpanMethod& method, const StopWindow& window) const {
-  std::vector<double> cap = joined_caps(limits_);
-  window.lower(cap);
+  SpanCaps caps = own_caps();
+  window.lower(caps.turns, caps.speed);
+  window.lower(caps.resting, caps.speed);
+  window.lower(caps.speed);
   for (int round = 0; round < kNewtonRounds + kClimbRounds + kRestedRounds; ++round) {
     const int passes = round < kNewtonRounds + kClimbRounds ? usual_passes() : 0;
-    MotionPlan plan = plan_by(method, cap, passes);
+    MotionPlan plan = plan_by(method, caps, passes);
     if (monitor_.is_cancelled() || plan.phases.empty()) return {};
     const auto step = round < kNewtonRounds ? StopWindow::Step::newton : StopWindow::Step::climb;
-    if (window.lower_where_too_fast(plan, step, cap) == 0) return plan;
+    if (window.lower_where_too_fast(plan, step, caps.speed) == 0) return plan;
   }
   return {};
 }

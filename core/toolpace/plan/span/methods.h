@@ -9,6 +9,7 @@
 #include "toolpace/limits/speed_limits.h"
 #include "toolpace/plan/motion_plan.h"
 #include "toolpace/plan/span/lookahead.h"
+#include "toolpace/plan/span/turns.h"
 
 namespace toolpace::detail {
 
@@ -25,6 +26,13 @@ struct SpanMethod {
 
 /// The ways to try for a law. Under limits that are the same everywhere the first is the best one.
 std::vector<SpanMethod> span_methods(const SpeedLimits& limits, LawKind law);
+
+/// What holds at nodes.
+struct SpanCaps {
+  std::vector<double> speed;  ///< no higher than either neighbour's feed [mm/s]
+  std::vector<Turn> turns;    ///< of laws that turn back
+  std::vector<Turn> resting;  ///< the same where only nodes turn that rest anyway; as `turns` where no others do
+};
 
 /// Plans that run their ramps to where `cap` lets them.
 class SpanPlanner {
@@ -45,10 +53,12 @@ class SpanPlanner {
   bool is_cancelled() const { return monitor_.is_cancelled(); }
 
  private:
+  SpanCaps own_caps() const;
   int usual_passes() const;
   void choose_by_samples();
   /// @param passes  0: nodes that limit the speed are crossed with zero acceleration
-  MotionPlan plan_by(const SpanMethod& method, const std::vector<double>& cap, int passes) const;
+  MotionPlan plan_by(const SpanMethod& method, const SpanCaps& caps, int passes) const;
+  MotionPlan plan_hull(const std::vector<double>& cap, const SpanCaps& caps, int passes) const;
   MotionPlan plan_within(const SpanMethod& method, const StopWindow& window) const;
 
   const SpeedLimits& limits_;

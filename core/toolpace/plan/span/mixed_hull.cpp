@@ -29,7 +29,7 @@ class MixedHullBuilder {
     hull_.entries.reserve(kernels_.size());
     hull_.met.reserve(kernels_.size());
     after_.reserve(kernels_.size());
-    push({}, 0, {});
+    push({.meet = kernels_.front().tilt}, 0, {});
     for (std::uint32_t k = 1; k < kernels_.size() && budget_ > 0 && feasible_; ++k) add(k);
     return feasible_ && budget_ > 0 && hull_.entries.back().kernel + 1 == kernels_.size();
   }
@@ -79,16 +79,20 @@ class MixedHullBuilder {
            (under.tilt <= limits.up.top && -under.tilt <= limits.down.top && under.bottom >= kLeastBottom * under.cap);
   }
 
+  /// Tilts that may be taken away: those of the ends are given.
+  bool is_free(std::uint32_t k) const { return kernels_[k].tilt != 0 && k > 0 && k + 1 < kernels_.size(); }
+
   /// Tilts that do not suit the limits, or put bottoms out of order, go.
   /// @return whether any did
   bool drop_tilts(std::uint32_t k, const SpanLimits& limits) {
     const std::uint32_t top = hull_.entries.back().kernel;
-    if (kernels_[k].tilt == 0 && kernels_[top].tilt == 0) return false;
+    if (!is_free(k) && !is_free(top)) return false;
     const Kernel near = kernel_under(kernels_[top], limits), far = kernel_under(kernels_[k], limits);
-    const bool in_order = near.right <= far.left, near_suits = suits(near, limits);
-    if (in_order && near_suits && suits(far, limits)) return false;
-    if (far.tilt != 0 && (!in_order || !suits(far, limits))) set_tilt(kernels_[k], 0.0, limits);
-    if (near.tilt == 0 || (in_order && near_suits)) return true;
+    const bool in_order = near.right <= far.left;
+    const bool drops_far = is_free(k) && (!in_order || !suits(far, limits));
+    const bool drops_near = is_free(top) && (!in_order || !suits(near, limits));
+    if (drops_far) set_tilt(kernels_[k], 0.0, limits);
+    if (!drops_near) return drops_far;
     set_tilt(kernels_[top], 0.0, limits);
     const SpanBounds met = hull_.met.back(), after = after_.back();
     pop(met);

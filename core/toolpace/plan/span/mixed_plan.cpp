@@ -16,8 +16,9 @@ constexpr std::size_t kMostMixedRepairs = 5;
 /// Shares of the speeds and places by which phases may miss each other.
 constexpr double kSpeedGap = 1e-10, kPlaceGap = 1e-11;
 
-bool meets_caps(const MixedHull& hull) {
-  return hull.entries.size() < 2 || (hull.entries[1].bridge.leave >= 0 && hull.entries.back().bridge.meet <= 0);
+bool meets_caps(const std::vector<Kernel>& kernels, const MixedHull& hull) {
+  return hull.entries.size() < 2 || (hull.entries[1].bridge.leave >= kernels.front().tilt &&
+                                     hull.entries.back().bridge.meet <= kernels.back().tilt);
 }
 
 /// Whether each phase ends where the next one begins.
@@ -41,7 +42,7 @@ bool is_sound(const SpanChain& chain, const std::vector<Kernel>& kernels, const 
 
 /// The limits before the kernels are found anew each time: kept, they would stand beside the phases.
 bool MixedPlanner::build(const SpanChain& chain, std::vector<Kernel>& kernels) {
-  return build_mixed_hull(chain.limits, limits_before(chain, kernels), kernels, hull_) && meets_caps(hull_);
+  return build_mixed_hull(chain.limits, limits_before(chain, kernels), kernels, hull_) && meets_caps(kernels, hull_);
 }
 
 /// Towards the middle of the accelerations with which each touched node is met and left.
@@ -66,6 +67,7 @@ bool MixedPlanner::emit_within_caps(const SpanChain& chain, std::vector<Kernel>&
     trial_.reserve(4 * hull_.entries.size());
     PhaseWriter writer(trial_);
     emit_hull(kernels, hull_, writer);
+    begin_at_rest(trial_);
     const Broken broken{find_broken(kernels, limits, hull_.entries, trial_), 1 + 2 * round};
     if (broken.kernels.empty()) return is_sound(chain, kernels, trial_);
     if (drop_tilts(hull_.entries, limits, broken, kernels).empty() || !build(chain, kernels)) return false;
@@ -86,8 +88,8 @@ bool MixedPlanner::plan(const SpanChain& chain, std::vector<Kernel>& kernels, st
     phases.swap(trial_);
   }
   if (has_plan) return true;
-  for (Kernel& k : kernels) {
-    if (k.tilt != 0) set_tilt(k, 0.0, hull_.met.back().limits());
+  for (std::size_t k = 1; k + 1 < kernels.size(); ++k) {
+    if (kernels[k].tilt != 0) set_tilt(kernels[k], 0.0, hull_.met.back().limits());
   }
   if (!build(chain, kernels) || !emit_within_caps(chain, kernels, std::numeric_limits<double>::infinity()))
     return false;

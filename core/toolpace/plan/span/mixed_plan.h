@@ -16,7 +16,7 @@ class MixedPlanner {
   /// @param passes  rounds of shifting accelerations at the touched nodes, each kept only if it saves time
   explicit MixedPlanner(int passes) : passes_(passes) {}
 
-  /// @param kernels  of the chain, tilts 0; they are changed
+  /// @param kernels  of the chain, tilts 0 but those of the ends, which stay; they are changed
   /// @return false where there is no such hull, and then nothing is written
   bool plan(const SpanChain& chain, std::vector<Kernel>& kernels, std::vector<Phase>& phases);
 

@@ -1,6 +1,7 @@
 #include "toolpace/plan/span/span_plan.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "toolpace/path/node_positions.h"
 #include "toolpace/plan/span/emit.h"
@@ -19,6 +20,9 @@ constexpr std::size_t kMostRepairs = 8;
 constexpr std::size_t kShortStretch = 20000;
 constexpr int kShortPasses = 3;
 
+/// Stretches with turns that have no hull, before a chain is planned without turns.
+constexpr int kMostRepairedTurns = 4;
+
 /// Limits that hold in all blocks of [first, last).
 SpanLimits smallest_limits(const SpeedLimits& limits, std::size_t first, std::size_t last) {
   Dynamics all = limits.dynamics_of(first);
@@ -34,24 +38,33 @@ SpanLimits smallest_limits(const SpeedLimits& limits, std::size_t first, std::si
   return {{all.up.acceleration, all.up.jerk}, {all.down.acceleration, all.down.jerk}};
 }
 
+/// Accelerations with which a stretch begins and ends; 0 = at rest.
+struct TurnsAtEnds {
+  double begin = 0.0, end = 0.0;  ///< [mm/s²]
+};
+
 /// Plans the stretches from one rest to the next; keeps its buffers between them.
 class StretchPlanner {
  public:
   StretchPlanner(int passes, std::vector<Phase>& phases) : passes_(passes), mixed_(passes), writer_(phases) {}
 
-  /// @return false where the stretch has no hull, which never happens from rest to rest
-  bool add(const SpanChain& chain) {
+  /// @return false where the stretch has no hull, which never happens from rest to rest without turns
+  bool add(const SpanChain& chain, const TurnsAtEnds& turns) {
     writer_.count_from(chain.first);
-    if (!has_one_limit(chain)) {
+    const SpanLimits limits = smallest_limits(chain.limits, chain.first, chain.last);
+    const auto select = [&] {
       select_kernels(chain, kernels_);
+      if (turns.begin > 0 || turns.end > 0) tilt_ends(turns.begin, turns.end, limits, kernels_);
+    };
+    if (!has_one_limit(chain)) {
+      select();
       if (mixed_.plan(chain, kernels_, best_)) {
         writer_.splice(best_);
         return true;
       }
     }
-    const SpanLimits limits = smallest_limits(chain.limits, chain.first, chain.last);
-    select_kernels(chain, kernels_);
-    if (!build_hull(kernels_, limits, hull_) || hull_[1].bridge.leave < 0 || hull_.back().bridge.meet > 0) return false;
+    select();
+    if (!build_hull(kernels_, limits, hull_)) return false;
     best_.clear();
     if (hull_.size() > 2 && passes_ > 0) improve(limits);
     if (best_.empty()) emit(limits, best_);
@@ -72,6 +85,7 @@ class StretchPlanner {
     phases.reserve(4 * hull_.size());
     PhaseWriter writer(phases);
     emit_hull(kernels_, limits, hull_, writer);
+    begin_at_rest(phases);
     return writer.time();
   }
 
@@ -83,7 +97,6 @@ class StretchPlanner {
       if (pass == 0) plain_ = hull_;
       tilt_kernels(hull_, limits, kernels_);
       const double time = build_hull(kernels_, limits, hull_) ? emit_within_caps(limits) : -1.0;
-      if (hull_[1].bridge.leave < 0 || hull_.back().bridge.meet > 0) break;
       if (time < 0 || !(time < best_time)) break;
       best_time = time;
       best_.swap(trial_);
@@ -113,22 +126,60 @@ class StretchPlanner {
   std::vector<Phase> trial_, best_;
 };
 
+/// Plans a chain with given turns, all of which it makes.
+class ChainPlanner {
+ public:
+  ChainPlanner(const SpeedLimits& limits, const std::vector<double>& cap, const std::vector<Turn>& turns)
+      : limits_(limits), turns_(turns), cap_(cap), position_(limits.size() + 1) {
+    for (const Turn& turn : turns) cap_[turn.node] = 0.0;
+    square_ = fastest_squares(limits, cap_);
+  }
+
+  /// @return empty when cancelled, and where a stretch has no hull
+  MotionPlan run(int passes, const Monitor& monitor) {
+    MotionPlan plan;
+    StretchPlanner planner(passes, plan.phases);
+    std::size_t next = 0;  // turn
+    for (std::size_t first = 0; first < limits_.size();) {
+      std::size_t last = first + 1;
+      while (last < limits_.size() && cap_[last] > 0) ++last;
+      sum_lengths(limits_.length, first, last, position_);
+      TurnsAtEnds ends;
+      if (next > 0 && turns_[next - 1].node == first) ends.begin = turns_[next - 1].acceleration;
+      if (next < turns_.size() && turns_[next].node == last) ends.end = turns_[next++].acceleration;
+      if (monitor.is_cancelled()) return {};
+      if (!planner.add({limits_, cap_, square_, position_, first, last}, ends)) {
+        failed_ = {first, last};
+        return {};
+      }
+      first = last;
+    }
+    return plan;
+  }
+
+  /// Whether a turn is at an end of the stretch that has no hull.
+  bool is_to_blame(const Turn& turn) const { return turn.node == failed_.first || turn.node == failed_.second; }
+
+ private:
+  const SpeedLimits& limits_;
+  const std::vector<Turn>& turns_;
+  std::vector<double> cap_, square_, position_;
+  std::pair<std::size_t, std::size_t> failed_ = {0, 0};  ///< nodes
+};
+
 }  // namespace
 
-MotionPlan plan_span_ramps(const SpeedLimits& limits, const std::vector<double>& cap, int passes,
-                           const Monitor& monitor) {
-  const std::vector<double> square = fastest_squares(limits, cap);
-  std::vector<double> position(limits.size() + 1);
-  MotionPlan plan;
-  StretchPlanner planner(passes, plan.phases);
-  for (std::size_t first = 0; first < limits.size();) {
-    std::size_t last = first + 1;
-    while (last < limits.size() && cap[last] > 0) ++last;
-    sum_lengths(limits.length, first, last, position);
-    if (monitor.is_cancelled() || !planner.add({limits, cap, square, position, first, last})) return {};
-    first = last;
+MotionPlan plan_span_ramps(const SpeedLimits& limits, const std::vector<double>& cap, std::vector<Turn> turns,
+                           int passes, const Monitor& monitor) {
+  for (int round = 0;; ++round) {
+    ChainPlanner planner(limits, cap, turns);
+    MotionPlan plan = planner.run(passes, monitor);
+    if (!plan.phases.empty() || turns.empty() || monitor.is_cancelled()) return plan;
+    for (Turn& turn : turns) {
+      if (planner.is_to_blame(turn)) turn.acceleration = 0;
+    }
+    if (round == kMostRepairedTurns) turns.clear();
   }
-  return plan;
 }
 
 }  // namespace toolpace::detail

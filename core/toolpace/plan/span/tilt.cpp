@@ -24,13 +24,18 @@ bool borders_before(const Kernel& point, const Kernel& plateau) {
   return plateau.is_plateau() && !point.is_plateau() && plateau.position == point.position && plateau.cap == point.cap;
 }
 
-/// What a plateau keeps between the dips at its borders.
+/// The ends of a stretch: their tilts are given.
+bool is_end(const std::vector<Kernel>& kernels, std::size_t i) { return i == 0 || i + 1 == kernels.size(); }
+
+/// What a plateau keeps between the dips at its borders, and between turns at the ends.
 void fit_plateau(std::vector<Kernel>& kernels, std::size_t i) {
   Kernel& k = kernels[i];
   k.left = k.position;
   k.right = k.end;
-  if (i > 0 && borders_before(kernels[i - 1], k)) k.left = std::max(k.left, kernels[i - 1].right);
-  if (i + 1 < kernels.size() && borders_after(k, kernels[i + 1])) k.right = std::min(k.right, kernels[i + 1].left);
+  if (i > 0 && (borders_before(kernels[i - 1], k) || is_end(kernels, i - 1)))
+    k.left = std::max(k.left, kernels[i - 1].right);
+  if (i + 1 < kernels.size() && (borders_after(k, kernels[i + 1]) || is_end(kernels, i + 1)))
+    k.right = std::min(k.right, kernels[i + 1].left);
 }
 
 /// Borders may be crossed slowing down onto a plateau, and speeding up from it, not the other way round.
@@ -81,15 +86,17 @@ class Orderer {
       return true;
     }
     const bool other_border = i + 1 < kernels_.size() && !is_whole;
-    if (before.tilt == 0 && k.tilt == 0 && !(other_border && kernels_[i + 1].tilt != 0)) return true;
+    if (is_fixed(i - 1) && is_fixed(i) && !(other_border && kernels_[i + 1].tilt != 0)) return true;
     shrink(i - 1, share);
     shrink(i, share);
     if (other_border) shrink(i + 1, share);
     return false;
   }
 
+  bool is_fixed(std::size_t i) const { return kernels_[i].tilt == 0 || is_end(kernels_, i); }
+
   void shrink(std::size_t i, double share) {
-    if (kernels_[i].tilt != 0) set_tilt(kernels_[i], share * kernels_[i].tilt, limits_);
+    if (kernels_[i].tilt != 0 && !is_end(kernels_, i)) set_tilt(kernels_[i], share * kernels_[i].tilt, limits_);
   }
 
   const SpanLimits& limits_;
@@ -171,8 +178,16 @@ void tilt_kernels(const std::vector<HullEntry>& hull, const SpanLimits& limits, 
   Orderer(limits, kernels).run();
 }
 
-void drop_all_tilts(const SpanLimits& limits, std::vector<Kernel>& kernels) {
+void tilt_ends(double begin, double end, const SpanLimits& limits, std::vector<Kernel>& kernels) {
+  set_tilt(kernels.front(), begin, limits);
+  set_tilt(kernels.back(), -end, limits);
   for (std::size_t i = 0; i < kernels.size(); ++i) {
+    if (kernels[i].is_plateau()) fit_plateau(kernels, i);
+  }
+}
+
+void drop_all_tilts(const SpanLimits& limits, std::vector<Kernel>& kernels) {
+  for (std::size_t i = 1; i + 1 < kernels.size(); ++i) {
     if (kernels[i].tilt != 0) set_tilt(kernels[i], 0.0, limits);
   }
   for (std::size_t i = 0; i < kernels.size(); ++i) {
@@ -189,7 +204,7 @@ std::vector<std::uint32_t> drop_tilts(const std::vector<HullEntry>& hull, const 
     done = std::max(done, e > broken.radius ? e - broken.radius : 0);
     for (; done < std::min(hull.size(), e + broken.radius + 1); ++done) {
       Kernel& near = kernels[hull[done].kernel];
-      if (near.tilt == 0) continue;
+      if (near.tilt == 0 || is_end(kernels, hull[done].kernel)) continue;
       set_tilt(near, 0.0, limits);
       // Its plateau, if it is a border, gets longer.
       const std::uint32_t index = hull[done].kernel;

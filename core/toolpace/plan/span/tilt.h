@@ -17,10 +17,14 @@ namespace toolpace::detail {
 /// that would put the bottom past a neighbour's is halved, then dropped.
 void tilt_kernels(const std::vector<HullEntry>& hull, const SpanLimits& limits, std::vector<Kernel>& kernels);
 
+/// Lets the stretch begin and end at v = 0 with these accelerations, ≥ 0: as tilts of its first and last kernel, which stay.
+/// Plateaus beside them begin where the motion has come up from the turn.
+void tilt_ends(double begin, double end, const SpanLimits& limits, std::vector<Kernel>& kernels);
+
 /// The tilt that suits a node which is met and left with these accelerations, without regard to its neighbours.
 double suitable_tilt(const Kernel& k, double meet, double leave, const SpanLimits& limits);
 
-/// Takes all tilts away.
+/// Takes all tilts away but those of the ends.
 void drop_all_tilts(const SpanLimits& limits, std::vector<Kernel>& kernels);
 
 /// Kernels whose caps are passed.
