@@ -137,7 +137,9 @@ void JobFlags::add_to(Command& command) {
 
   Flags laws = command.titled("Law and look-ahead");
   laws.word("--law LAW", law, law_ids() + "; default quintic");
-  laws.number("--tacc-ms MS", tacc_ms, "five-phase-time: least duration of a ramp up; default 50");
+  laws.number("--tacc-ms MS", tacc_ms,
+              "five-phase-time: least duration of a ramp up; default 50; a longer one\nis slower, "
+              "much so in blocks that are too short for it: then a warning");
   laws.number("--tdec-ms MS", tdec_ms, "five-phase-time: least duration of a ramp down; default 50");
   laws.word("--lookahead N", lookahead, "Depth in blocks, or all (default); 1 = full stop at every node");
   laws.word(

@@ -261,6 +261,10 @@
             <translation>运动时间过长</translation>
         </message>
         <message>
+            <source>ramp-times</source>
+            <translation>加速时间 Tacc 与程序段不相称</translation>
+        </message>
+        <message>
             <source>sender-command</source>
             <translation>发送器命令不属于程序路径</translation>
         </message>

@@ -207,6 +207,7 @@ constexpr std::array kCodes = {QT_TRANSLATE_NOOP("codes", "arc-centre-absolute")
                                QT_TRANSLATE_NOOP("codes", "program-alarm"),
                                QT_TRANSLATE_NOOP("codes", "program-repeats"),
                                QT_TRANSLATE_NOOP("codes", "program-without-end"),
+                               QT_TRANSLATE_NOOP("codes", "ramp-times"),
                                QT_TRANSLATE_NOOP("codes", "reading-stopped"),
                                QT_TRANSLATE_NOOP("codes", "return-without-call"),
                                QT_TRANSLATE_NOOP("codes", "rotation-plane"),

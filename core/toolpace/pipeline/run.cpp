@@ -11,6 +11,7 @@
 #include "toolpace/pipeline/job.h"
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/prove.h"
+#include "toolpace/pipeline/ramp_times.h"
 #include "toolpace/pipeline/replan.h"
 #include "toolpace/pipeline/strategy.h"
 #include "toolpace/pipeline/summarise.h"
@@ -121,6 +122,9 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<S
   outcome.summary.tube_deviation = motion.deviation;
   outcome.summary.tube_windows = motion.windows;
   outcome.summary.tube_fallbacks = motion.fallbacks;
+  auto dear_ramps = check_ramp_times(outcome, part_of(monitor, 0.95, 1.0));
+  if (!dear_ramps) return tl::unexpected(dear_ramps.error());
+  if (*dear_ramps) outcome.warnings.push_back(**dear_ramps);
   monitor.report(1.0);
   return outcome;
 }

@@ -228,5 +228,24 @@ TEST(Run, TwentyBlocksWithCornersTakeThePapersTimesAtEachDepth) {
   }
 }
 
+// By hand: (v0 + v1)/2·0.05 s must fit 0.5 mm, so that a block is entered or left with no more than 20 mm/s: 5 s, at a feed of
+// 100 mm/s, for 100 mm. With 1 ms a ramp takes what acceleration and jerk need.
+TEST(Run, WarnsWhereLeastDurationsOfRampsDoNotFitTheBlocks) {
+  ProgramBuilder program;
+  for (int i = 1; i <= 200; ++i) program.add(MoveKind::feed, at(0.5 * i, 0), 100);
+  Job job = program.job();
+  job.options.law = LawKind::five_phase_time;
+  job.options.t_acc = job.options.t_dec = 0.05;
+  const Outcome slow = planned(job);
+  ASSERT_EQ(slow.warnings.size(), 1u);
+  EXPECT_EQ(slow.warnings[0].code, "ramp-times");
+  EXPECT_GT(slow.summary.cycle_time, 5.0);
+  job.options.t_acc = job.options.t_dec = 0.001;
+  EXPECT_TRUE(planned(job).warnings.empty());
+  job.options.t_acc = job.options.t_dec = 0.05;
+  job.options.law = LawKind::five_phase_jerk;
+  EXPECT_TRUE(planned(job).warnings.empty());
+}
+
 }  // namespace
 }  // namespace toolpace
