@@ -9,17 +9,17 @@ namespace toolpace {
 
 /// Motion from a place on over `duration`. Whole profiles are sequences of phases that meet without gaps.
 ///
-/// The place is a `distance` behind a `node` of the path. It is the nearer the better: distances are rounded, and what an axis
+/// The place is a `distance` from a `node` of the path. It is the nearer the better: distances are rounded, and what an axis
 /// makes of that may be many times a millimetre's rounding. Single moves count from their begin, as node 0.
 struct Phase {
   double begin = 0.0;         ///< time at its start [s]
   double duration = 0.0;      ///< [s], ≥ 0
-  double distance = 0.0;      ///< path length from the node to its start [mm]
+  double distance = 0.0;      ///< path length from the node to its start, negative before it [mm]
   double speed = 0.0;         ///< at its start [mm/s]
   double acceleration = 0.0;  ///< at its start [mm/s²]; 0 for forms
   double rate = 0.0;          ///< the jerk [mm/s³]; of forms the whole change of speed [mm/s]
   PhaseShape shape = PhaseShape::constant_jerk;
-  std::uint32_t node = 0;  ///< of the path, at or before its start
+  std::uint32_t node = 0;  ///< of the path, near its start
 };
 
 struct PhaseState {

@@ -29,9 +29,8 @@ class PhaseWriter {
     phases_.push_back(phase);
   }
 
-  /// Appends phases whose times count from 0 and whose distances count from the present node. May take their storage.
+  /// Appends phases whose times count from 0. May take their storage.
   void splice(std::vector<Phase>& phases) {
-    for (Phase& p : phases) p.node = node_;
     const double end = phases.empty() ? 0.0 : phases.back().begin + phases.back().duration;
     if (phases_.empty() && time_ == 0) {
       phases_.swap(phases);
@@ -48,7 +47,7 @@ class PhaseWriter {
     if (!phases_.empty() && phases_.back().speed == speed && phases_.back().acceleration == 0 &&
         phases_.back().rate == 0) {
       Phase& last = phases_.back();
-      const double longer = (to - last.distance) / speed;
+      const double longer = last.node == node_ ? (to - last.distance) / speed : last.duration + (to - from) / speed;
       advance(longer - last.duration);
       last.duration = longer;
       return;

@@ -138,7 +138,7 @@ Bridge upwards(const Kernel& near, const Kernel& far, const SpanLimits& limits) 
     const double rise = solve_peak({up, limits.down, near.bottom, far.bottom, gap, ramp});
     return {up.peak(step + rise), -limits.down.peak(rise), near.right, far.left, far.bottom + rise, BridgeKind::peak};
   }
-  const double at = near.right + ramp;
+  const ExactPlace at = near.right + ramp;
   if (at <= far.right) return {up.peak(step), 0.0, near.right, at, far.bottom, BridgeKind::rise};
   const double y = solve_flank(up, near.bottom, far.bottom, far.right - near.right);
   if (y < 0) return {};
@@ -154,10 +154,10 @@ Bridge downwards(const Kernel& near, const Kernel& far, const SpanLimits& limits
     const double rise = solve_peak({down, limits.up, far.bottom, near.bottom, gap, ramp});
     return {limits.up.peak(rise), -down.peak(step + rise), near.right, far.left, near.bottom + rise, BridgeKind::peak};
   }
-  const double at = far.left - ramp;
+  const ExactPlace at = far.left - ramp;
   if (at >= near.left) return {0.0, -down.peak(step), at, far.left, near.bottom, BridgeKind::fall};
   const double x = solve_flank(down, far.bottom, near.bottom, far.left - near.left);
-  if (x < 0) return {0, 0, 0, 0, 0, BridgeKind::near_is_idle};
+  if (x < 0) return {.kind = BridgeKind::near_is_idle};
   const double rise = x * x * down.slack;
   return {-x, -std::max(x, down.peak(step + rise)), near.left, far.left, near.bottom + rise, BridgeKind::falling_flank};
 }

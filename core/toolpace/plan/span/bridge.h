@@ -18,10 +18,10 @@ enum class BridgeKind : std::uint8_t {
 };
 
 struct Bridge {
-  double leave = 0.0;                    ///< acceleration on leaving the near kernel [mm/s²]
-  double meet = 0.0;                     ///< acceleration on meeting the far one [mm/s²]
-  double leave_at = 0.0, meet_at = 0.0;  ///< ends of the bottoms' parts that are used [mm]
-  double peak = 0.0;                     ///< speed in which both ramps end [mm/s]; of flanks the one they would end in
+  double leave = 0.0;                      ///< acceleration on leaving the near kernel [mm/s²]
+  double meet = 0.0;                       ///< acceleration on meeting the far one [mm/s²]
+  ExactPlace leave_at = {}, meet_at = {};  ///< ends of the bottoms' parts that are used [mm]
+  double peak = 0.0;  ///< speed in which both ramps end [mm/s]; of flanks the one they would end in
   BridgeKind kind = BridgeKind::far_is_idle;
 };
 

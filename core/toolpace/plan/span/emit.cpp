@@ -8,7 +8,8 @@ namespace {
 constexpr PhaseShape kJerk = PhaseShape::constant_jerk;
 
 struct Place {
-  double distance, speed, acceleration;
+  double distance;  ///< from the node that the writer counts from [mm]
+  double speed, acceleration;
 };
 
 class HullWriter {
@@ -21,8 +22,14 @@ class HullWriter {
       return;
     }
     write_falling(k, met.meet, left.leave);
-    if (k.is_plateau()) out_.push_cruise(met.meet_at, left.leave_at, k.bottom);
+    write_bottom(k, met, left);
     write_rising(k, met.meet, left.leave);
+  }
+
+  void write_bottom(const Kernel& k, const Bridge& met, const Bridge& left) {
+    if (!k.is_plateau()) return;
+    out_.count_from(k.first_node);
+    out_.push_cruise(met.meet_at - k.position, left.leave_at - k.position, k.bottom);
   }
 
   /// Runs along the kernel from one acceleration to a larger one; the negative part, and the positive one.
@@ -46,16 +53,19 @@ class HullWriter {
     out_.push({0, duration, from.distance, from.speed, from.acceleration, jerk, kJerk});
   }
 
-  /// Place on the kernel where the acceleration is `a`; for 0 the right end of its bottom.
-  Place place(const Kernel& k, double a) const {
+  /// Place on the kernel where the acceleration is `a`; for 0 the right end of its bottom. Goes on from the node that is
+  /// nearest.
+  Place place(const Kernel& k, double a) {
     const double time = a * (a < 0 ? down_.slack : up_.slack);
-    return {(a < 0 ? k.left : k.right) + time * (k.bottom + time * a / 6), k.bottom + time * a / 2, a};
+    out_.count_from(a < 0 ? k.first_node : k.last_node);
+    const double bottom = a < 0 ? k.left - k.position : k.right - k.end;
+    return {bottom + time * (k.bottom + time * a / 6), k.bottom + time * a / 2, a};
   }
 
   /// @return where the acceleration begins to fall
   Place hold_up(const Kernel& near, const Bridge& b) {
     Place at = place(near, b.leave);
-    if (b.leave == 0) at.distance = b.leave_at;
+    if (b.leave == 0) at.distance = b.leave_at - near.end;
     if (b.leave < up_.top) return at;
     const double hold = up_.hold(b.peak - near.bottom);
     push(at, hold, 0.0);
@@ -127,7 +137,7 @@ void emit_hull(const std::vector<Kernel>& kernels, const MixedHull& hull, PhaseW
       arrival.write_falling(arrived, met.meet, k.tilt);
       arrival.write_rising(arrived, met.meet, k.tilt);
       departure.write_falling(departed, k.tilt, left.leave);
-      if (k.is_plateau()) out.push_cruise(met.meet_at, left.leave_at, k.bottom);
+      departure.write_bottom(k, met, left);
       departure.write_rising(departed, k.tilt, left.leave);
     }
     if (!is_last) {

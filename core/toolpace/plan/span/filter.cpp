@@ -47,12 +47,14 @@ class Selector {
 
   void push_node(std::size_t i) {
     const auto node = static_cast<std::uint32_t>(i);
-    const double at = chain_.position[i], speed = chain_.cap[i];
+    const ExactPlace at = chain_.position[i];
+    const double speed = chain_.cap[i];
     out_.push_back({at, at, speed, at, speed, 0.0, at, node, node});
   }
 
   void push_plateau(std::size_t i) {
-    const double speed = limits_.block_cap[i], end = chain_.position[i + 1];
+    const double speed = limits_.block_cap[i];
+    const ExactPlace end = chain_.position[i + 1];
     const auto node = static_cast<std::uint32_t>(i);
     Kernel& last = out_.back();
     if (last.is_plateau() && last.last_node == node && last.bottom == speed) {
@@ -60,7 +62,7 @@ class Selector {
       last.last_node = node + 1;
       return;
     }
-    const double begin = chain_.position[i];
+    const ExactPlace begin = chain_.position[i];
     out_.push_back({begin, end, speed, begin, speed, 0.0, end, node, node + 1});
   }
 

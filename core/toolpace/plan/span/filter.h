@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "toolpace/limits/speed_limits.h"
+#include "toolpace/plan/span/exact_place.h"
 #include "toolpace/plan/span/kernel.h"
 
 namespace toolpace::detail {
@@ -21,9 +22,9 @@ std::vector<double> fastest_squares(const SpeedLimits& limits, const std::vector
 /// Nodes [first, last] of a chain that rests nowhere between, as arrays that share one index.
 struct SpanChain {
   const SpeedLimits& limits;
-  const std::vector<double>& cap;       ///< [mm/s]
-  const std::vector<double>& square;    ///< of fastest_squares [mm²/s²]
-  const std::vector<double>& position;  ///< of these nodes, counted from the first [mm]
+  const std::vector<double>& cap;           ///< [mm/s]
+  const std::vector<double>& square;        ///< of fastest_squares [mm²/s²]
+  const std::vector<ExactPlace>& position;  ///< of these nodes, counted from the first [mm]
   std::size_t first, last;
 };
 

@@ -18,7 +18,7 @@ struct HullEntry {
 /// Whether a kernel is left no earlier than it is met.
 inline bool is_in_order(const Kernel& k, const Bridge& met, const Bridge& left) {
   if (left.kind == BridgeKind::near_is_idle) return false;
-  if (k.is_plateau() && met.meet_at != left.leave_at) return met.meet_at < left.leave_at;
+  if (k.is_plateau() && !(met.meet_at == left.leave_at)) return met.meet_at < left.leave_at;
   return met.meet <= left.leave;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "toolpace/plan/span/exact_place.h"
 #include "toolpace/plan/span/ramp.h"
 
 namespace toolpace::detail {
@@ -18,11 +19,12 @@ struct SpanLimits {
 /// Where a plateau borders on faster blocks, the node there is a kernel of its own beside it. With a tilt it lets the motion
 /// cross the border still slowing down, dip below the plateau's speed, and come back to it further on.
 struct Kernel {
-  double left, right;                   ///< where the bottom begins and ends; equal for points [mm]
+  ExactPlace left, right;               ///< where the bottom begins and ends; equal for points [mm]
   double bottom;                        ///< speed there [mm/s]
-  double position, cap;                 ///< the node's own place and cap; plateaus: left, bottom [mm, mm/s]
+  ExactPlace position;                  ///< the node's own place; plateaus: left [mm]
+  double cap;                           ///< the node's own cap; plateaus: bottom [mm/s]
   double tilt;                          ///< acceleration with which the node is to be crossed [mm/s²]
-  double end;                           ///< of the whole plateau; points: position [mm]
+  ExactPlace end;                       ///< of the whole plateau; points: position [mm]
   std::uint32_t first_node, last_node;  ///< nodes that it lies between; equal for points
 
   bool is_plateau() const { return first_node != last_node; }

@@ -22,12 +22,14 @@ bool meets_caps(const std::vector<Kernel>& kernels, const MixedHull& hull) {
 }
 
 /// Whether each phase ends where the next one begins.
-bool is_continuous(const std::vector<Phase>& phases, double top, double length) {
+bool is_continuous(const std::vector<Phase>& phases, double top, const SpanChain& chain) {
+  const double length = chain.position[chain.last].high;
   for (std::size_t i = 0; i + 1 < phases.size(); ++i) {
     const PhaseState end = evaluate(phases[i], phases[i].duration);
     const Phase& next = phases[i + 1];
+    const double gap = (chain.position[phases[i].node] - chain.position[next.node]) + (end.distance - next.distance);
     if (!(std::abs(end.speed - next.speed) <= kSpeedGap * top)) return false;
-    if (!(std::abs(end.distance - next.distance) <= kPlaceGap * length)) return false;
+    if (!(std::abs(gap) <= kPlaceGap * length)) return false;
   }
   return true;
 }
@@ -35,7 +37,7 @@ bool is_continuous(const std::vector<Phase>& phases, double top, double length) 
 bool is_sound(const SpanChain& chain, const std::vector<Kernel>& kernels, const std::vector<Phase>& phases) {
   double top = 0;
   for (const Kernel& k : kernels) top = std::max(top, k.cap);
-  return is_continuous(phases, top, chain.position[chain.last]);
+  return is_continuous(phases, top, chain);
 }
 
 }  // namespace
@@ -68,7 +70,7 @@ bool MixedPlanner::emit_within_caps(const SpanChain& chain, std::vector<Kernel>&
     PhaseWriter writer(trial_);
     emit_hull(kernels, hull_, writer);
     begin_at_rest(trial_);
-    const Broken broken{find_broken(kernels, limits, hull_.entries, trial_), 1 + 2 * round};
+    const Broken broken{find_broken(kernels, limits, hull_.entries, {trial_, chain.position}), 1 + 2 * round};
     if (broken.kernels.empty()) return is_sound(chain, kernels, trial_);
     if (drop_tilts(hull_.entries, limits, broken, kernels).empty() || !build(chain, kernels)) return false;
   }

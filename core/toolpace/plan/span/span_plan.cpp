@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "toolpace/path/node_positions.h"
 #include "toolpace/plan/span/emit.h"
 #include "toolpace/plan/span/filter.h"
 #include "toolpace/plan/span/hull.h"
@@ -50,7 +49,6 @@ class StretchPlanner {
 
   /// @return false where the stretch has no hull, which never happens from rest to rest without turns
   bool add(const SpanChain& chain, const TurnsAtEnds& turns) {
-    writer_.count_from(chain.first);
     const SpanLimits limits = smallest_limits(chain.limits, chain.first, chain.last);
     const auto select = [&] {
       select_kernels(chain, kernels_);
@@ -66,7 +64,7 @@ class StretchPlanner {
     select();
     if (!build_hull(kernels_, limits, hull_)) return false;
     best_.clear();
-    if (hull_.size() > 2 && passes_ > 0) improve(limits);
+    if (hull_.size() > 2 && passes_ > 0) improve(limits, chain.position);
     if (best_.empty()) emit(limits, best_);
     writer_.splice(best_);
     return true;
@@ -90,13 +88,13 @@ class StretchPlanner {
   }
 
   /// Tilts the touched nodes, pass after pass, as long as that saves time.
-  void improve(const SpanLimits& limits) {
+  void improve(const SpanLimits& limits, const std::vector<ExactPlace>& position) {
     double best_time = hull_time(kernels_, limits, hull_);
     const int passes = kernels_.size() <= kShortStretch ? std::max(passes_, kShortPasses) : passes_;
     for (int pass = 0; pass < passes; ++pass) {
       if (pass == 0) plain_ = hull_;
       tilt_kernels(hull_, limits, kernels_);
-      const double time = build_hull(kernels_, limits, hull_) ? emit_within_caps(limits) : -1.0;
+      const double time = build_hull(kernels_, limits, hull_) ? emit_within_caps(limits, position) : -1.0;
       if (time < 0 || !(time < best_time)) break;
       best_time = time;
       best_.swap(trial_);
@@ -107,10 +105,10 @@ class StretchPlanner {
   }
 
   /// Writes the hull; takes tilts away around caps that it passes. Negative where caps are still broken in the end.
-  double emit_within_caps(const SpanLimits& limits) {
+  double emit_within_caps(const SpanLimits& limits, const std::vector<ExactPlace>& position) {
     for (std::size_t round = 0; round < kMostRepairs; ++round) {
       const double time = emit(limits, trial_);
-      Broken broken{find_broken(kernels_, limits, hull_, trial_), 1 + 2 * round};
+      Broken broken{find_broken(kernels_, limits, hull_, {trial_, position}), 1 + 2 * round};
       if (broken.kernels.empty()) return time;
       const auto changed = drop_tilts(hull_, limits, broken, kernels_);
       if (changed.empty() || !rebuild_hull(kernels_, limits, changed, hull_)) return -1.0;
@@ -163,7 +161,8 @@ class ChainPlanner {
  private:
   const SpeedLimits& limits_;
   const std::vector<Turn>& turns_;
-  std::vector<double> cap_, square_, position_;
+  std::vector<double> cap_, square_;
+  std::vector<ExactPlace> position_;
   std::pair<std::size_t, std::size_t> failed_ = {0, 0};  ///< nodes
 };
 

@@ -12,7 +12,7 @@ constexpr double kPlaceRounding = 1e-15;
 
 /// What a curve must pass to be broken: at low speeds a rounding of the place is more than one of the speed.
 double tolerated(const Kernel& k, const SpanLimits& limits) {
-  const double place = kPlaceRounding * std::abs(k.position);
+  const double place = kPlaceRounding * std::abs(k.position.high);
   return k.cap * (1 + kTiltMargin) + std::max(limits.up.top, limits.down.top) * place / k.cap;
 }
 
@@ -116,18 +116,19 @@ double highest(const Phase& p, double t0, double t1) {
 /// Walks along phases; places must not fall.
 class Walker {
  public:
-  Walker(const Phase* begin, const Phase* end) : phase_(begin), end_(end) {}
+  Walker(const std::vector<Phase>& phases, const std::vector<ExactPlace>& position)
+      : phase_(phases.data()), end_(phases.data() + phases.size()), position_(position) {}
 
   /// Largest speed at one place or in a stretch; stops early once it cannot pass `cap`.
-  double highest_in(double from, double to, double cap) {
-    while (phase_ + 1 != end_ && phase_[1].distance <= from) ++phase_;
+  double highest_in(const ExactPlace& from, const ExactPlace& to, double cap) {
+    while (phase_ + 1 != end_ && way(phase_[1], from) >= 0) ++phase_;
     double most = 0;
     for (const Phase* p = phase_;; ++p) {
-      const bool is_last = p + 1 == end_ || p[1].distance >= to;
+      const bool is_last = p + 1 == end_ || way(p[1], to) <= 0;
       // Most phases stay below the cap as a whole.
       if (highest(*p, 0, p->duration) > cap) {
-        const double t0 = from <= p->distance ? 0.0 : time_at(*p, from);
-        const double t1 = is_last ? time_at(*p, to) : p->duration;
+        const double t0 = way(*p, from) <= 0 ? 0.0 : time_after(*p, way(*p, from));
+        const double t1 = is_last ? time_after(*p, way(*p, to)) : p->duration;
         most = std::max(most, highest(*p, t0, t1));
       }
       if (is_last) return most;
@@ -135,8 +136,10 @@ class Walker {
   }
 
  private:
-  static double time_at(const Phase& p, double distance) {
-    const double way = distance - p.distance;
+  /// From a phase's start to a place.
+  double way(const Phase& p, const ExactPlace& place) const { return (place - position_[p.node]) - p.distance; }
+
+  static double time_after(const Phase& p, double way) {
     double low = 0, high = p.duration;
     double t = p.speed > 0 ? std::min(way / p.speed, high) : high / 2;
     for (int i = 0; i < 60; ++i) {
@@ -153,6 +156,7 @@ class Walker {
 
   const Phase* phase_;
   const Phase* end_;
+  const std::vector<ExactPlace>& position_;
 };
 
 }  // namespace
@@ -219,17 +223,16 @@ std::vector<std::uint32_t> drop_tilts(const std::vector<HullEntry>& hull, const 
 }
 
 std::vector<std::uint32_t> find_broken(const std::vector<Kernel>& kernels, const SpanLimits& limits,
-                                       const std::vector<HullEntry>& hull, const std::vector<Phase>& phases) {
+                                       const std::vector<HullEntry>& hull, const PlacedPhases& placed) {
   std::vector<std::uint32_t> broken;
-  Walker walker(phases.data(), phases.data() + phases.size());
+  Walker walker(placed.phases, placed.position);
   std::size_t e = 0;
   for (std::uint32_t i = 1; i + 1 < kernels.size(); ++i) {
     const Kernel& k = kernels[i];
     while (e < hull.size() && hull[e].kernel < i) ++e;
     if (e < hull.size() && hull[e].kernel == i && !k.is_plateau()) continue;
     const double cap = tolerated(k, limits);
-    const double to = k.end;
-    if (walker.highest_in(k.position, to, cap) > cap) broken.push_back(i);
+    if (walker.highest_in(k.position, k.end, cap) > cap) broken.push_back(i);
   }
   return broken;
 }

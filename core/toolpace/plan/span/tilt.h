@@ -38,10 +38,15 @@ struct Broken {
 std::vector<std::uint32_t> drop_tilts(const std::vector<HullEntry>& hull, const SpanLimits& limits,
                                       const Broken& broken, std::vector<Kernel>& kernels);
 
+/// Phases from the first kernel of a chain to the last one, exact polynomials, and the places of the nodes that they count from.
+struct PlacedPhases {
+  const std::vector<Phase>& phases;
+  const std::vector<ExactPlace>& position;
+};
+
 /// Kernels whose cap the phases pass, ascending. With tilts the order of bottoms is not quite that of the caps, so a
 /// hull may pass a cap that it does not touch. (A touched node is crossed at its cap by construction.)
-/// @param phases  from the first kernel to the last one, exact polynomials
 std::vector<std::uint32_t> find_broken(const std::vector<Kernel>& kernels, const SpanLimits& limits,
-                                       const std::vector<HullEntry>& hull, const std::vector<Phase>& phases);
+                                       const std::vector<HullEntry>& hull, const PlacedPhases& placed);
 
 }  // namespace toolpace::detail

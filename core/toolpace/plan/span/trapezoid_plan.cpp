@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "toolpace/path/node_positions.h"
 #include "toolpace/plan/phase_writer.h"
+#include "toolpace/plan/span/exact_place.h"
 #include "toolpace/plan/span/filter.h"
 
 namespace toolpace::detail {
@@ -44,7 +44,7 @@ class TrapezoidWriter {
 
 MotionPlan plan_trapezoids(const SpeedLimits& limits, const std::vector<double>& cap) {
   const std::vector<double> square = fastest_squares(limits, cap);
-  std::vector<double> position(limits.size() + 1);
+  std::vector<ExactPlace> position(limits.size() + 1);
   MotionPlan plan;
   // Address space, not memory: what is not written is not there.
   plan.phases.reserve(3 * limits.size());
@@ -55,7 +55,8 @@ MotionPlan plan_trapezoids(const SpeedLimits& limits, const std::vector<double>&
       sum_lengths(limits.length, i, end, position);
       writer.count_from(i);
     }
-    writer.add(position[i], limits.length[i], limits.block_cap[i], square[i], square[i + 1], limits.dynamics_of(i));
+    writer.add(position[i].high, limits.length[i], limits.block_cap[i], square[i], square[i + 1],
+               limits.dynamics_of(i));
   }
   return plan;
 }
