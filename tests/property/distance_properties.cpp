@@ -163,7 +163,6 @@ TEST(Distance, KeepsLimitsOfAnAxisThatTurnsWhileTheTipHardlyMoves) {
 TEST(Distance, KeepsLimitsBehindALongStrokeToo) {
   const toolpace::Setup given = four_axis_setup();
   for (const LawRow& law : law_table()) {
-    if (!law.bounds_jerk) continue;
     for (const Ramps ramps : {Ramps::block, Ramps::span}) {
       toolpace::Setup setup = given;
       setup.options.law = law.kind;

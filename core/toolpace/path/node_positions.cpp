@@ -31,14 +31,4 @@ NodePositions::NodePositions(const std::vector<double>& lengths)
   }
 }
 
-void sum_lengths(const std::vector<double>& lengths, std::size_t first, std::size_t last,
-                 std::vector<double>& position) {
-  Sum sum;
-  position[first] = 0.0;
-  for (std::size_t i = first; i < last; ++i) {
-    sum.add(lengths[i]);
-    position[i + 1] = sum.value();
-  }
-}
-
 }  // namespace toolpace

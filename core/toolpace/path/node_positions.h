@@ -33,8 +33,4 @@ class NodePositions {
   std::vector<float> rest_;  ///< the sum proper less the rounded one
 };
 
-/// Positions of the nodes first … last counted from the first of them, written at their indices.
-void sum_lengths(const std::vector<double>& lengths, std::size_t first, std::size_t last,
-                 std::vector<double>& position);
-
 }  // namespace toolpace

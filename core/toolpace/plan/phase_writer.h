@@ -41,11 +41,17 @@ class PhaseWriter {
     advance(end);
   }
 
+  /// The last phase where it is a cruise at this speed, which push_cruise() makes longer; else null.
+  const Phase* cruise_at(double speed) const {
+    if (phases_.empty()) return nullptr;
+    const Phase& last = phases_.back();
+    return last.speed == speed && last.acceleration == 0 && last.rate == 0 ? &last : nullptr;
+  }
+
   /// Appends a cruise from one place to another, joined with the cruise before it where that had the same speed.
   void push_cruise(double from, double to, double speed) {
     if (!(to > from)) return;
-    if (!phases_.empty() && phases_.back().speed == speed && phases_.back().acceleration == 0 &&
-        phases_.back().rate == 0) {
+    if (cruise_at(speed) != nullptr) {
       Phase& last = phases_.back();
       const double longer = last.node == node_ ? (to - last.distance) / speed : last.duration + (to - from) / speed;
       advance(longer - last.duration);

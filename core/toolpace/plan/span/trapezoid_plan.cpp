@@ -15,11 +15,11 @@ constexpr double kShortestShare = 1e-13;
 
 class TrapezoidWriter {
  public:
-  explicit TrapezoidWriter(std::vector<Phase>& phases) : writer_(phases) {}
+  /// @param position  of the nodes of the stretch that is written
+  TrapezoidWriter(std::vector<Phase>& phases, const std::vector<ExactPlace>& position)
+      : writer_(phases), position_(position) {}
 
-  void count_from(std::size_t node) { writer_.count_from(node); }
-
-  void add(double begin, double length, double cap, double square0, double square1, const Dynamics& d) {
+  void add(std::size_t block, double length, double cap, double square0, double square1, const Dynamics& d) {
     const double up = d.up.acceleration, down = d.down.acceleration;
     const double v0 = std::sqrt(square0), v1 = std::sqrt(square1);
     const double top = std::max(square0, square1);
@@ -30,14 +30,25 @@ class TrapezoidWriter {
     const double rise = std::max(0.0, peak_square - square0) / (2 * up);
     const double fall = std::max(0.0, peak_square - square1) / (2 * down);
     const double peak = cruises ? std::max({cap, v0, v1}) : std::sqrt(peak_square);
-    if (rise > 0) writer_.push_straight(begin, v0, peak, up);
-    if (length - rise - fall > kShortestShare * length)
-      writer_.push_cruise(begin + rise, begin + (length - fall), peak);
-    if (fall > 0) writer_.push_straight(begin + (length - fall), peak, v1, -down);
+    writer_.count_from(block);
+    if (rise > 0) writer_.push_straight(0, v0, peak, up);
+    if (length - rise - fall > kShortestShare * length) cruise(block, rise, length - fall, peak);
+    writer_.count_from(block);
+    if (fall > 0) writer_.push_straight(length - fall, peak, v1, -down);
   }
 
  private:
+  /// One that goes on counts from where it began.
+  void cruise(std::size_t block, double from, double to, double speed) {
+    const Phase* going = writer_.cruise_at(speed);
+    const std::size_t node = going != nullptr ? going->node : block;
+    const double before = position_[block] - position_[node];
+    writer_.count_from(node);
+    writer_.push_cruise(before + from, before + to, speed);
+  }
+
   PhaseWriter writer_;
+  const std::vector<ExactPlace>& position_;
 };
 
 }  // namespace
@@ -48,15 +59,13 @@ MotionPlan plan_trapezoids(const SpeedLimits& limits, const std::vector<double>&
   MotionPlan plan;
   // Address space, not memory: what is not written is not there.
   plan.phases.reserve(3 * limits.size());
-  TrapezoidWriter writer(plan.phases);
+  TrapezoidWriter writer(plan.phases, position);
   for (std::size_t i = 0, end = 0; i < limits.size(); ++i) {
     if (i == end) {
       for (++end; end < limits.size() && cap[end] > 0;) ++end;
       sum_lengths(limits.length, i, end, position);
-      writer.count_from(i);
     }
-    writer.add(position[i].high, limits.length[i], limits.block_cap[i], square[i], square[i + 1],
-               limits.dynamics_of(i));
+    writer.add(i, limits.length[i], limits.block_cap[i], square[i], square[i + 1], limits.dynamics_of(i));
   }
   return plan;
 }
