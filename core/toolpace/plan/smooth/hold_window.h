@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "toolpace/plan/smooth/motion_parts.h"
 #include "toolpace/plan/smooth/window_optimiser.h"
 
 namespace toolpace::detail::tube {
@@ -69,33 +70,6 @@ class HoldWindow {
     join(whole, start);
     join(whole, part(m, back, m.size() - 2));
     return whole;
-  }
-
-  /// Knots begin … end of a motion, with the vertices that are passed in between.
-  static MotionWindow<D> part(const MotionWindow<D>& m, std::size_t begin, std::size_t end) {
-    MotionWindow<D> r;
-    r.c.assign(m.c.begin() + static_cast<std::ptrdiff_t>(begin) - 1,
-               m.c.begin() + static_cast<std::ptrdiff_t>(end) + 2);
-    r.first = m.first;
-    for (const double u : m.pass) {
-      if (end + 2 < m.size() && u >= static_cast<double>(end)) break;
-      if (begin > 1 && u < static_cast<double>(begin)) {
-        ++r.first;
-      } else {
-        r.pass.push_back(u - static_cast<double>(begin) + 1);
-      }
-    }
-    r.rest_begin = begin == 1 && m.rest_begin;
-    r.rest_end = end + 2 == m.size() && m.rest_end;
-    return r;
-  }
-
-  /// Appends a motion that goes on where the other ends: three control points are shared.
-  static void join(MotionWindow<D>& a, const MotionWindow<D>& b) {
-    const double shift = static_cast<double>(a.size()) - 3;
-    a.c.insert(a.c.end(), b.c.begin() + 3, b.c.end());
-    for (const double u : b.pass) a.pass.push_back(u + shift);
-    a.rest_end = b.rest_end;
   }
 
   /// The motion with some steps more at a knot where it is at rest.

@@ -32,6 +32,7 @@ struct MotionWindow {
   std::size_t first = 0;     ///< path segment under the tool at the beginning
   std::vector<double> pass;  ///< u at which vertices first+1, first+2, … are passed; never falling
   bool rest_begin = true, rest_end = true;
+  std::size_t stride = 1;  ///< steps of the result that one step stands for: 1, 2 or 4
 
   std::size_t size() const { return c.size(); }
   /// Interval of u and the position in it.

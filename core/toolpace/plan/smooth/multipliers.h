@@ -45,7 +45,8 @@ struct Multiplier {
     const double to = (weight - price * slack_step) / slack;
     slack += share * slack_step;
     price = std::max(to, (1 - kBack) * price);
-    price = std::clamp(price, weight / (kSpread * slack), weight * kSpread / slack);
+    const double central = weight / slack;
+    price = std::clamp(price, central / kSpread, central * kSpread);
   }
 };
 
@@ -72,12 +73,38 @@ class Multipliers {
   }
 
   void step(const std::vector<double>& share, double weight) {
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-      if (all_[i].price > 0) all_[i].step(share[i / stride()], weight);
+    Multiplier* at = all_.data();
+    for (std::size_t k = 0; k * stride() < all_.size(); ++k) {
+      for (std::size_t i = 0; i < stride(); ++i, ++at) {
+        if (at->price > 0) at->step(share[k], weight);
+      }
     }
     for (std::size_t i = 0; i < vertex_.size(); ++i) {
       if (vertex_[i].price > 0) vertex_[i].step(share[place_[i]], weight);
     }
+  }
+
+  /// After each step was made two. Stations are met anew.
+  void halve(std::size_t points, int samples) {
+    const std::size_t old = stride();
+    samples_ = static_cast<std::size_t>(samples);
+    moved_.assign(points * stride(), {});
+    for (std::size_t j = 0; j < points; ++j) {
+      std::copy_n(all_.data() + (j + 1) / 2 * old, 3 * kRow, moved_.data() + j * stride());
+    }
+    all_.swap(moved_);
+  }
+
+  /// Takes those of a part of a motion from those of the whole.
+  /// @param point, vertex  of the whole, where the part begins
+  void take(const Multipliers& whole, std::size_t point, std::size_t vertex) {
+    std::copy_n(whole.all_.data() + point * stride(), all_.size(), all_.data());
+    std::copy_n(whole.vertex_.data() + vertex, vertex_.size(), vertex_.data());
+  }
+  /// Puts those of a part back into the whole.
+  void put(const Multipliers& part, std::size_t point, std::size_t vertex) {
+    std::copy_n(part.all_.data(), part.all_.size(), all_.data() + point * stride());
+    std::copy_n(part.vertex_.data(), part.vertex_.size(), vertex_.data() + vertex);
   }
 
   /// After a change of pace: what point j of the new motion was.

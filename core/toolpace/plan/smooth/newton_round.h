@@ -30,11 +30,19 @@ class NewtonRound {
   using Vec = Eigen::Matrix<double, D, 1>;
   using Mat = Eigen::Matrix<double, D, D>;
 
-  NewtonRound(const TubePath& path, const StepLimits& limits) : path_(path), limits_(limits) {}
+  explicit NewtonRound(const TubePath& path) : path_(path) {}
 
   /// Forgets the multipliers.
-  void begin(const MotionWindow<D>& m) { multipliers.reset(m.size(), m.pass.size(), limits_.samples); }
-
+  /// @param limits  over the motion's steps; must outlive the rounds
+  void begin(const MotionWindow<D>& m, const StepLimits& limits) {
+    limits_ = &limits;
+    multipliers.reset(m.size(), m.pass.size(), limits.samples);
+  }
+  /// Goes on with steps half as long.
+  void go_on(const MotionWindow<D>& m, const StepLimits& limits) {
+    limits_ = &limits;
+    multipliers.halve(m.size(), limits.samples);
+  }
   /// Fills bend and pace, shortened locally so that no slack is used up, and steps the multipliers.
   bool solve(const MotionWindow<D>& m, const RoundOptions& options);
 
@@ -44,8 +52,10 @@ class NewtonRound {
 
  private:
   static constexpr int kBlock = D + 1;
-  static constexpr std::size_t kReach = 30;    // control points to either side over which a shortened step is felt
-  static constexpr double kPaceWeight = 0.02;  // least, against alternating paces
+  static constexpr int kBlocks = static_cast<int>(BlockBand<kBlock>::kReach) + 1;  // in a row
+  static constexpr std::size_t kReach = 30;  // control points to either side over which a shortened step is felt
+  static constexpr std::size_t kLeastReach = 6;
+  static constexpr double kPaceWeight = 0.02;                            // least, against alternating paces
   static constexpr std::size_t kHurriedMargin = 4, kSettlingMargin = 2;  // cells around a change of feed
   /// A linear vector quantity: value + Σ w_i·δ_i + Σ pace_i·g_i over `count` control points from `k`.
   struct Row {
@@ -61,9 +71,27 @@ class NewtonRound {
     Mat rest;  ///< of the Hessian
     bool has_rest = false;
 
-    void add_to(Eigen::Block<typename BlockBand<kBlock>::Block, D, D> block, double factor) const {
-      if (has_rest) block += factor * rest;
-      block.diagonal() += factor * diagonal;
+    using Corner = Eigen::Block<typename BlockBand<kBlock>::Block, D, D>;
+    template <bool IsFull>
+    void add_to(Corner block, double factor) const {
+      if constexpr (IsFull) {
+        block += factor * rest;
+      } else {
+        block.diagonal() += factor * diagonal;
+      }
+    }
+    void add_to(Corner block, double factor) const {
+      if (has_rest) add_to<true>(block, factor);
+      add_to<false>(block, factor);
+    }
+    /// All of it in `rest`.
+    Quadratic full() const {
+      Quadratic q = *this;
+      if (!has_rest) q.rest.setZero();
+      q.rest.diagonal() += diagonal;
+      q.diagonal.setZero();
+      q.has_rest = true;
+      return q;
     }
     Vec times(const Vec& v) const {
       Vec product = diagonal.cwiseProduct(v);
@@ -86,7 +114,14 @@ class NewtonRound {
   double aim_box(const Vec& z, const Vec& dz, const double* limit, double share, Multiplier* at);
   double aim_ball(const Vec& z, const Vec& dz, double limit, double share, int count, Multiplier& at);
   void add(const Row& r, const Quadratic& q);
+  void add_bend(const Row& r, const Quadratic& q);
+  template <bool IsFull>
+  void add_inside(const Row& r, const Quadratic& q);
+  template <bool IsFull, int Count>
+  void add_inside(const Row& r, const Quadratic& q);
   void add_to_pace(const Row& r, const Quadratic& q);
+  template <int Count>
+  void add_to_pace_inside(const Row& r, const Quadratic& q);
   void add_regular();
   void add_pace();
   double pace_step(const Row& r, const double* limit, double norm, int count) const;
@@ -100,109 +135,12 @@ class NewtonRound {
   void read_path();
 
   const TubePath& path_;
-  const StepLimits& limits_;
+  const StepLimits* limits_ = nullptr;
   const MotionWindow<D>* m_ = nullptr;
   RoundOptions options_;
   BlockBand<kBlock> system_;
   std::vector<double> feed_, tolerance_, length_, scratch_;
 };
-
-template <int D>
-void NewtonRound<D>::pull_box(const Vec& z, const double* limit, double share, Multiplier* at, Quadratic& q) {
-  for (int a = 0; a < D; ++a) {
-    const double l = limit[a] * share;
-    if (!(l < 1e300)) continue;
-    const double by = 1 / l, use = z[a] * by;
-    const auto up = at[2 * a].pull(use, options_.weight), down = at[2 * a + 1].pull(-use, options_.weight);
-    q.gradient[a] += (up.slope - down.slope) * by;
-    q.diagonal[a] += (up.curvature + down.curvature) * by * by;
-  }
-}
-
-template <int D>
-void NewtonRound<D>::pull_ball(const Vec& z, double limit, double share, int count, Multiplier& at, Quadratic& q) {
-  if (!(limit < 1e300)) return;
-  const double by = 1 / (limit * share);
-  Vec y = by * z;
-  for (int a = count; a < D; ++a) y[a] = 0;
-  // As (use² + 1)/2, smooth everywhere and 1 where the use is 1.
-  const auto pull = at.pull((y.squaredNorm() + 1) / 2, options_.weight);
-  q.gradient += pull.slope * by * y;
-  for (int a = 0; a < count; ++a) q.diagonal[a] += at.price * by * by;
-  q.rest = pull.curvature * by * by * y * y.transpose();
-  q.has_rest = true;
-}
-
-template <int D>
-void NewtonRound<D>::add(const Row& r, const Quadratic& q) {
-  for (int i = 0; i < r.count; ++i) {
-    const std::size_t k = r.k + static_cast<std::size_t>(i);
-    if (pinned(k)) continue;
-    system_.right(k).template head<D>() -= r.w[i] * q.gradient;
-    for (int j = 0; j <= i; ++j) {
-      if (pinned(r.k + static_cast<std::size_t>(j))) continue;
-      q.add_to(system_.at(k, static_cast<std::size_t>(i - j)).template topLeftCorner<D, D>(), r.w[i] * r.w[j]);
-    }
-  }
-}
-
-/// What the pace has to do with a row.
-template <int D>
-void NewtonRound<D>::add_to_pace(const Row& r, const Quadratic& q) {
-  if (!options_.hurry) return;
-  for (int j = 0; j < r.count; ++j) {
-    const std::size_t l = r.k + static_cast<std::size_t>(j);
-    if (!paced(l)) continue;
-    const Vec pull = q.times(r.pace[j]);
-    system_.right(l)[D] -= q.gradient.dot(r.pace[j]);
-    for (int i = 0; i < r.count; ++i) {
-      const std::size_t k = r.k + static_cast<std::size_t>(i);
-      auto& block = system_.at(std::max(k, l), k > l ? k - l : l - k);
-      if (i >= j && paced(k)) block(D, D) += r.pace[i].dot(pull);
-      if (i >= j && !pinned(k)) block.template topRightCorner<D, 1>() += r.w[i] * pull;
-      if (i <= j && !pinned(k)) block.template bottomLeftCorner<1, D>() += r.w[i] * pull.transpose();
-    }
-  }
-}
-
-/// Keeps what visit_pace() names small.
-template <int D>
-void NewtonRound<D>::add_pace() {
-  const double weight = std::max(kPaceWeight, 2 * options_.weight);
-  visit_pace([&](const Row& r, const double* limit, double norm, int count) {
-    Quadratic q;
-    for (int a = 0; a < D; ++a) {
-      q.diagonal[a] = weight / (limit[a] * limit[a]) + (a < count ? weight / (norm * norm) : 0.0);
-    }
-    add_to_pace(r, q);
-  });
-}
-
-template <int D>
-void NewtonRound<D>::add_regular() {
-  const auto& m = *m_;
-  for (std::size_t k = 0; k < m.size(); ++k) {
-    auto& block = system_.at(k, 0);
-    if (pinned(k)) {
-      block.template topLeftCorner<D, D>().diagonal().array() += 1;
-    } else {
-      const double tol = tolerance_[k];
-      block.template topLeftCorner<D, D>().diagonal().array() += 1e-4 * options_.weight / (tol * tol);
-      if (options_.hurry) {
-        // Sliding along the path is the pace's work: only where the motion stands still is there no direction to forbid.
-        const Vec v = 0.5 * (m.c[k + 1] - m.c[k - 1]);
-        const double floor = 0.01 * tol * tol, vv = v.squaredNorm() + floor;
-        block.template topLeftCorner<D, D>() += v * v.transpose() / (vv * vv);
-      }
-    }
-    if (paced(k)) {
-      block(D, D) += 1;
-      system_.right(k)[D] += 1;
-    } else {
-      block(D, D) += 1;
-    }
-  }
-}
 
 template <int D>
 bool NewtonRound<D>::solve(const MotionWindow<D>& m, const RoundOptions& options) {
@@ -219,7 +157,6 @@ bool NewtonRound<D>::solve(const MotionWindow<D>& m, const RoundOptions& options
     pull_box(r.value, limit, share, at, q);
     pull_ball(r.value, norm, share, count, at[2 * D], q);
     add(r, q);
-    add_to_pace(r, q);
   });
   add_pace();
   visit_tube([&](const Row& r, double tol, const Mat& project, Multiplier* at) {
@@ -230,7 +167,7 @@ bool NewtonRound<D>::solve(const MotionWindow<D>& m, const RoundOptions& options
     const Mat half = project * q.rest;
     q.rest.noalias() = (half + q.diagonal[0] * project) * project.transpose();
     q.diagonal.setZero();
-    add(r, q);
+    add_bend(r, q);
   });
   if (!system_.solve()) return false;
   bend.resize(n);
@@ -249,3 +186,4 @@ bool NewtonRound<D>::solve(const MotionWindow<D>& m, const RoundOptions& options
 
 #include "toolpace/plan/smooth/newton_rows.h"
 #include "toolpace/plan/smooth/newton_steps.h"
+#include "toolpace/plan/smooth/newton_sums.h"

@@ -56,14 +56,14 @@ void NewtonRound<D>::visit_limits(Visit&& visit) const {
   Row r;
   for (std::size_t k = 0; k + 1 < n; ++k) {
     speed_row(k, r);
-    visit(r, limits_.order[0], feed_[k], limits_.linear);
+    visit(r, limits_->order[0], feed_[k], limits_->linear);
     if (k + 2 < n) {
       acceleration_row(k, r);
-      visit(r, limits_.order[1], limits_.norm[1], limits_.linear);
+      visit(r, limits_->order[1], limits_->norm[1], limits_->linear);
     }
     if (k + 3 < n) {
       jerk_row(k, r);
-      visit(r, limits_.order[2], limits_.norm[2], limits_.linear);
+      visit(r, limits_->order[2], limits_->norm[2], limits_->linear);
     }
   }
 }
@@ -84,11 +84,11 @@ void NewtonRound<D>::visit_pace(Visit&& visit) const {
     r.count = 3;
     r.pace[0] = r.pace[2] = v;
     r.pace[1] = -2 * v;
-    visit(r, limits_.order[2], limits_.norm[2], limits_.linear);
+    visit(r, limits_->order[2], limits_->norm[2], limits_->linear);
     r.count = 2;
     r.pace[1] = c[k + 1] - c[k];
     r.pace[0] = -r.pace[1];
-    visit(r, limits_.order[1], limits_.norm[1], limits_.linear);
+    visit(r, limits_->order[1], limits_->norm[1], limits_->linear);
   }
 }
 
@@ -108,8 +108,8 @@ void NewtonRound<D>::visit_tube(Visit&& visit) {
   std::size_t s = m.first;
   std::size_t next = 0;
   for (std::size_t k = 1; k + 2 < m.size(); ++k) {
-    for (int i = 0; i < limits_.samples; ++i) {
-      const double t = static_cast<double>(i) / limits_.samples;
+    for (int i = 0; i < limits_->samples; ++i) {
+      const double t = static_cast<double>(i) / limits_->samples;
       const double u = static_cast<double>(k) + t;
       while (next < m.pass.size() && m.pass[next] <= u) {
         // the vertex that is passed here
@@ -143,21 +143,22 @@ void NewtonRound<D>::visit_tube(Visit&& visit) {
 template <int D>
 void NewtonRound<D>::read_path() {
   const auto& m = *m_;
-  std::vector<double> cell(m.size(), limits_.norm[0]);
+  std::vector<double> cell(m.size(), limits_->norm[0]);
   tolerance_.assign(m.size(), path_.tolerance[m.first]);
   std::size_t s = m.first, next = 0;
   for (std::size_t k = 0; k < m.size(); ++k) {
-    cell[k] = std::min(cell[k], path_.feed[s] * limits_.step);
+    cell[k] = std::min(cell[k], path_.feed[s] * limits_->step);
     tolerance_[k] = path_.tolerance[s];
     while (next < m.pass.size() && m.pass[next] < static_cast<double>(k + 1)) {
       ++s;
       ++next;
-      cell[k] = std::min(cell[k], path_.feed[s] * limits_.step);
+      cell[k] = std::min(cell[k], path_.feed[s] * limits_->step);
     }
   }
   feed_.assign(m.size(), 0);
   // A speed reaches into three cells; as steps move the vertices, a feed counts a little earlier and later than that.
-  const std::size_t reach = 1 + (options_.hurry ? kHurriedMargin : kSettlingMargin);
+  const std::size_t margin = options_.hurry ? kHurriedMargin : kSettlingMargin;
+  const std::size_t reach = 1 + (margin + m.stride - 1) / m.stride;
   for (std::size_t k = 0; k < m.size(); ++k) {
     feed_[k] = *std::min_element(cell.begin() + static_cast<std::ptrdiff_t>(k - std::min(k, reach)),
                                  cell.begin() + static_cast<std::ptrdiff_t>(std::min(k + reach + 1, m.size())));

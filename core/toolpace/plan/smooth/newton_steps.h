@@ -94,7 +94,7 @@ void NewtonRound<D>::shorten() {
     length_[k] = std::min(length_[k], move_length(k, tol));
   }
   // A length that changes along the way breaks what each row kept: by little where it changes slowly.
-  smooth_minimum(length_, kReach, scratch_);
+  smooth_minimum(length_, std::max(kReach / m_->stride, kLeastReach), scratch_);
   for (std::size_t k = 0; k < n; ++k) {
     bend[k] *= length_[k];
     pace[k] *= length_[k];

@@ -6,6 +6,8 @@
 namespace toolpace::detail::tube {
 namespace {
 
+constexpr int kCoarseSamples = 2;  // stations an interval of longer steps, which only prepare
+
 /// Time that a move of the tube's size takes: from jerk ∛(tol/J), from acceleration √(tol/A); the slower one counts.
 double turning_time(const TubePath& path, const TubeLimits& limits) {
   double acceleration = limits.path_acceleration, jerk = limits.path_jerk;
@@ -45,6 +47,19 @@ StepLimits step_limits(const TubePath& path, const TubeLimits& limits, double pe
   s.norm[0] = TubeLimits::kNone;
   s.norm[1] = limits.path_acceleration * h * h;
   s.norm[2] = limits.path_jerk * h * h * h;
+  return s;
+}
+
+StepLimits coarser(const StepLimits& limits, std::size_t by) {
+  StepLimits s = limits;
+  double factor = 1;
+  for (int order = 0; order < 3; ++order) {
+    factor *= static_cast<double>(by);
+    for (double& l : s.order[order]) l *= factor;
+    s.norm[order] *= factor;
+  }
+  s.step *= static_cast<double>(by);
+  s.samples = std::min(kCoarseSamples, s.samples * static_cast<int>(by));
   return s;
 }
 

@@ -14,6 +14,9 @@ struct StepLimits {
   int samples;                  ///< tube stations an interval, so that they stand a period apart at most
 };
 
+/// The same limits over steps `by` times as long.
+StepLimits coarser(const StepLimits& limits, std::size_t by);
+
 /// The step follows the time in which a corner of the tube's size is turned, as a whole number of periods or a whole
 /// part of one.
 StepLimits step_limits(const TubePath& path, const TubeLimits& limits, double period);

@@ -9,8 +9,8 @@ namespace toolpace::detail::tube {
 /// neighbour's motion goes on unchanged.
 template <int D>
 double ease(const MotionWindow<D>& m, std::size_t k) {
-  const auto fade = [](double steps) {
-    const double x = std::clamp((steps - 4) / 24, 0.0, 1.0);
+  const auto fade = [&](double steps) {
+    const double x = std::clamp((steps - 4) * static_cast<double>(m.stride) / 24, 0.0, 1.0);
     return x * x * (3 - 2 * x);
   };
   const double begin = m.rest_begin ? 1 : fade(static_cast<double>(k));
