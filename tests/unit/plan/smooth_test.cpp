@@ -145,6 +145,34 @@ TEST(PlanTube, HoldsAFeedThatChangesFromSegmentToSegment) {
   }
 }
 
+// 59 sides of 20 mm at 10 mm/s: 2 s each, of which a ramp takes 2·√(10/50 000) = 28 ms.
+TEST(PlanTube, OptimisesCornersAndCruisesBetweenThem) {
+  std::vector<std::vector<double>> points = {{0, 0}};
+  for (int i = 1; i < 60; ++i)
+    points.push_back({i % 4 == 1 || i % 4 == 2 ? 20.0 : 0.0, i % 4 == 2 || i % 4 == 3 ? 20.0 : 0.0});
+  const TubeMotion motion = planned(polyline(points, 10, 0.01), same_limits(100, 2000, 50000));
+  EXPECT_EQ(motion.windows, 60u);
+  EXPECT_LE(motion.duration, 59 * 2.0 * 1.005);
+}
+
+// A circle of 10 mm at 15 mm/s needs 22.5 mm/s² across and 34 mm/s³: the feed alone binds, but at the two ends.
+TEST(PlanTube, CruisesRoundCurvesOfShortSegments) {
+  std::vector<std::vector<double>> points;
+  for (int i = 0; i < 6000; ++i) points.push_back({10 * std::cos(0.005 * i), 10 * std::sin(0.005 * i)});
+  const TubeMotion motion = planned(polyline(points, 15, 0.01), same_limits(100, 2000, 50000));
+  EXPECT_EQ(motion.windows, 2u);
+  EXPECT_LE(motion.duration, 5999 * 0.05 / 15 + 0.03);
+}
+
+TEST(PlanTube, CruisesAsLongAsAFeedHoldsAndNoLonger) {
+  TubePath path = polyline({{0, 0, 0}, {40, 0, 0}, {80, 0, 0}, {80, 40, 10}, {80, 80, 20}}, 30, 0.01);
+  path.feed = {30, 12, 12, 50};
+  const TubeMotion motion = planned(path, same_limits(100, 2000, 50000));
+  const double way = std::hypot(40.0, 10.0);
+  EXPECT_LE(motion.duration, (40 / 30.0 + 40 / 12.0 + way / 12 + way / 50) * 1.005 + 0.1);
+  EXPECT_EQ(motion.fallbacks, 0u);
+}
+
 TEST(PlanTube, KeepsTheLimitsOfTheVectorWhereOnlyThoseAreGiven) {
   TubeLimits limits;
   limits.path_acceleration = 2000;

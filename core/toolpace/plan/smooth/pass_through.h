@@ -1,7 +1,7 @@
 #pragma once
 /// Taking a needless stop out of a motion, roughly, before the optimiser gets it.
 
-#include "toolpace/plan/smooth/first_motion.h"
+#include "toolpace/plan/smooth/tube_middle.h"
 #include "toolpace/plan/smooth/warp.h"
 
 namespace toolpace::detail::tube {
@@ -12,7 +12,7 @@ template <int D>
 class PassThrough {
  public:
   using Vec = Eigen::Matrix<double, D, 1>;
-  PassThrough(const TubePath& path, const StepLimits& limits) : path_(path), limits_(limits) {}
+  PassThrough(const TubePath& path, const TubeMiddle<D>& middle) : path_(path), middle_(middle) {}
 
   MotionWindow<D> apply(const MotionWindow<D>& m) const {
     std::vector<double> time = paces(m);  // of each interval, in steps
@@ -22,14 +22,7 @@ class PassThrough {
   }
 
  private:
-  static constexpr std::size_t kMargin = 12;  // segments beyond the motion's own, for the speeds' sake
-
   std::vector<double> paces(const MotionWindow<D>& m) const {
-    const std::size_t last = m.first + m.pass.size() + 1;
-    const std::size_t begin = m.first > kMargin ? m.first - kMargin : 0;
-    const std::size_t end = std::min(path_.segments(), last + kMargin);
-    FirstMotion<D> first(path_, limits_, begin, end);
-    first.prepare_speeds();
     std::vector<double> time(m.size() - 1, 1.0);
     std::size_t next = 0;
     double before = 0;
@@ -40,9 +33,10 @@ class PassThrough {
       const Vec p = vertex<D>(path_, s), d = vertex<D>(path_, s + 1) - p;
       const Vec x = (m.c[k - 1] + 4 * m.c[k] + m.c[k + 1]) / 6;
       const double along = std::clamp((x - p).dot(d) / d.squaredNorm(), 0.0, 1.0);
-      const double at = first.line().s[s - begin] + along * d.norm();
+      const double at = middle_.vertex_place(s) + along * d.norm();
       if (k > 1) {
-        const double way = std::max(at - before, 0.0), speed = first.speed_at((at + before) / 2);
+        const double way = std::max(at - before, 0.0), there = (at + before) / 2;
+        const double speed = middle_.speed_at(there, middle_.segment_at(there, s));
         time[k - 1] = speed > 0 ? std::min(1.0, way / speed) : 1.0;
       }
       before = std::max(before, at);
@@ -104,7 +98,7 @@ class PassThrough {
   }
 
   const TubePath& path_;
-  const StepLimits& limits_;
+  const TubeMiddle<D>& middle_;
 };
 
 }  // namespace toolpace::detail::tube

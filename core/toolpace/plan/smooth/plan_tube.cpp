@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "toolpace/plan/smooth/exact_motion.h"
 #include "toolpace/plan/smooth/first_motion.h"
 #include "toolpace/plan/smooth/hold_window.h"
 #include "toolpace/plan/smooth/pass_through.h"
+#include "toolpace/plan/smooth/stretches.h"
 #include "toolpace/plan/smooth/task_progress.h"
 #include "toolpace/plan/smooth/window_optimiser.h"
 
@@ -16,14 +18,13 @@ namespace {
 using detail::tube::MotionWindow;
 using detail::tube::StepLimits;
 
-constexpr std::size_t kWindow = 3000;  ///< control points of a first motion that a window should have
-constexpr std::size_t kBatch = 64;     ///< windows that are worked on at a time
-constexpr std::size_t kMostSegments = 4096;
-
 template <int D>
 class Planner {
-  /// A window after optimisation; its control points before `from` belong to the bridge before it.
+  using Bound = detail::tube::Bound<D>;
+  using Cruise = detail::tube::Cruise<D>;
+  /// A window, after optimisation; its control points before `from` belong to the bridge before it.
   struct Planned {
+    Bound begin, end;
     MotionWindow<D> window;
     std::size_t from = 0;
     double deviation = 0;
@@ -33,26 +34,26 @@ class Planner {
 
  public:
   Planner(const TubePath& path, const StepLimits& limits, const ForEach& for_each, const Monitor& monitor)
-      : path_(path), limits_(limits), for_each_(for_each), monitor_(monitor), progress_(monitor, 2 * path.segments()) {}
+      : path_(path),
+        limits_(limits),
+        for_each_(for_each),
+        monitor_(monitor),
+        middle_(path, limits),
+        progress_(monitor, 2 * path.segments()) {}
 
   Result<TubeMotion> plan(const std::optional<TubeHold>& hold) {
     motion_.step = limits_.step;
-    std::vector<Planned> batch;
-    std::size_t at = 0;
-    while (at < path_.segments() && !monitor_.is_cancelled()) {
-      const std::size_t old = batch.size();
-      add_first_motions(batch, at);
-      at_each(batch.size() - old, [&](std::size_t i) { optimise(batch[old + i]); });
-      join(batch);
-      batch.erase(batch.begin(), batch.end() - 1);
-    }
+    cruises_ = detail::tube::CruiseFinder<D>(path_, limits_, middle_).find();
+    std::vector<Planned> windows = optimised();
     if (monitor_.is_cancelled()) return tl::unexpected(cancelled_error());
-    append(batch.back().window, batch.back().from, batch.back().window.size());
+    join(windows);
+    if (monitor_.is_cancelled()) return tl::unexpected(cancelled_error());
     if (hold && !insert_hold(*hold)) return tl::unexpected(cancelled_error());
     finish();
     return std::move(motion_);
   }
 
+ private:
   template <class Task>
   void at_each(std::size_t count, Task task) {
     for_each_(count, [&](std::size_t i) {
@@ -60,29 +61,81 @@ class Planner {
     });
   }
 
-  /// First motions of the next windows; their sizes are chosen by trying.
-  void add_first_motions(std::vector<Planned>& batch, std::size_t& at) {
-    for (std::size_t made = 0; made < kBatch && at < path_.segments() && !monitor_.is_cancelled(); ++made) {
-      std::size_t count = std::min(guess_, path_.segments() - at);
-      auto m = detail::tube::FirstMotion<D>(path_, limits_, at, at + count).make();
-      while (m.size() > 2 * kWindow && count > 1) {
-        count = std::max<std::size_t>(1, count * kWindow / m.size());
-        m = detail::tube::FirstMotion<D>(path_, limits_, at, at + count).make();
+  /// Windows from rest or cruise to rest or cruise. Where one resists, the cruises beside it are given up.
+  std::vector<Planned> optimised() {
+    std::vector<Planned> done;
+    for (;;) {
+      std::vector<Planned> windows = cut();
+      std::vector<std::size_t> open;
+      for (std::size_t i = 0, k = 0; i < windows.size(); ++i) {
+        Planned& w = windows[i];
+        while (k < done.size() && done[k].begin.place < w.begin.place) ++k;
+        const bool is_known = k < done.size() && is_same(done[k].begin, w.begin) && is_same(done[k].end, w.end);
+        if (is_known && done[k].window.size() > 0) {
+          w = std::move(done[k]);
+        } else {
+          open.push_back(i);
+        }
       }
-      guess_ = std::clamp<std::size_t>(count * kWindow / m.size(), 1, kMostSegments);
-      at += count;
-      batch.emplace_back().window = std::move(m);
+      at_each(open.size(), [&](std::size_t i) { optimise(windows[open[i]]); });
+      if (!give_up_cruises(windows) || monitor_.is_cancelled()) return windows;
+      done = std::move(windows);
     }
   }
 
+  static bool is_same(const Bound& a, const Bound& b) { return a.place == b.place && a.cruise == b.cruise; }
+
+  /// Gives up the cruises beside windows that have no motion.
+  bool give_up_cruises(std::vector<Planned>& windows) {
+    bool any = false;
+    for (Planned& w : windows) {
+      if (w.window.size() > 0) continue;
+      for (const Cruise* c : {w.begin.cruise, w.end.cruise}) {
+        if (c) given_up_.insert(c);
+      }
+      any = true;
+    }
+    for (Planned& w : windows) {
+      if (given_up_.count(w.begin.cruise) + given_up_.count(w.end.cruise) > 0) w.window = {};
+    }
+    return any;
+  }
+
+  std::vector<Planned> cut() const {
+    std::vector<Planned> windows;
+    for (const auto& stretch : detail::tube::StretchCutter<D>(middle_).cut(cruises_, given_up_)) {
+      windows.push_back({stretch.begin, stretch.end, {}});
+    }
+    return windows;
+  }
+
+  MotionWindow<D> first_motion(const Bound& from, const Bound& to) const {
+    return detail::tube::FirstMotion<D>(middle_, from, to).make();
+  }
+  Bound at_vertex(std::size_t i) const {
+    Bound bound;
+    bound.place = middle_.vertex_place(i);
+    bound.vertex = i;
+    return bound;
+  }
+
   void optimise(Planned& p) {
-    const std::size_t segments = p.window.pass.size() + 1;
     detail::tube::WindowOptimiser<D> optimiser(path_, limits_);
-    p.stops = !improve(optimiser, p.window);
+    p.window = first_motion(p.begin, p.end);
+    const std::size_t segments = p.window.pass.size() + 1;
+    if (p.begin.cruise || p.end.cruise) {
+      if (!optimiser.improve(p.window, monitor_)) {
+        p.window = {};
+        return;
+      }
+    } else {
+      p.stops = !improve(optimiser, p.window);
+    }
     p.deviation = optimiser.check().deviation(p.window);
     progress_.add(segments);
   }
 
+  /// Of a window from rest to rest.
   /// @return false if a part of the window had to be left with stops
   bool improve(detail::tube::WindowOptimiser<D>& optimiser, MotionWindow<D>& m) {
     const std::size_t begin = m.first, end = begin + m.pass.size() + 1, middle = (begin + end) / 2;
@@ -92,8 +145,8 @@ class Planner {
       return false;
     }
     // Whatever resists sits somewhere: halves, with a stop between them, save the rest.
-    m = detail::tube::FirstMotion<D>(path_, limits_, begin, middle).make();
-    MotionWindow<D> rest = detail::tube::FirstMotion<D>(path_, limits_, middle, end).make();
+    m = first_motion(at_vertex(begin), at_vertex(middle));
+    MotionWindow<D> rest = first_motion(at_vertex(middle), at_vertex(end));
     improve(optimiser, m);
     improve(optimiser, rest);
     m = seam(m, 0, rest, rest.size());
@@ -117,36 +170,45 @@ class Planner {
     return static_cast<std::size_t>(std::clamp(1.5 * most, 60.0, 250.0)) + 40;
   }
 
-  /// Removes the stops between neighbours: windows around them, from moving to moving, planned anew, and writes all but
-  /// the last window's rest, whose end is open.
-  void join(std::vector<Planned>& batch) {
+  /// Removes the stops between neighbours by windows around them, from moving to moving, planned anew, and writes all.
+  void join(std::vector<Planned>& windows) {
     const std::size_t far = reach();
-    std::vector<Planned> bridge(batch.size() - 1);
-    std::vector<std::size_t> left(bridge.size());
-    for (std::size_t i = 0; i < bridge.size(); ++i) {
-      const std::size_t size = batch[i].window.size();
-      left[i] = std::max({size - std::min(far, size), size / 2, batch[i].from});
-      batch[i + 1].from = std::min(far, batch[i + 1].window.size() / 2);
+    std::vector<Planned> bridge(windows.size() - 1);
+    std::vector<std::size_t> left(windows.size());
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+      const std::size_t size = windows[i].window.size();
+      left[i] = size;
+      if (i == bridge.size() || windows[i].end.cruise) continue;
+      left[i] = std::max({size - std::min(far, size), size / 2, windows[i].from});
+      windows[i + 1].from = std::min(far, windows[i + 1].window.size() / 2);
     }
     at_each(bridge.size(), [&](std::size_t i) {
-      const MotionWindow<D> stopping = seam(batch[i].window, left[i], batch[i + 1].window, batch[i + 1].from);
-      detail::tube::WindowOptimiser<D> optimiser(path_, limits_);
-      bridge[i].window = detail::tube::PassThrough<D>(path_, limits_).apply(stopping);
-      if (!optimiser.improve(bridge[i].window, monitor_) || bridge[i].window.size() > stopping.size()) {
-        bridge[i].window = stopping;
-        bridge[i].stops = true;
+      if (!windows[i].end.cruise) {
+        build_bridge(seam(windows[i].window, left[i], windows[i + 1].window, windows[i + 1].from), bridge[i]);
       }
-      bridge[i].deviation = optimiser.check().deviation(bridge[i].window);
-      progress_.add(bridge[i].window.pass.size());
     });
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      count(batch[i]);
-      batch[i].deviation = 0;
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+      count(windows[i]);
+      append(windows[i].window, windows[i].from, left[i]);
       if (i == bridge.size()) break;
-      append(batch[i].window, batch[i].from, left[i]);
-      append(bridge[i].window, 0, bridge[i].window.size());
-      count(bridge[i]);
+      if (windows[i].end.cruise) {
+        append(*windows[i].end.cruise);
+      } else {
+        append(bridge[i].window, 0, bridge[i].window.size());
+        count(bridge[i]);
+      }
     }
+  }
+
+  void build_bridge(MotionWindow<D>&& stopping, Planned& bridge) {
+    detail::tube::WindowOptimiser<D> optimiser(path_, limits_);
+    bridge.window = detail::tube::PassThrough<D>(path_, middle_).apply(stopping);
+    if (!optimiser.improve(bridge.window, monitor_) || bridge.window.size() > stopping.size()) {
+      bridge.window = std::move(stopping);
+      bridge.stops = true;
+    }
+    bridge.deviation = optimiser.check().deviation(bridge.window);
+    progress_.add(bridge.window.pass.size());
   }
 
   void count(Planned& p) {
@@ -154,28 +216,6 @@ class Planner {
     motion_.fallbacks += p.stops && !p.counted ? 1 : 0;
     motion_.deviation = std::max(motion_.deviation, p.deviation);
     p.counted = true;
-  }
-
-  /// Control points left… of a and …right of b, with the stop between them.
-  static MotionWindow<D> seam(const MotionWindow<D>& a, std::size_t left, const MotionWindow<D>& b, std::size_t right) {
-    MotionWindow<D> m;
-    m.rest_begin = m.rest_end = false;
-    m.first = a.first;
-    m.c.assign(a.c.begin() + static_cast<std::ptrdiff_t>(left), a.c.end());
-    for (const double u : a.pass) {
-      if (u < static_cast<double>(left) + 1) {
-        ++m.first;
-      } else {
-        m.pass.push_back(u - static_cast<double>(left));
-      }
-    }
-    m.pass.push_back(static_cast<double>(m.c.size()) - 2);
-    const double shift = static_cast<double>(m.c.size()) - 3;  // the stop's three points are shared
-    m.c.insert(m.c.end(), b.c.begin() + 3, b.c.begin() + static_cast<std::ptrdiff_t>(right));
-    for (const double u : b.pass) {
-      if (u < static_cast<double>(right) - 2) m.pass.push_back(u + shift);
-    }
-    return m;
   }
 
   /// Writes control points from … to − 1 of a window and the vertices passed between its neighbours.
@@ -190,6 +230,17 @@ class Planner {
     }
   }
 
+  /// Writes a cruise behind the window before it and ahead of the one after it: three control points are shared with each.
+  void append(const Cruise& cruise) {
+    const MotionWindow<D>& m = cruise.motion;
+    const double shift = static_cast<double>(motion_.control.size() / D) - 3;
+    for (std::size_t k = 3; k + 3 < m.size(); ++k) {
+      motion_.control.insert(motion_.control.end(), m.c[k].data(), m.c[k].data() + D);
+    }
+    for (const double u : m.pass) motion_.pass.push_back(u + shift);
+    motion_.deviation = std::max(motion_.deviation, detail::tube::TubeCheck<D>(path_, limits_).deviation(m));
+  }
+
   /// @return false if it was cancelled
   bool insert_hold(const TubeHold& hold) {
     MotionWindow<D> whole;
@@ -199,7 +250,8 @@ class Planner {
     if (hold.time > (static_cast<double>(whole.size()) - 3) * limits_.step) return true;
     whole.pass = std::move(motion_.pass);
     const auto rest = static_cast<std::size_t>(std::lround(hold.pause / limits_.step));
-    const auto held = detail::tube::HoldWindow<D>(path_, limits_).apply(whole, 1 + hold.time / limits_.step, rest, monitor_);
+    const auto held =
+        detail::tube::HoldWindow<D>(path_, limits_).apply(whole, 1 + hold.time / limits_.step, rest, monitor_);
     if (!held) return false;
     motion_.control.clear();
     motion_.pass.clear();
@@ -220,9 +272,11 @@ class Planner {
   const StepLimits& limits_;
   const ForEach& for_each_;
   const Monitor& monitor_;
+  const detail::tube::TubeMiddle<D> middle_;
+  std::vector<Cruise> cruises_;
+  std::set<const Cruise*> given_up_;
   detail::tube::TaskProgress progress_;
   TubeMotion motion_;
-  std::size_t guess_ = 256;
 };
 
 template <int D>

@@ -32,8 +32,9 @@ struct TubeMotion {
 /// Guarantees: differences of the control points prove every speed, acceleration and jerk limit for all t; every point at
 /// a multiple of the period and every vertex of the path is within the tolerance of the other curve, in order (a Fréchet
 /// matching up to the sag of one period, √3·A·Ts²/8). Not guaranteed: the global optimum. Windows of bounded size are
-/// planned independently of each other, then the stops between them are removed, so time is linear, memory beyond the
-/// result bounded, and the result the same whatever runs the tasks.
+/// planned independently of each other, then the stops between them are removed; where nothing but the commanded speed binds
+/// for long, nothing is optimised. So time is linear, memory in proportion to path and motion, and the result the same
+/// whatever runs the tasks.
 ///
 /// With a hold the motion stops inside the tube, as soon after the hold's time as the limits allow, rests, and goes on to
 /// join the motion without it some way behind: the same guarantees.
