@@ -19,14 +19,18 @@ class WindowOptimiser {
   /// Improves a window whose start need not keep any limit.
   /// @return true if the result keeps them all; otherwise the window is of no use
   bool improve(MotionWindow<D>& m, const Monitor& monitor) {
-    if (m.size() >= kLeastOnLonger) {
-      const MotionWindow<D> start = m;
-      m = coarsened(m, kLongest);
-      if (run(m, monitor)) return true;
-      if (monitor.is_cancelled()) return false;
-      m = start;  // long steps may have led it astray
+    if (m.size() < kLeastOnLonger) return run(m, monitor);
+    MotionWindow<D> start = m;
+    m = coarsened(m, kLongest);
+    const bool is_sound = run(m, monitor);
+    if (monitor.is_cancelled()) return false;
+    if (is_sound && (!settler_.has_slowed() || start.size() > kMostTwice)) return true;
+    // Long steps may have led it astray.
+    if (run(start, monitor) && (!is_sound || start.size() < m.size())) {
+      m = std::move(start);
+      return true;
     }
-    return run(m, monitor);
+    return is_sound;
   }
 
   const TubeCheck<D>& check() const { return settler_.check(); }
@@ -56,6 +60,7 @@ class WindowOptimiser {
                                       {0.003, 2, 1}, {0.001, 20, 1}, {0.0003, 5, 1}};
   static constexpr std::size_t kLongest = 4;         // steps in one, at first
   static constexpr std::size_t kLeastOnLonger = 60;  // control points
+  static constexpr std::size_t kMostTwice = 2000;    // control points of a first motion that may be planned twice
   static constexpr double kGain = 0.003;             ///< share of the duration
 
   const StepLimits& limits(const MotionWindow<D>& m) const { return m.stride == 1 ? limits_ : longer_[m.stride / 4]; }

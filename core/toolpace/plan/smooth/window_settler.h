@@ -21,11 +21,13 @@ class WindowSettler {
   /// @param multipliers  of the rounds that came to this motion
   /// @return true if the motion keeps every limit now; otherwise it is of no use
   bool apply(MotionWindow<D>& m, Multipliers<D>& multipliers, const Monitor& monitor) {
+    has_slowed_ = false;
     for (int i = 0; i < kMostRounds; i += kAtOnce) {
       const Use use = check_.measure(m);
       if (use.is_good()) return true;
       if (!bend_spots(m, use, multipliers, monitor)) break;
     }
+    has_slowed_ = true;
     std::size_t reach = 2 * kReach;
     for (int pass = 0; pass < kPasses && !monitor.is_cancelled(); ++pass, reach *= 2) {
       const Use use = check_.measure(m);
@@ -34,6 +36,9 @@ class WindowSettler {
     }
     return check_.measure(m).is_good();
   }
+
+  /// Whether the last motion had to become slower somewhere.
+  bool has_slowed() const { return has_slowed_; }
 
   const TubeCheck<D>& check() const { return check_; }
 
@@ -156,6 +161,7 @@ class WindowSettler {
   TubeCheck<D> check_;
   Warp<D> warp_;
   PassRefiner<D> passes_;
+  bool has_slowed_ = false;
 };
 
 }  // namespace toolpace::detail::tube
