@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/path/blend_halves.h"
 #include "toolpace/path/blend_trims.h"
 #include "toolpace/path/corner_chain.h"
 #include "toolpace/path/merge_lines.h"
@@ -74,14 +75,6 @@ class Blender {
     p.node.push_back(end);
   }
 
-  /// The slower neighbour's move: its feed holds in the corner too.
-  std::uint32_t slower_move(std::size_t i) const {
-    const std::uint32_t a = path_.move[i - 1], b = path_.move[i];
-    if (moves_.kind[a] == MoveKind::rapid) return b;
-    if (moves_.kind[b] == MoveKind::rapid) return a;
-    return moves_.feed[b] <= moves_.feed[a] ? b : a;
-  }
-
   void add_blend(std::size_t i) {
     const double d = trims_.at(i);
     ++out_.count.corners;
@@ -89,18 +82,36 @@ class Blender {
     if (trims_.is_line(i - 1) && trims_.is_line(i)) {
       const CornerBlend blend{path_.node[i], d * end_direction(path_, i - 1), d * start_direction(path_, i)};
       note(i, Metric::apart().norm(blend.after - blend.before) / 8);
+      if (!trims_.has_one_feed(i)) return add_halves(i, as_curve_blend(blend));
       p.corner_blends.push_back(blend);
       const auto index = static_cast<std::uint32_t>(p.corner_blends.size() - 1);
-      push(SegmentKind::blend, slower_move(i), blend_length(blend), index, blend.corner + blend.after);
+      push(SegmentKind::blend, path_.move[i], blend_length(blend), index, blend.corner + blend.after);
       tell_corner(i);
       return;
     }
     const CurveBlend blend = trims_.curve_blend(i, d);
     note(i, trims_.curve_deviation(i, d));
+    if (!trims_.has_one_feed(i)) return add_halves(i, blend);
+    push(path_.move[i], blend);
+    tell_corner(i);
+  }
+
+  void push(std::uint32_t move, const CurveBlend& blend) {
+    Path& p = out_.path;
     p.curve_blends.push_back(blend);
     const auto index = static_cast<std::uint32_t>(p.curve_blends.size() - 1);
-    push(SegmentKind::blend, slower_move(i), blend_length(blend), Path::kCurveBlend + index, blend.points[5]);
-    tell_corner(i);
+    push(SegmentKind::blend, move, blend_length(blend), Path::kCurveBlend + index, blend.points[5]);
+  }
+
+  /// Each half of the curve at a node is run at the feed of its own side.
+  void add_halves(std::size_t i, const CurveBlend& blend) {
+    const auto [before, after] = halves(blend);
+    const double d = trims_.at(i), length = path_.length[i - 1];
+    const std::size_t now = out_.path.size();
+    push(path_.move[i - 1], before);
+    teller_.tell({i - 1, length - d, length}, {now, 0, out_.path.length[now]});
+    push(path_.move[i], after);
+    teller_.tell({i, 0, d}, {now + 1, 0, out_.path.length[now + 1]});
   }
 
   /// The blend just added passes its node in the middle.

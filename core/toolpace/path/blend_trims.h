@@ -33,6 +33,12 @@ class BlendTrims {
   /// Corners left as they are because they turn back or lie beside rotary axes alone.
   std::size_t stops() const { return stops_; }
   bool is_line(std::size_t segment) const { return path_.kind[segment] == SegmentKind::line; }
+  /// Whether one feed holds on both sides of a node, or rapid traverse does.
+  bool has_one_feed(std::size_t node) const {
+    const std::uint32_t a = path_.move[node - 1], b = path_.move[node];
+    const bool is_rapid = moves_.kind[a] == MoveKind::rapid;
+    return is_rapid == (moves_.kind[b] == MoveKind::rapid) && (is_rapid || moves_.feed[a] == moves_.feed[b]);
+  }
 
   /// Curve at a node where not two lines meet.
   CurveBlend curve_blend(std::size_t i, double d) const {
@@ -97,8 +103,9 @@ class BlendTrims {
   }
   bool is_blended(std::size_t segment) const { return tolerance_of(mode_of(segment), options_) > 0; }
   const MoveMode& mode_of(std::size_t segment) const { return moves_.modes[moves_.mode[path_.move[segment]]]; }
+  /// Between two feeds a curve of its own is cut where it passes the node.
   bool joins_lines(std::size_t node) const {
-    return node > 0 && node < path_.size() && is_plain_line(node - 1) && is_plain_line(node);
+    return node > 0 && node < path_.size() && is_plain_line(node - 1) && is_plain_line(node) && has_one_feed(node);
   }
   bool is_plain_line(std::size_t segment) const {
     return is_line(segment) && path_.node[segment].tail<3>() == path_.node[segment + 1].tail<3>();

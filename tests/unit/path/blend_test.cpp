@@ -5,6 +5,7 @@
 #include <random>
 
 #include "frechet.h"
+#include "toolpace/path/blend_halves.h"
 #include "toolpace/path/blend_path.h"
 #include "toolpace/path/build_path.h"
 
@@ -108,6 +109,39 @@ TEST(CornerBlend, MissesTheCornerByAnEighthOfTheTurn) {
   EXPECT_LE((blend_point(blend, 0.5) - at(-0.1, 0.1)).norm(), 1e-15);
   EXPECT_EQ(blend_point(blend, 0), at(-0.8, 0));
   EXPECT_EQ(blend_point(blend, 1), at(0, 0.8));
+}
+
+TEST(CornerBlend, IsTheSameCurveAsOneOfDegreeFiveAndInHalves) {
+  CornerBlend corner{at(1, 2, 3), at(0.8, 0), at(0.1, 0.7, -0.2)};
+  corner.before[4] = 0.02;
+  corner.after[4] = -0.05;
+  const CurveBlend curve = as_curve_blend(corner);
+  const auto [before, after] = halves(curve);
+  for (int k = 0; k <= 16; ++k) {
+    const double t = k / 16.0;
+    const AxisVector expected = blend_point(corner, t);
+    EXPECT_LE((blend_point(curve, t) - expected).norm(), 1e-14) << t;
+    const AxisVector by_half = t < 0.5 ? blend_point(before, 2 * t) : blend_point(after, 2 * t - 1);
+    EXPECT_LE((by_half - expected).norm(), 1e-14) << t;
+  }
+}
+
+// A corner of 6 mm at either side: the slow block's feed ends where the curve passes the corner.
+TEST(BlendPath, RunsEachHalfOfACornerAtTheFeedOfItsSide) {
+  Moves moves;
+  add_line(moves, at(20, 0), 100);
+  add_line(moves, at(20, 20), 5);
+  add_line(moves, at(40, 20), 5);
+  const BlendedPath result = blended(moves, 1.0);
+  ASSERT_EQ(result.path.size(), 6u);
+  const std::uint32_t expected[] = {0, 0, 1, 1, 2, 2};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(result.path.move[i], expected[i]) << i;
+  EXPECT_NEAR(result.path.length[1], result.path.length[2], 1e-12);
+  // x(1/2) misses the corner by the tolerance, along the bisector.
+  EXPECT_LE((result.path.node[2] - at(20 - std::sqrt(0.5), std::sqrt(0.5))).norm(), 1e-12);
+  expect_smooth(result.path, 0);
+  EXPECT_EQ(move_at(result.path, 1, 0.9 * result.path.length[1]), 0u);
+  EXPECT_EQ(move_at(result.path, 2, 0.1 * result.path.length[2]), 1u);
 }
 
 TEST(BlendPath, UsesTheToleranceOfASquareCornerAndNoMore) {
