@@ -8,6 +8,8 @@
 namespace toolpace {
 namespace {
 
+constexpr double kEnd = 1e-9;  // of a cell: times are rounded
+
 /// Weights of the four control points of a cell for the value and its derivatives by t, 0 ≤ t ≤ 1 in the cell.
 struct CellWeights {
   double of[4][4];
@@ -57,6 +59,10 @@ AxisMotion evaluate(const TimeSpline& spline, double time) {
     d[0][spline.axis[a]] = c[a];
     for (int order = 1; order < 4; ++order) d[order][spline.axis[a]] = 0.0;
   }
+  // It rests at its ends, which are control points to the bit.
+  const bool has_begun = time > 0, has_ended = place.cell + 4 == spline.points() && place.t >= 1 - kEnd;
+  for (std::size_t a = 0; a < axes && (!has_begun || has_ended); ++a)
+    d[0][spline.axis[a]] = c[has_ended ? 3 * axes + a : a];
   return {d[0], d[1], d[2], d[3]};
 }
 

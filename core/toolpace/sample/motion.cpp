@@ -7,7 +7,7 @@
 namespace toolpace {
 namespace {
 
-constexpr int kInstants = 4;       // in a knot interval, its end not counted
+constexpr int kInstants = 8;       // in a knot interval, its end not counted
 constexpr int kCurveInstants = 8;  // in a phase's part of a curve, both ends counted
 constexpr double kSliver = 1e-9;   // of a phase: a shorter part of it belongs to the segment beside
 
