@@ -152,7 +152,7 @@ void JobFlags::add_to(Command& command) {
   Flags corners = command.titled("Corners");
   corners.word("--corner RULE", corner,
                "stop; servo (default): speed steps that a servo follows within a period; junction: by\n"
-               "junction deviation; blend: corner curves; smooth: optimised through the tolerance tube");
+               "junction deviation; blend: rounded, quickly; smooth: optimised through the tolerance tube");
   corners.number("--corner-step-mm-s MM/S", corner_step, "Instead of --corner: largest step of the velocity vector");
   corners.number("--tolerance-mm MM", tolerance, "Largest distance from the path for blend and smooth; default 0.01");
   corners.number("--junction-deviation-mm MM", junction_deviation, "Junction deviation; default 0.01");

@@ -111,7 +111,8 @@ double bound_along_path(const Outcome& outcome, const Monitor& monitor) {
 
 Result<double> lower_bound(const Outcome& outcome, const Monitor& monitor) {
   const Job& job = *outcome.job;
-  if (!is_through_tube(job)) return bound_along_path(outcome, monitor) + outcome.summary.dwell_time;
+  const bool leaves_path = is_through_tube(job) || !outcome.plan.splines.empty();
+  if (!leaves_path) return bound_along_path(outcome, monitor) + outcome.summary.dwell_time;
   const auto programmed = build_path(job.program->moves, job.machine.tool_change, monitor);
   if (!programmed) return tl::unexpected(programmed.error());
   const double tolerance = judged_tolerance(job.program->moves, job.options.corner);

@@ -68,12 +68,13 @@ struct Speeds {
   SpeedLimits limits;
 };
 
-Result<Route> lay_out(const Job& job, const Monitor& monitor) {
+/// @param rounds  whether corners get curves where the job wants them
+Result<Route> lay_out(const Job& job, bool rounds, const Monitor& monitor) {
   const Moves& moves = job.program->moves;
   auto path = build_path(moves, job.machine.tool_change, part_of(monitor, 0.0, 0.15));
   if (!path) return tl::unexpected(path.error());
   BlendCount blends;
-  if (!is_through_tube(job) && (blends_everywhere(job) || asks_for_blends(moves))) {
+  if (rounds && (blends_everywhere(job) || asks_for_blends(moves))) {
     auto blended = blend_path(*path, moves, rounding(job.options.corner), part_of(monitor, 0.15, 0.2));
     if (!blended) return tl::unexpected(blended.error());
     path = std::move(blended->path);
@@ -89,9 +90,9 @@ Result<Speeds> speeds_on(const Path& path, const Job& job, const Monitor& monito
   return Speeds{std::move(commands), std::move(*limits)};
 }
 
-Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<Speeds> speeds, const Monitor& monitor) {
+Result<Outcome> plan_along(std::shared_ptr<const Job> job, const Strategy& strategy, Route route, Result<Speeds> speeds,
+                           const Monitor& monitor) {
   if (!speeds) return tl::unexpected(speeds.error());
-  const Strategy& strategy = strategy_of(*job, route.path->size());
   const PlanTask task{*job, *route.path, *speeds->commands, speeds->limits};
   auto planned = strategy.plan(task, part_of(monitor, 0.4, 0.9));
   if (!planned) return tl::unexpected(planned.error());
@@ -129,13 +130,67 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, Route route, Result<S
   return outcome;
 }
 
+/// What becomes of corners.
+enum class Corners {
+  as_programmed,  ///< crossed as the rule of corners says; where they should be rounded, stopped at
+  rounded,        ///< on the path, where the job wants them to be
+  left            ///< for the tube
+};
+
+Result<Outcome> plan_by(std::shared_ptr<const Job> job, Corners corners, const Monitor& monitor) {
+  const bool leaves_path = corners == Corners::left;
+  auto route = lay_out(*job, corners == Corners::rounded, monitor);
+  if (!route) return tl::unexpected(route.error());
+  auto speeds = speeds_on(*route->path, *job, monitor);
+  const Strategy& strategy = strategy_of(*job, route->path->size(), leaves_path);
+  return plan_along(std::move(job), strategy, std::move(*route), std::move(speeds), monitor);
+}
+
+/// Whether the path itself, with rounded corners or stops at them, may be faster than a motion through the tube: where feeds
+/// and not corners decide, where feeds change, where the tube fell back, and on short paths, where it is cheap to try.
+bool may_be_beaten(const Outcome& through) {
+  constexpr std::size_t kShort = 20000;              // segments
+  constexpr double kNearFeed = 1.25, kMixed = 0.05;  // of the time at the feeds; of segments
+  constexpr double kMostFallen = 0.1;                // of windows
+  const Path& path = *through.path;
+  const Commands& commands = *through.commands;
+  if (path.size() <= kShort || static_cast<double>(through.summary.tube_fallbacks) >
+                                   kMostFallen * static_cast<double>(through.summary.tube_windows))
+    return true;
+  double commanded = through.summary.dwell_time;
+  std::size_t changes = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    commanded += path.length[i] / commands[i].speed;
+    changes += i > 0 && commands[i].speed != commands[i - 1].speed;
+  }
+  return through.summary.cycle_time < kNearFeed * commanded ||
+         static_cast<double>(changes) > kMixed * static_cast<double>(path.size());
+}
+
+Result<Outcome> faster_of(Result<Outcome> one, Result<Outcome> other) {
+  if (!one || (other && other->summary.cycle_time < one->summary.cycle_time)) return other;
+  return one;
+}
+
+/// A quick motion through the tube, rounded corners on the path, or stops at them, whichever is fastest.
+Result<Outcome> plan_rounded(const std::shared_ptr<const Job>& job, const Monitor& monitor) {
+  auto best = plan_by(job, Corners::left, part_of(monitor, 0.0, 0.6));
+  if (best && !may_be_beaten(*best)) return best;
+  const bool can_stop = blends_everywhere(*job);  // else other corners are crossed by another rule
+  auto rounded = plan_by(job, Corners::rounded, part_of(monitor, 0.6, 0.95));
+  if (!rounded) return rounded;
+  best = faster_of(std::move(rounded), std::move(best));
+  if (can_stop) best = faster_of(std::move(best), plan_by(job, Corners::as_programmed, part_of(monitor, 0.95, 1.0)));
+  if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+  return best;
+}
+
 /// Plans by the job's own corner rule, whether another one would be faster or not.
 Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor) {
   if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
-  auto route = lay_out(*job, monitor);
-  if (!route) return tl::unexpected(route.error());
-  auto speeds = speeds_on(*route->path, *job, monitor);
-  return plan_along(std::move(job), std::move(*route), std::move(speeds), monitor);
+  if (may_leave_path(*job)) return plan_rounded(job, monitor);
+  const Corners corners = is_through_tube(*job) ? Corners::left : Corners::rounded;
+  return plan_by(std::move(job), corners, monitor);
 }
 
 bool is_proven(const Outcome& outcome, const Monitor& monitor) {
@@ -178,13 +233,15 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
 
 Result<Outcome> replan(std::shared_ptr<const Job> job, const Outcome& before, const Monitor& monitor) {
   // A job through the tube may have been given blends, so its path does not tell how it was made.
-  const bool reusable = before.job && before.path && !is_through_tube(*job) && !is_through_tube(*before.job);
+  const auto stays_on_path = [](const Job& j) { return !is_through_tube(j) && !may_leave_path(j); };
+  const bool reusable = before.job && before.path && stays_on_path(*job) && stays_on_path(*before.job);
   if (!reusable || !has_same_route(*job, *before.job)) return run(std::move(job), monitor);
   if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
   // Limits of curves were chosen for the law and its ramps.
   const bool same = has_same_limits(*job, *before.job) && before.limits.curved.empty();
   auto speeds = same ? Speeds{before.commands, before.limits} : speeds_on(*before.path, *job, monitor);
-  return plan_along(std::move(job), {before.path, before.summary.blends}, std::move(speeds), monitor);
+  const Strategy& strategy = strategy_of(*job, before.path->size(), false);
+  return plan_along(std::move(job), strategy, {before.path, before.summary.blends}, std::move(speeds), monitor);
 }
 
 }  // namespace toolpace

@@ -7,6 +7,7 @@
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/many.h"
+#include "toolpace/pipeline/prove.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/retime/retime.h"
 #include "toolpace/plan/settle_curves.h"
@@ -70,18 +71,46 @@ Result<Planned> plan_along_path(const PlanTask& task, const Monitor& monitor) {
 // Timed anew: curves under the axes' limits themselves, with jerk and acceleration shared as the motion needs it. A window, and
 // a hold, want caps that can be braked from.
 
-bool has_curves(const Job& job) {
+bool has_programmed_curves(const Job& job) {
   if (!job.program) return false;
-  const Moves& moves = job.program->moves;
-  return blends_everywhere(job) || asks_for_blends(moves) ||
-         std::any_of(moves.kind.begin(), moves.kind.end(),
+  const auto& kinds = job.program->moves.kind;
+  return std::any_of(kinds.begin(), kinds.end(),
                      [](MoveKind k) { return k == MoveKind::arc || k == MoveKind::spline; });
+}
+
+bool has_rounded_corners(const Job& job) {
+  return job.program && (blends_everywhere(job) || asks_for_blends(job.program->moves));
+}
+
+bool has_curves(const Job& job) { return has_rounded_corners(job) || has_programmed_curves(job); }
+
+bool sees_all(const PlanOptions& options, std::size_t segments) {
+  return !options.lookahead || *options.lookahead >= segments;
+}
+
+/// Rounded corners by a quick motion through the tube: as what is timed anew, but of any length.
+bool goes_quickly_through_tube(const Job& job, std::size_t segments) {
+  const PlanOptions& o = job.options;
+  return job.refined && o.ramps == Ramps::span && sees_all(o, segments) && !o.hold_at && !is_through_tube(job) &&
+         has_rounded_corners(job) && !law_row(o.law).uses_time;
 }
 
 bool may_be_timed_anew(const Job& job, std::size_t segments) {
   const PlanOptions& o = job.options;
-  const bool sees_all = !o.lookahead || *o.lookahead >= segments;
-  return job.refined && o.ramps == Ramps::span && sees_all && !o.hold_at && segments <= kMostRetimed && has_curves(job);
+  return job.refined && o.ramps == Ramps::span && sees_all(o, segments) && !o.hold_at && segments <= kMostRetimed &&
+         has_curves(job);
+}
+
+/// Rounded corners alone are left to the tube, which does them better and sooner, but where it is the feed that decides, and on
+/// paths so short that it does not matter.
+bool is_worth_timing_anew(const PlanTask& task, const MotionPlan& plan) {
+  constexpr double kNearFeed = 1.25;   // of the time at the feeds
+  constexpr std::size_t kShort = 200;  // segments
+  if (has_programmed_curves(task.job) || !goes_quickly_through_tube(task.job, task.path.size())) return true;
+  if (task.path.size() <= kShort) return true;
+  double commanded = 0;
+  for (std::size_t i = 0; i < task.path.size(); ++i) commanded += task.path.length[i] / task.commands[i].speed;
+  return plan.cycle_time() < kNearFeed * commanded;
 }
 
 /// A plan that is near what the limits allow, whatever the law: from there the way to the fastest one is short. Nothing where
@@ -100,6 +129,10 @@ Result<Planned> plan_anew(const PlanTask& task, const Monitor& monitor) {
   if (task.limits.curved.empty()) return plan_along_path(task, monitor);
   auto planned = plan_phases(task, task.job.options, part_of(monitor, 0.0, 0.2));
   if (!planned) return planned;
+  if (!is_worth_timing_anew(task, planned->motion.plan)) {
+    planned->motion.node_time = node_times(planned->limits, planned->motion.plan);
+    return planned;
+  }
   const auto other = start_for(task, part_of(monitor, 0.2, 0.3));
   if (!other) return tl::unexpected(other.error());
   const MotionPlan& own = planned->motion.plan;
@@ -121,9 +154,9 @@ Result<Planned> plan_anew(const PlanTask& task, const Monitor& monitor) {
 
 bool goes_through_tube(const Job& job, std::size_t) { return is_through_tube(job); }
 
-/// Blocks under G61 and G61.1 stay on the path, and are planned by the job's own law.
+/// Blocks without a tolerance (G61, G61.1) stay on the path, and are planned by the job's own law.
 bool has_exact_blocks(const PlanTask& task) {
-  return std::any_of(task.commands.begin(), task.commands.end(), [](const Command& c) { return is_exact(c.control); });
+  return std::any_of(task.commands.begin(), task.commands.end(), [](const Command& c) { return !(c.tolerance > 0); });
 }
 
 Result<Planned> plan_through_tube(const PlanTask& task, const Monitor& monitor) {
@@ -142,10 +175,36 @@ Result<Planned> plan_through_tube(const PlanTask& task, const Monitor& monitor) 
   return planned;
 }
 
+/// A wide tube may cost a search of few rounds more than it gains: of short paths narrower ones are tried too.
+int tubes_tried(std::size_t segments) {
+  constexpr std::size_t kShared = 1000, kMost = 4;
+  return static_cast<int>(std::min(kMost, 1 + kShared / std::max<std::size_t>(segments, 1)));
+}
+
+/// In place of corner curves: jerk counts where the law keeps it.
+Result<Planned> plan_quickly_through_tube(const PlanTask& task, const Monitor& monitor) {
+  Planned planned;
+  planned.ran = task.job.options;
+  planned.limits = settled(task, task.job.options, monitor);
+  const Machine machine = judged_machine(task.job.machine, task.job.options);
+  const int tubes = tubes_tried(task.path.size());
+  Commands commands = task.commands;
+  for (int i = 0; i < tubes; ++i) {
+    auto motion = plan_smooth(task.path, commands, machine, planned.limits, task.job.options, on_all_cores(monitor),
+                              part_of(monitor, static_cast<double>(i) / tubes, (i + 1.0) / tubes), TubeEffort::quick);
+    if (!motion) return tl::unexpected(motion.error());
+    if (i == 0 || motion->plan.cycle_time() < planned.motion.plan.cycle_time()) planned.motion = std::move(*motion);
+    for (Command& c : commands) c.tolerance /= 2;
+  }
+  if (law_row(planned.ran.law).bounds_jerk && !has_exact_blocks(task)) planned.ran.law = LawKind::time_optimal;
+  return planned;
+}
+
 constexpr Strategy kStrategies[] = {
-    {"through-tube", goes_through_tube, plan_through_tube},
-    {"timed-anew", may_be_timed_anew, plan_anew},
-    {"along-path", takes_any, plan_along_path},
+    {"through-tube", true, goes_through_tube, plan_through_tube},
+    {"quickly-through-tube", true, goes_quickly_through_tube, plan_quickly_through_tube},
+    {"timed-anew", false, may_be_timed_anew, plan_anew},
+    {"along-path", false, takes_any, plan_along_path},
 };
 
 bool has_jerk_limit(const Machine& machine) {
@@ -164,6 +223,13 @@ std::shared_ptr<Job> with_blends(const Job& job) {
 }
 
 }  // namespace
+
+const Strategy& strategy_of(const Job& job, std::size_t segments, bool leaves_path) {
+  return *std::find_if(std::begin(kStrategies), std::end(kStrategies),
+                       [&](const Strategy& s) { return s.leaves_path == leaves_path && s.takes(job, segments); });
+}
+
+bool may_leave_path(const Job& job) { return job.program && goes_quickly_through_tube(job, job.program->moves.size()); }
 
 const Strategy& strategy_of(const Job& job, std::size_t segments) {
   return *std::find_if(std::begin(kStrategies), std::end(kStrategies),

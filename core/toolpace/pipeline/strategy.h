@@ -29,11 +29,20 @@ struct Planned {
 /// A new way is one row of the table in strategy.cpp.
 struct Strategy {
   std::string_view id;
-  bool (*takes)(const Job& job, std::size_t segments);  ///< can it run this job? The first row that can does
+  /// Does the motion leave the path, so that it is laid out as programmed? Otherwise with corner curves, where the job wants
+  /// them.
+  bool leaves_path;
+  bool (*takes)(const Job& job, std::size_t segments);  ///< can it run this job?
   Result<Planned> (*plan)(const PlanTask& task, const Monitor& monitor);
 };
 
+/// The first row that takes a job, of those that leave the path or of those that do not.
+const Strategy& strategy_of(const Job& job, std::size_t segments, bool leaves_path);
+/// The first row of all.
 const Strategy& strategy_of(const Job& job, std::size_t segments);
+
+/// Whether a job whose corners are rounded may also be run through the tube: the faster motion is taken.
+bool may_leave_path(const Job& job);
 
 /// A job that stands for another one, with what of that one's settings it leaves out.
 struct Candidate {

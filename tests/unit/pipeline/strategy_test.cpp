@@ -118,7 +118,12 @@ TEST(Strategy, TheFirstRowThatTakesAJobRunsIt) {
   const auto lines = job_of(Program().line(10, 0).line(20, 6), CornerRule::servo, LawKind::quintic);
   lines->options.ramps = Ramps::span;
   EXPECT_EQ(strategy_of(*smooth, 5).id, "through-tube");
-  EXPECT_EQ(strategy_of(*blend, 5).id, "timed-anew");
+  EXPECT_EQ(strategy_of(*blend, 5).id, "quickly-through-tube");
+  EXPECT_EQ(strategy_of(*blend, 5, false).id, "timed-anew");  // it has an arc
+  const auto window = job_of(crooked(), CornerRule::blend, LawKind::seven_phase);
+  window->options.ramps = Ramps::span;
+  window->options.lookahead = 2;
+  EXPECT_EQ(strategy_of(*window, 5).id, "along-path");
   EXPECT_EQ(strategy_of(*servo, 5).id, "along-path");
   EXPECT_EQ(strategy_of(*curves, 5).id, "timed-anew");
   EXPECT_EQ(strategy_of(*lines, 2).id, "along-path");

@@ -36,12 +36,12 @@ class NewtonRound {
   /// @param limits  over the motion's steps; must outlive the rounds
   void begin(const MotionWindow<D>& m, const StepLimits& limits) {
     limits_ = &limits;
-    multipliers.reset(m.size(), m.pass.size(), limits.samples);
+    multipliers.reset(m.size(), m.pass.size(), limits.aimed);
   }
   /// Goes on with steps half as long.
   void go_on(const MotionWindow<D>& m, const StepLimits& limits) {
     limits_ = &limits;
-    multipliers.halve(m.size(), limits.samples);
+    multipliers.halve(m.size(), limits.aimed);
   }
   /// Fills bend and pace, shortened locally so that no slack is used up, and steps the multipliers.
   bool solve(const MotionWindow<D>& m, const RoundOptions& options);

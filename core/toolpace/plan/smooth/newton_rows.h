@@ -108,8 +108,8 @@ void NewtonRound<D>::visit_tube(Visit&& visit) {
   std::size_t s = m.first;
   std::size_t next = 0;
   for (std::size_t k = 1; k + 2 < m.size(); ++k) {
-    for (int i = 0; i < limits_->samples; ++i) {
-      const double t = static_cast<double>(i) / limits_->samples;
+    for (int i = 0; i < limits_->aimed; ++i) {
+      const double t = static_cast<double>(i) / limits_->aimed;
       const double u = static_cast<double>(k) + t;
       while (next < m.pass.size() && m.pass[next] <= u) {
         // the vertex that is passed here

@@ -11,6 +11,9 @@
 namespace toolpace {
 namespace {
 
+constexpr double kSamePeriod = 1e-6;  // [periods]
+constexpr double kLeastTube = 0.1;    // of the tolerance
+
 /// Segments begin … end − 1, from rest to rest.
 struct Run {
   std::size_t begin, end;
@@ -23,7 +26,7 @@ std::vector<Run> find_runs(const Path& path, const Commands& commands) {
   for (std::size_t i = 0; i < path.size(); ++i) {
     bool stops = false;
     for (; pause < path.pauses.size() && path.pauses[pause].node <= i; ++pause) stops |= path.pauses[pause].node == i;
-    const bool exact = is_exact(commands[i].control);
+    const bool exact = !(commands[i].tolerance > 0);
     if (runs.empty() || stops || exact != runs.back().exact || is_rotary_only(path, i) != is_rotary_only(path, i - 1)) {
       runs.push_back({i, i, exact});
     }
@@ -35,12 +38,13 @@ std::vector<Run> find_runs(const Path& path, const Commands& commands) {
 class SmoothPlanner {
  public:
   SmoothPlanner(const Path& path, const Commands& commands, const Machine& machine, const SpeedLimits& limits,
-                const PlanOptions& options)
+                const PlanOptions& options, TubeEffort effort)
       : path_(path),
         commands_(commands),
         machine_(machine),
         limits_(limits),
         options_(options),
+        effort_(effort),
         position_(node_positions(limits)) {
     result_.node_time.assign(path.size() + 1, 0.0);
     if (options.hold_at) hold_ = Hold{*options.hold_at};
@@ -101,7 +105,8 @@ class SmoothPlanner {
   }
 
   Result<void> add_tube(const Run& run, const ForEach& for_each, const Monitor& monitor) {
-    const TubePath tube = build_tube(path_, commands_, run.begin, run.end);
+    TubePath tube = build_tube(path_, commands_, run.begin, run.end);
+    if (effort_ == TubeEffort::quick) leave_room_between(tube);
     Monitor part{monitor.stop, {}};
     if (monitor.progress) {
       const double from = position_[run.begin], to = position_[run.end], all = position_.back();
@@ -109,7 +114,7 @@ class SmoothPlanner {
     }
     std::optional<TubeHold> hold;
     if (hold_) hold = TubeHold{hold_time(), hold_->pause};
-    auto motion = plan_tube(tube, tube_limits(machine_), machine_.period, for_each, part, hold);
+    auto motion = plan_tube(tube, tube_limits(machine_), machine_.period, for_each, part, hold, effort_);
     if (!motion) return tl::unexpected(motion.error());
     if (motion->held) hold_.reset();
     result_.deviation = std::max(result_.deviation, motion->deviation);
@@ -121,6 +126,20 @@ class SmoothPlanner {
     sketch(run, progress);
     time_ += motion->duration;
     return {};
+  }
+
+  /// The tube is held once a period from the run's begin on: setpoints that fall between those places may be off by the sag.
+  void leave_room_between(TubePath& tube) const {
+    const double periods = (time_ + paused_) / machine_.period;
+    if (std::abs(periods - std::round(periods)) <= kSamePeriod) return;
+    double square = 0;
+    for (int a = 0; a < tube.axes; ++a) {
+      const auto axis = static_cast<std::size_t>(tube.axis[static_cast<std::size_t>(a)]);
+      const double most = tube_limits(machine_).acceleration[axis];
+      square += most * most;
+    }
+    const double sag = std::sqrt(square) * machine_.period * machine_.period / 8;
+    for (double& tolerance : tube.tolerance) tolerance = std::max(tolerance - sag, kLeastTube * tolerance);
   }
 
   void set_node_times(const Run& run, const TubePath& tube, const TubeMotion& motion, const TubeProgress& progress) {
@@ -170,6 +189,7 @@ class SmoothPlanner {
   const Machine& machine_;
   const SpeedLimits& limits_;
   const PlanOptions& options_;
+  TubeEffort effort_;
   NodePositions position_;
   std::optional<Hold> hold_;  ///< that is not in the plan yet
   double time_ = 0;           ///< of the plan so far, without the path's pauses
@@ -182,8 +202,8 @@ class SmoothPlanner {
 
 Result<SmoothPlan> plan_smooth(const Path& path, const Commands& commands, const Machine& machine,
                                const SpeedLimits& limits, const PlanOptions& options, const ForEach& for_each,
-                               const Monitor& monitor) {
-  return SmoothPlanner(path, commands, machine, limits, options).plan(for_each, monitor);
+                               const Monitor& monitor, TubeEffort effort) {
+  return SmoothPlanner(path, commands, machine, limits, options, effort).plan(for_each, monitor);
 }
 
 }  // namespace toolpace

@@ -16,7 +16,7 @@ struct SmoothPlan {
   std::size_t windows = 0, fallbacks = 0;  ///< see TubeMotion
 };
 
-/// Runs of blocks in continuous path mode become one motion each, through the tube; blocks under G61 and G61.1, and the
+/// Runs of blocks that have a tolerance become one motion each, through the tube; blocks without (G61, G61.1), and the
 /// stops at pauses, stay exactly on the path, planned by the law of the options.
 /// A feed hold of the options (hold_at, pauses of the path included) is in the plan: a pause becomes longer, exact blocks hold
 /// as insert_hold() says, a motion through the tube as plan_tube().
@@ -24,6 +24,7 @@ struct SmoothPlan {
 /// @return Errors: of plan_tube, plan_motion and insert_hold
 Result<SmoothPlan> plan_smooth(const Path& path, const Commands& commands, const Machine& machine,
                                const SpeedLimits& limits, const PlanOptions& options,
-                               const ForEach& for_each = for_each_in_turn, const Monitor& monitor = {});
+                               const ForEach& for_each = for_each_in_turn, const Monitor& monitor = {},
+                               TubeEffort effort = TubeEffort::thorough);
 
 }  // namespace toolpace

@@ -18,6 +18,10 @@ namespace {
 using detail::tube::MotionWindow;
 using detail::tube::StepLimits;
 
+/// Control points at either side of a stop that are planned anew without it: least, most, and what is added to the reach.
+constexpr double kLeastReach = 60, kMostReach = 250, kQuickLeastReach = 24;
+constexpr std::size_t kMoreReach = 40, kQuickMoreReach = 16;
+
 template <int D>
 class Planner {
   using Bound = detail::tube::Bound<D>;
@@ -167,7 +171,10 @@ class Planner {
       }
       if (std::isfinite(steps)) most = std::max(most, steps);
     }
-    return static_cast<std::size_t>(std::clamp(1.5 * most, 60.0, 250.0)) + 40;
+    const bool is_quick = limits_.effort == TubeEffort::quick;
+    const double least = is_quick ? kQuickLeastReach : kLeastReach;
+    return static_cast<std::size_t>(std::clamp(1.5 * most, least, kMostReach)) +
+           (is_quick ? kQuickMoreReach : kMoreReach);
   }
 
   /// Removes the stops between neighbours by windows around them, from moving to moving, planned anew, and writes all.
@@ -287,7 +294,8 @@ Result<TubeMotion> plan_in(const TubePath& path, const StepLimits& limits, const
 
 /// The planner is compiled for 2, 3 and 6 coordinates; in between, coordinates that stand still are added and taken away.
 Result<TubeMotion> plan_widened(const TubePath& path, int axes, const TubeLimits& limits, double period,
-                                const ForEach& for_each, const Monitor& monitor, const std::optional<TubeHold>& hold) {
+                                const ForEach& for_each, const Monitor& monitor, const std::optional<TubeHold>& hold,
+                                TubeEffort effort) {
   TubePath wide = path;
   wide.axes = axes;
   if (wide.linear == 0) wide.linear = path.axes;
@@ -296,7 +304,7 @@ Result<TubeMotion> plan_widened(const TubePath& path, int axes, const TubeLimits
     wide.points.insert(wide.points.end(), path.point(i), path.point(i) + path.axes);
     wide.points.resize((i + 1) * static_cast<std::size_t>(axes), 0.0);
   }
-  const StepLimits steps = detail::tube::step_limits(path, limits, period);
+  const StepLimits steps = detail::tube::step_limits(path, limits, period, effort);
   auto motion =
       axes == 2 ? plan_in<2>(wide, steps, for_each, monitor, hold) : plan_in<6>(wide, steps, for_each, monitor, hold);
   if (!motion) return motion;
@@ -321,7 +329,7 @@ bool is_bounded(const TubePath& path, const TubeLimits& limits) {
 }  // namespace
 
 Result<TubeMotion> plan_tube(const TubePath& path, const TubeLimits& limits, double period, const ForEach& for_each,
-                             const Monitor& monitor, const std::optional<TubeHold>& hold) {
+                             const Monitor& monitor, const std::optional<TubeHold>& hold, TubeEffort effort) {
   if (!is_bounded(path, limits)) {
     return tl::unexpected(Error{ErrorKind::usage,
                                 "tube-unbounded",
@@ -330,10 +338,11 @@ Result<TubeMotion> plan_tube(const TubePath& path, const TubeLimits& limits, dou
                                 {},
                                 {}});
   }
-  if (path.axes == 2) return plan_in<2>(path, detail::tube::step_limits(path, limits, period), for_each, monitor, hold);
+  if (path.axes == 2)
+    return plan_in<2>(path, detail::tube::step_limits(path, limits, period, effort), for_each, monitor, hold);
   const int axes = path.axes == 1 ? 2 : path.axes <= 3 ? 3 : 6;
-  if (path.axes != axes) return plan_widened(path, axes, limits, period, for_each, monitor, hold);
-  const StepLimits steps = detail::tube::step_limits(path, limits, period);
+  if (path.axes != axes) return plan_widened(path, axes, limits, period, for_each, monitor, hold, effort);
+  const StepLimits steps = detail::tube::step_limits(path, limits, period, effort);
   return axes == 3 ? plan_in<3>(path, steps, for_each, monitor, hold)
                    : plan_in<6>(path, steps, for_each, monitor, hold);
 }

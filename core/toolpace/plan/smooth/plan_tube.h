@@ -16,6 +16,12 @@ struct TubeHold {
   double pause;  ///< [s] ≥ 0, rounded to steps
 };
 
+/// How much computing a motion is worth. The guarantees are the same.
+enum class TubeEffort {
+  thorough,  ///< within a few percent of a local optimum
+  quick,     ///< some ten percent from there, for a tenth of the time: larger steps, few rounds
+};
+
 struct TubeMotion {
   double step = 0.001;          ///< h [s]
   std::vector<double> control;  ///< control points, axes values each [mm, deg]; the first and last three are equal
@@ -43,6 +49,6 @@ struct TubeMotion {
 /// @return Error "cancelled"; usage "tube-unbounded" where neither acceleration nor jerk of a moving axis is bounded
 Result<TubeMotion> plan_tube(const TubePath& path, const TubeLimits& limits, double period,
                              const ForEach& for_each = for_each_in_turn, const Monitor& monitor = {},
-                             const std::optional<TubeHold>& hold = {});
+                             const std::optional<TubeHold>& hold = {}, TubeEffort effort = TubeEffort::thorough);
 
 }  // namespace toolpace

@@ -6,7 +6,8 @@
 namespace toolpace::detail::tube {
 namespace {
 
-constexpr int kCoarseSamples = 2;  // stations an interval of longer steps, which only prepare
+constexpr double kStep = 0.45, kQuickStep = 0.9;  // of the time in which a corner is turned
+constexpr int kCoarseSamples = 2;                 // stations an interval of longer steps, which only prepare
 
 /// Time that a move of the tube's size takes: from jerk ∛(tol/J), from acceleration √(tol/A); the slower one counts.
 double turning_time(const TubePath& path, const TubeLimits& limits) {
@@ -20,6 +21,13 @@ double turning_time(const TubePath& path, const TubeLimits& limits) {
   return std::max(std::cbrt(tolerance / jerk), std::sqrt(tolerance / acceleration));
 }
 
+/// A long path pays for few, a short one can afford more.
+int quick_rounds(std::size_t segments) {
+  constexpr int kLeast = 5, kMost = 15;
+  constexpr std::size_t kShared = 20000;
+  return std::min(kMost, kLeast + static_cast<int>(kShared / std::max<std::size_t>(segments, 1)));
+}
+
 /// Largest h ≤ wanted, or a little above, that is a whole number of periods or a whole part of one.
 double step_near(double wanted, double period) {
   if (wanted >= 0.8 * period) return period * std::clamp(std::floor(wanted / period + 0.2), 1.0, 8.0);
@@ -28,11 +36,15 @@ double step_near(double wanted, double period) {
 
 }  // namespace
 
-StepLimits step_limits(const TubePath& path, const TubeLimits& limits, double period) {
+StepLimits step_limits(const TubePath& path, const TubeLimits& limits, double period, TubeEffort effort) {
   StepLimits s;
-  const double h = step_near(0.45 * turning_time(path, limits), period);
+  const bool is_quick = effort == TubeEffort::quick;
+  const double h = step_near((is_quick ? kQuickStep : kStep) * turning_time(path, limits), period);
   s.step = h;
   s.samples = std::max(1, static_cast<int>(std::lround(h / period)));
+  s.aimed = is_quick ? (s.samples + 1) / 2 : s.samples;
+  s.effort = effort;
+  s.quick_rounds = quick_rounds(path.segments());
   s.linear = path.linear > 0 ? path.linear : path.axes;
   for (std::size_t a = 0; a < kAxisCount; ++a) {
     if (static_cast<int>(a) >= path.axes) {  // a coordinate that never moves
@@ -59,7 +71,7 @@ StepLimits coarser(const StepLimits& limits, std::size_t by) {
     s.norm[order] *= factor;
   }
   s.step *= static_cast<double>(by);
-  s.samples = std::min(kCoarseSamples, s.samples * static_cast<int>(by));
+  s.aimed = s.samples = std::min(kCoarseSamples, s.samples * static_cast<int>(by));
   return s;
 }
 

@@ -20,6 +20,10 @@ class WindowOptimiser {
   /// @return true if the result keeps them all; otherwise the window is of no use
   bool improve(MotionWindow<D>& m, const Monitor& monitor) {
     if (m.size() < kLeastOnLonger) return run(m, monitor);
+    if (limits_.effort == TubeEffort::quick) {
+      m = coarsened(m, kQuickLongest);
+      return run(m, monitor);
+    }
     MotionWindow<D> start = m;
     m = coarsened(m, kLongest);
     const bool is_sound = run(m, monitor);
@@ -39,7 +43,7 @@ class WindowOptimiser {
   bool run(MotionWindow<D>& m, const Monitor& monitor) {
     passes_.apply(path_, m);
     round_.begin(m, limits(m));
-    for (const Level& level : kLevels) {
+    for (const Level& level : levels()) {
       while (m.stride > level.stride) {
         m = halved(m);
         round_.go_on(m, limits(m));
@@ -58,10 +62,19 @@ class WindowOptimiser {
   };
   static constexpr Level kLevels[] = {{0.1, 20, 4},  {0.03, 2, 2},   {0.03, 2, 1},  {0.01, 2, 1},
                                       {0.003, 2, 1}, {0.001, 20, 1}, {0.0003, 5, 1}};
-  static constexpr std::size_t kLongest = 4;         // steps in one, at first
-  static constexpr std::size_t kLeastOnLonger = 60;  // control points
-  static constexpr std::size_t kMostTwice = 2000;    // control points of a first motion that may be planned twice
-  static constexpr double kGain = 0.003;             ///< share of the duration
+  static constexpr Level kQuickLevels[] = {{0.01, 2, 1},
+                                           {0.002, 1, 1}};       // after rounds that depend on the path's length
+  static constexpr std::size_t kLongest = 4, kQuickLongest = 2;  // steps in one, at first
+  static constexpr std::size_t kLeastOnLonger = 60;              // control points
+  static constexpr std::size_t kMostTwice = 2000;  // control points of a first motion that may be planned twice
+  static constexpr double kGain = 0.003;           ///< share of the duration
+
+  std::vector<Level> levels() const {
+    if (limits_.effort == TubeEffort::thorough) return {std::begin(kLevels), std::end(kLevels)};
+    std::vector<Level> levels = {{kLevels[0].weight, limits_.quick_rounds, kQuickLongest}};
+    levels.insert(levels.end(), std::begin(kQuickLevels), std::end(kQuickLevels));
+    return levels;
+  }
 
   const StepLimits& limits(const MotionWindow<D>& m) const { return m.stride == 1 ? limits_ : longer_[m.stride / 4]; }
 
