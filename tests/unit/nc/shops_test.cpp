@@ -98,6 +98,14 @@ TEST(Text, ControlCharactersOfTapesAreBlanks) {
   EXPECT_EQ(ends(read_program("G21 G0 X1\nM2\n\x1A")), (Values{1}));
 }
 
+TEST(WorkOffsets, FurtherSystemsHaveRoomInEveryDialect) {
+  const auto reading = read_program("G21 G90\nG54.1 P300\nG0 X1\nM30\n", {.work_offsets = {{309, {10}}}}, "a.tap");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{11}));
+  EXPECT_EQ(ends(read_program("G21 G90\nG0 X1\nM2\n", {.work_offsets = {{309, {10}}}})), (Values{1}));
+  EXPECT_TRUE(read_program("G0 X#9000\nM2\n").refused) << "a program's own numbers end before";
+}
+
 TEST(WorkOffsets, ComeFromOutside) {
   const auto reading =
       read_program("G21 G90\nG0 X1\nG55 G0 X1\nM2\n", {.work_offsets = {{1, {10, 20, 30}}, {2, {-5}}}});

@@ -8,11 +8,12 @@ namespace toolpace::nc {
 
 double vacant() { return std::numeric_limits<double>::quiet_NaN(); }
 
-Parameters::Parameters() : numbered_(kParameterCount, 0.0), frames_(1) { numbered_[kActiveSystem] = 1.0; }
+Parameters::Parameters() : numbered_(kHighestKept, 0.0), frames_(1) { numbered_[kActiveSystem] = 1.0; }
 
 void Parameters::use_macro_variables() {
   local_count_ = kFanucLocals;
   vacant_locals_ = true;
+  count_ = kMacroVariables;
   numbered_.resize(kMacroVariables, 0.0);
   std::fill_n(numbered_.begin() + 1, kFanucLocals, vacant());
   std::fill(numbered_.begin() + 100, numbered_.begin() + 200, vacant());

@@ -34,6 +34,7 @@ inline constexpr int kNearSystems = 48;      ///< of them have their numbers in 
 inline constexpr int kFirstFurtherSystem = 7001;
 inline constexpr int kFirstOfManySystems = 14001;
 inline constexpr int kRotationWithinSystem = 9;
+inline constexpr int kHighestKept = kFirstOfManySystems + kFurtherSystems * kSystemStride;  ///< in every dialect
 
 /// A vacant variable (Fanuc #0) is a NaN that no calculation makes.
 double vacant();
@@ -54,7 +55,7 @@ class Parameters {
   double numbered(int index) const;
   void set_numbered(int index, double value) { numbered_[static_cast<std::size_t>(index)] = value; }
   bool has_number(int index) const { return index >= (vacant_locals_ ? 0 : 1) && index < count(); }
-  int count() const { return static_cast<int>(numbered_.size()); }
+  int count() const { return count_; }
   bool is_read_only(int index) const;
 
   /// `name` is folded: lower case without blanks. Names that begin with '_' are global.
@@ -76,7 +77,8 @@ class Parameters {
     std::unordered_map<std::string, double> names;
   };
 
-  std::vector<double> numbered_;
+  std::vector<double> numbered_;  ///< more than programs may use: the systems of G54.1 have room in every dialect
+  int count_ = kParameterCount;
   std::vector<Frame> frames_;
   std::unordered_map<std::string, double> globals_;
   std::size_t name_count_ = 0;
