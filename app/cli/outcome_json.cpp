@@ -5,6 +5,7 @@
 
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/law/law_table.h"
+#include "toolpace/limits/travel.h"
 #include "toolpace/machine/setup_keys.h"
 
 namespace toolpace::cli {
@@ -30,6 +31,21 @@ void add_peaks(Json& j, const Peaks& peaks, const std::string& unit) {
   add("max_speed_", peaks.speed, "_s");
   add("max_acceleration_", peaks.acceleration, "_s2");
   add("max_jerk_", peaks.jerk, "_s3");
+}
+
+/// Where axes leave their travel, and by how much.
+Json travel_json(const Outcome& outcome) {
+  const Moves& moves = outcome.job->program->moves;
+  Json list = Json::array();
+  for (const TravelExcess& e : find_travel_excess(*outcome.path, outcome.job->machine)) {
+    const AxisUnit& unit = axis_unit(e.axis);
+    list.push_back({{"axis", std::string(1, kAxisNames[e.axis])},
+                    {"end", e.is_upper ? "upper" : "lower"},
+                    {std::string("excess_") + unit.key[0], e.excess / unit.size},
+                    {"line", moves.line[e.row]},
+                    {"worst_line", moves.line[e.worst_row]}});
+  }
+  return list;
 }
 
 }  // namespace
@@ -80,6 +96,7 @@ Json outcome_json(const Outcome& outcome) {
   Diagnostics warnings = outcome.job->program->diagnostics;
   warnings.insert(warnings.end(), outcome.warnings.begin(), outcome.warnings.end());
   j["warnings"] = diagnostics_json(warnings);
+  j["travel_left"] = travel_json(outcome);
   return j;
 }
 
@@ -89,9 +106,10 @@ Json axes_json(const AxisPeakMeter& meter) {
   for (std::size_t k = 0; k < kAxisCount; ++k) {
     if (!meter.has_moved(k)) continue;
     const AxisUnit& unit = axis_unit(k);
-    axes[std::string(1, kAxisNames[k])] = {{std::string("max_speed_") + unit.key[1], peaks[k].speed / unit.size},
-                                           {std::string("max_acceleration_") + unit.key[2], peaks[k].acceleration / unit.size},
-                                           {std::string("max_jerk_") + unit.key[3], peaks[k].jerk / unit.size}};
+    axes[std::string(1, kAxisNames[k])] = {
+        {std::string("max_speed_") + unit.key[1], peaks[k].speed / unit.size},
+        {std::string("max_acceleration_") + unit.key[2], peaks[k].acceleration / unit.size},
+        {std::string("max_jerk_") + unit.key[3], peaks[k].jerk / unit.size}};
   }
   return axes;
 }

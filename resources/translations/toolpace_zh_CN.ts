@@ -597,6 +597,10 @@
             <translation>机床没有该轴</translation>
         </message>
         <message>
+            <source>axis-not-there</source>
+            <translation>机床没有这根轴</translation>
+        </message>
+        <message>
             <source>bad-line-number</source>
             <translation>行号无效</translation>
         </message>
@@ -1708,6 +1712,10 @@
             <translation>用 --dialect 选择方言</translation>
         </message>
         <message>
+            <source>choose the machine that it is for, or describe the axis in [axes.%1]</source>
+            <translation>选择适合该程序的机床，或在 [axes.%1] 中描述该轴</translation>
+        </message>
+        <message>
             <source>close DO1 with END1 in the same program</source>
             <translation>在同一程序中用 END1 结束 DO1</translation>
         </message>
@@ -2048,8 +2056,8 @@
             <translation>其他轴在单独的程序段中移动</translation>
         </message>
         <message>
-            <source>move the work offset or the part</source>
-            <translation>移动工件零点或工件</translation>
+            <source>move the part, or tell with --work-offset where it lies</source>
+            <translation>移动工件，或用 --work-offset 给出工件位置</translation>
         </message>
         <message>
             <source>name a file</source>

@@ -25,6 +25,7 @@ constexpr std::array kCodes = {QT_TRANSLATE_NOOP("codes", "arc-centre-absolute")
                                QT_TRANSLATE_NOOP("codes", "axes-with-g80"),
                                QT_TRANSLATE_NOOP("codes", "axes-without-motion"),
                                QT_TRANSLATE_NOOP("codes", "axis-absent"),
+                               QT_TRANSLATE_NOOP("codes", "axis-not-there"),
                                QT_TRANSLATE_NOOP("codes", "bad-character"),
                                QT_TRANSLATE_NOOP("codes", "bad-limit"),
                                QT_TRANSLATE_NOOP("codes", "bad-line-number"),

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "toolpace/base/axis_unit.h"
@@ -13,11 +15,6 @@ namespace {
 
 // Rounding of offsets and units must not read as leaving the travel.
 constexpr double kTravelRounding = 1e-9;
-
-struct Excess {
-  double worst = 0.0;
-  std::uint32_t row = 0;  // first row that does it
-};
 
 /// Calls f with points that include every extreme of every axis on the segment.
 template <class F>
@@ -41,39 +38,44 @@ void for_extremes(const Path& path, std::size_t i, F f) {
 
 }  // namespace
 
-Diagnostics check_travel(const Path& path, const Moves& moves, const Machine& machine) {
-  std::array<std::array<Excess, 2>, kAxisCount> excess;
-  bool any_limit = false;
-  for (const AxisLimits& axis : machine.axes)
-    any_limit |= axis.travel_min > -kUnlimited || axis.travel_max < kUnlimited;
-  if (!any_limit) return {};
-  for (std::size_t i = 0; i < path.size(); ++i) {
+std::vector<TravelExcess> find_travel_excess(const Path& path, const Machine& machine) {
+  std::array<std::array<TravelExcess, 2>, kAxisCount> excess;
+  const bool any_limit = std::any_of(machine.axes.begin(), machine.axes.end(), [](const AxisLimits& axis) {
+    return axis.travel_min > -kUnlimited || axis.travel_max < kUnlimited;
+  });
+  for (std::size_t i = 0; any_limit && i < path.size(); ++i) {
     for_extremes(path, i, [&](const AxisVector& p) {
       for (std::size_t k = 0; k < kAxisCount; ++k) {
         const double value = p[static_cast<Eigen::Index>(k)];
         const std::array<double, 2> beyond = {machine.axes[k].travel_min - value, value - machine.axes[k].travel_max};
         for (std::size_t side = 0; side < 2; ++side) {
-          Excess& e = excess[k][side];
-          if (beyond[side] > kTravelRounding && e.worst == 0) e.row = path.move[i];
-          if (beyond[side] > kTravelRounding && beyond[side] > e.worst) e.worst = beyond[side];
+          TravelExcess& e = excess[k][side];
+          if (beyond[side] <= kTravelRounding || beyond[side] <= e.excess) continue;
+          if (e.excess == 0) e.row = path.move[i];
+          e = {k, side == 1, beyond[side], e.row, path.move[i]};
         }
       }
     });
   }
+  std::vector<TravelExcess> found;
+  for (const auto& axis : excess) {
+    std::copy_if(axis.begin(), axis.end(), std::back_inserter(found), [](const auto& e) { return e.excess > 0; });
+  }
+  return found;
+}
+
+Diagnostics check_travel(const Path& path, const Moves& moves, const Machine& machine) {
   Diagnostics warnings;
-  for (std::size_t k = 0; k < kAxisCount; ++k) {
-    for (std::size_t side = 0; side < 2; ++side) {
-      const Excess& e = excess[k][side];
-      if (e.worst == 0) continue;
-      Diagnostic& warning = warnings.emplace_back();
-      warning.severity = Severity::warning;
-      warning.code = "travel";
-      warning.message = fmt::format("{} leaves its travel beyond the {} end, by up to {:.6g} {}", kAxisNames[k],
-                                    side == 0 ? "lower" : "upper", e.worst / axis_unit(k).size, axis_unit(k).symbol[0]);
-      warning.remedy = "move the work offset or the part";
-      warning.where.line = moves.line[e.row];
-      if (!moves.files.empty()) warning.where.file = moves.files[moves.file[e.row]];
-    }
+  for (const TravelExcess& e : find_travel_excess(path, machine)) {
+    Diagnostic& warning = warnings.emplace_back();
+    warning.severity = Severity::warning;
+    warning.code = "travel";
+    warning.message =
+        fmt::format("{} leaves its travel beyond the {} end, by up to {:.6g} {}", kAxisNames[e.axis],
+                    e.is_upper ? "upper" : "lower", e.excess / axis_unit(e.axis).size, axis_unit(e.axis).symbol[0]);
+    warning.remedy = "move the part, or tell with --work-offset where it lies";
+    warning.where.line = moves.line[e.row];
+    if (!moves.files.empty()) warning.where.file = moves.files[moves.file[e.row]];
   }
   return warnings;
 }

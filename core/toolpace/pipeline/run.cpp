@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "toolpace/base/part_monitor.h"
+#include "toolpace/limits/axes_there.h"
 #include "toolpace/limits/limit_speed.h"
 #include "toolpace/limits/travel.h"
 #include "toolpace/machine/setup.h"
@@ -117,7 +118,10 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, const Strategy& strat
   if (auto fits = check_duration(outcome.plan.cycle_time(), outcome.job->machine.period); !fits)
     return tl::unexpected(fits.error());
   outcome.restraints = explain_all(outcome);
-  outcome.warnings = check_travel(*outcome.path, outcome.job->program->moves, outcome.job->machine);
+  const Moves& moves = outcome.job->program->moves;
+  outcome.warnings = check_axes(*outcome.path, moves, outcome.job->machine);
+  const Diagnostics travel = check_travel(*outcome.path, moves, outcome.job->machine);
+  outcome.warnings.insert(outcome.warnings.end(), travel.begin(), travel.end());
   outcome.summary = summarise(outcome);
   outcome.summary.blends = route.blends;
   outcome.summary.tube_deviation = motion.deviation;
