@@ -77,6 +77,18 @@ Result<void> set_numbers(const JobFlags& f, Setup& setup) {
 
 }  // namespace
 
+Result<void> pick_law(const std::string& word, LawKind& law) {
+  if (word.empty()) return {};
+  const auto kind = find_law(word);
+  if (!kind) return tl::unexpected(bad_flag("--law", word, law_ids()));
+  law = *kind;
+  return {};
+}
+
+Result<void> pick_corner(const std::string& word, CornerRule& rule) {
+  return pick("--corner", word, corner_names(), rule);
+}
+
 Result<void> set_flag(Setup& setup, const char* flag, const std::optional<double>& value, const std::string& section,
                       const char* key) {
   if (!value) return {};
@@ -163,14 +175,8 @@ Result<Setup> JobFlags::setup() const {
   end_progress();
   if (!setup) return setup;
   PlanOptions& options = setup->options;
-  if (!law.empty()) {
-    const auto kind = find_law(law);
-    if (!kind) return tl::unexpected(bad_flag("--law", law, law_ids()));
-    options.law = *kind;
-  }
-  for (const auto& done :
-       {pick("--ramps", ramps, ramps_names(), options.ramps),
-        pick("--corner", corner, corner_names(), options.corner.rule), set_lookahead(lookahead, options.lookahead)}) {
+  for (const auto& done : {pick_law(law, options.law), pick("--ramps", ramps, ramps_names(), options.ramps),
+                           pick_corner(corner, options.corner.rule), set_lookahead(lookahead, options.lookahead)}) {
     if (!done) return tl::unexpected(done.error());
   }
   if (auto done = set_numbers(*this, *setup); !done) return tl::unexpected(done.error());

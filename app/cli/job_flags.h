@@ -25,6 +25,10 @@ struct JobFlags {
   std::vector<std::string> ignored_in(const Outcome& outcome) const;
 };
 
+/// Stores what --law and --corner name, where they are given. Usage errors (bad-flag).
+Result<void> pick_law(const std::string& word, LawKind& law);
+Result<void> pick_corner(const std::string& word, CornerRule& rule);
+
 /// Stores the value of a flag, where it is given, as the machine file would store this number (see find_number()).
 /// Usage error that names the flag and what it may be where the value makes no sense.
 Result<void> set_flag(Setup& setup, const char* flag, const std::optional<double>& value, const std::string& section,

@@ -11,6 +11,7 @@
 #include "report.h"
 #include "toolpace/io/setpoint_format.h"
 #include "toolpace/io/setpoint_reader.h"
+#include "toolpace/law/law_table.h"
 #include "toolpace/machine/read_machine.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/prove.h"
@@ -22,9 +23,33 @@ namespace {
 struct VerifyFlags {
   std::string setpoints, machine;
   ReadingFlags reading;
-  std::optional<double> tolerance_mm, period_ms;
-  bool json = false;
+  std::string law, corner;
+  std::optional<double> tolerance_mm, period_ms, corner_step, junction_deviation;
+  bool no_jerk_limit = false, json = false;
 };
+
+/// How the setpoints were planned: as flags say, else as the file does, else, for the law, as the machine's jobs are.
+Result<void> set_origin(const VerifyFlags& flags, const SetpointOrigin& origin, Setup& setup) {
+  if (auto law = origin.law.empty() ? std::nullopt : find_law(origin.law)) setup.options.law = *law;
+  if (origin.corner) setup.options.corner = *origin.corner;
+  if (flags.corner_step) setup.options.corner.step = 0.0;
+  if (!flags.corner.empty()) setup.options.corner.step.reset();
+  for (const auto& done :
+       {pick_law(flags.law, setup.options.law), pick_corner(flags.corner, setup.options.corner.rule),
+        set_flag(setup, "--corner-step-mm-s", flags.corner_step, "", "corner_step_mm_s"),
+        set_flag(setup, "--junction-deviation-mm", flags.junction_deviation, "lookahead", "junction_deviation_mm"),
+        set_flag(setup, "--period-ms", flags.period_ms, "machine", "period_ms")}) {
+    if (!done) return done;
+  }
+  return check_setup(setup.machine, setup.options);
+}
+
+Machine judged_by(const VerifyFlags& flags, const Setup& setup) {
+  if (!flags.no_jerk_limit) return judged_machine(setup.machine, setup.options);
+  PlanOptions options = setup.options;
+  options.law = LawKind::trapezoid;
+  return judged_machine(setup.machine, options);
+}
 
 /// The tolerance is checked first: a proof may take minutes.
 tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
@@ -36,14 +61,15 @@ tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
   end_progress();
   if (!setup) return tl::unexpected<Failure>(setup.error());
   report(setup->warnings);
-  if (auto set = set_flag(*setup, "--period-ms", flags.period_ms, "machine", "period_ms"); !set)
-    return tl::unexpected<Failure>(set.error());
-  if (auto fine = check_setup(setup->machine, setup->options); !fine) return tl::unexpected<Failure>(fine.error());
   auto file = open_setpoint_file(flags.setpoints, terminal_monitor("reading"));
   if (!file) return tl::unexpected<Failure>(file.error());
-  const Machine machine = judged_machine(setup->machine, setup->options);
+  if (auto fine = set_origin(flags, (*file)->origin(), *setup); !fine) return tl::unexpected<Failure>(fine.error());
+  const Machine machine = judged_by(flags, *setup);
+  VerifyOptions options;
+  options.monitor = terminal_monitor("verifying");
+  if (flags.corner_step || !flags.corner.empty()) options.corner = setup->options.corner;
   const auto prove = [&](const ProgrammedPath* program) -> tl::expected<VerifyReport, Failure> {
-    auto found = verify(**file, machine, program, terminal_monitor("verifying"));
+    auto found = verify(**file, machine, program, options);
     end_progress();
     if (found) return std::move(*found);
     if (found.error().where.file.empty()) found.error().where.file = flags.setpoints;
@@ -83,6 +109,18 @@ void add_verify_command(CommandLine& line) {
                 "Program that the setpoints run: path, corners, lines, end");
   command.number("--tolerance-mm MM", flags->tolerance_mm,
                  "Largest deviation from the program; without it, reported only");
+  command.word(
+      "--law LAW", flags->law,
+      "Law of the plan: one without a jerk limit is not judged by jerk; default that of the\nfile (.npz tells it), "
+      "else of the machine file");
+  command.toggle("--no-jerk-limit", flags->no_jerk_limit, "Do not judge jerk");
+  command.word(
+      "--corner RULE", flags->corner,
+      "Corner rule of the plan, up to which steps of speed are exempt; default that of the\nfile (.npz tells it); "
+      "not known: any step at a turn up to 90 deg, that of the servo rule beyond");
+  command.number("--corner-step-mm-s MM/S", flags->corner_step, "Largest exempt step of the velocity vector");
+  command.number("--junction-deviation-mm MM", flags->junction_deviation,
+                 "Of --corner junction; default the machine's");
   command.number("--period-ms MS", flags->period_ms, "Period of files without a time column; default the machine's");
   command.json(flags->json, "Print one JSON object");
   flags->reading.add_options_to(command);

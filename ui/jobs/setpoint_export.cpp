@@ -2,6 +2,7 @@
 
 #include "toolpace/io/program_pulse_writer.h"
 #include "toolpace/io/setpoint_writer.h"
+#include "toolpace/pipeline/prove.h"
 #include "toolpace/sample/sampler.h"
 
 namespace toolpace::ui {
@@ -40,6 +41,7 @@ Result<std::size_t> write_setpoints(const Outcome& outcome, const QString& file,
     rows += chunk.size();
     monitor.report(static_cast<double>(rows) / static_cast<double>(sampler.rows()));
   }
+  (*writer)->tell_origin(origin_of(outcome));
   if (auto finished = (*writer)->finish(); !finished) return tl::unexpected(finished.error());
   return rows;
 }

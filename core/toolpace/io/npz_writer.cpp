@@ -5,9 +5,12 @@
 #include "toolpace/io/setpoint_table.h"
 #include "toolpace/io/writers.h"
 #include "toolpace/io/zip_writer.h"
+#include "toolpace/limits/corner_names.h"
 
 namespace toolpace::detail {
 namespace {
+
+constexpr double kAnyStep = 1e300;  // [mm/s] for infinite, which JSON has no number for
 
 std::string json_text(std::string_view text) {
   std::string out = "\"";
@@ -66,7 +69,20 @@ class NpzWriter final : public SetpointWriter {
     std::string text = "{\"columns\": [";
     for (std::size_t c = 0; c < table_.names().size(); ++c) text += (c ? ", " : "") + json_text(table_.names()[c]);
     return text + "], \"period_s\": " + to_text(table_.period()) + ", \"program\": " + json_text(program_) +
-           ", \"writer\": \"toolpace\"}";
+           plan_text() + ", \"writer\": \"toolpace\"}";
+  }
+
+  /// What verification asks of the plan.
+  std::string plan_text() const {
+    std::string text;
+    if (!origin_.law.empty()) text += ", \"law\": " + json_text(origin_.law);
+    if (!origin_.corner) return text;
+    const CornerOptions& corner = *origin_.corner;
+    text += ", \"corner\": " + json_text(corner_rule_name(corner.rule));
+    if (corner.step) text += ", \"corner_step_mm_s\": " + to_text(std::min(*corner.step, kAnyStep));
+    text += ", \"tolerance_mm\": " + to_text(corner.tolerance) +
+            ", \"junction_deviation_mm\": " + to_text(corner.junction_deviation);
+    return text + ", \"path_control\": " + (origin_.has_path_control ? "true" : "false");
   }
 
   OutputFile file_;

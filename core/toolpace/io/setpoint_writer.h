@@ -9,6 +9,7 @@
 #include "toolpace/base/result.h"
 #include "toolpace/io/setpoint_format.h"
 #include "toolpace/sample/setpoints.h"
+#include "toolpace/verify/setpoint_file.h"
 
 namespace toolpace {
 
@@ -31,11 +32,15 @@ class SetpointWriter {
   /// Errors: input (see SetpointTable::load), io.
   virtual Result<void> write(const Setpoints& chunk) = 0;
 
+  /// Says of which plan the setpoints are, for formats that keep it (.npz); before finish().
+  void tell_origin(SetpointOrigin origin) { origin_ = std::move(origin); }
+
   /// Completes the file and puts it in place. To be called once, as the last call. Errors: io.
   virtual Result<void> finish() = 0;
 
  protected:
   SetpointWriter() = default;
+  SetpointOrigin origin_;
 };
 
 /// @param monitor  its stop token ends waits for the reader of a pipe

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "toolpace/limits/corner_between.h"
 #include "toolpace/limits/curve_axes.h"
 #include "toolpace/limits/curve_bounds.h"
 #include "toolpace/limits/curve_budget.h"
@@ -68,17 +69,7 @@ class Limiter {
 
   /// Node between block i − 1 and block i.
   void add_node(std::size_t i) {
-    const PathControl before = commands_[i - 1].control, after = commands_[i].control;
-    CornerOptions corner = options_.corner;
-    if (before == PathControl::blend && after == PathControl::blend) corner.rule = CornerRule::blend;
-    if (before == PathControl::exact_path || after == PathControl::exact_path) {
-      corner.rule = CornerRule::servo;
-      corner.step.reset();
-    }
-    if (before == PathControl::exact_stop) {
-      corner.rule = CornerRule::stop;
-      corner.step.reset();
-    }
+    const CornerOptions corner = corner_between(options_.corner, commands_[i - 1].control, commands_[i].control);
     if (is_reversal(i)) limits_.reversals.push_back(static_cast<std::uint32_t>(i));
     const double allowed =
         corner.rule == CornerRule::blend && is_inside_spline(path_, i) ? kUnlimited : node_speed(corner, i);
@@ -179,6 +170,20 @@ CommandOptions command_options(const Machine& machine) {
     options.rapid_speed[static_cast<Eigen::Index>(k)] = machine.axes[k].speed;
   }
   return options;
+}
+
+CornerOptions corner_between(const CornerOptions& job, PathControl before, PathControl after) {
+  CornerOptions corner = job;
+  if (before == PathControl::blend && after == PathControl::blend) corner.rule = CornerRule::blend;
+  if (before == PathControl::exact_path || after == PathControl::exact_path) {
+    corner.rule = CornerRule::servo;
+    corner.step.reset();
+  }
+  if (before == PathControl::exact_stop) {
+    corner.rule = CornerRule::stop;
+    corner.step.reset();
+  }
+  return corner;
 }
 
 Result<SpeedLimits> limit_speed(const Path& path, const Commands& commands, const Machine& machine,

@@ -8,6 +8,7 @@
 
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/base/numbers.h"
+#include "toolpace/limits/corner_names.h"
 #include "toolpace/servo/servo_range.h"
 
 namespace toolpace {
@@ -119,11 +120,11 @@ const std::vector<Named<Ramps>>& ramps_names() {
 }
 
 const std::vector<Named<CornerRule>>& corner_names() {
-  static const std::vector<Named<CornerRule>> names = {{"stop", CornerRule::stop},
-                                                       {"servo", CornerRule::servo},
-                                                       {"junction", CornerRule::junction},
-                                                       {"blend", CornerRule::blend},
-                                                       {"smooth", CornerRule::smooth}};
+  static const std::vector<Named<CornerRule>> names = [] {
+    std::vector<Named<CornerRule>> all;
+    for (const CornerRule rule : kCornerRules) all.push_back({corner_rule_name(rule), rule});
+    return all;
+  }();
   return names;
 }
 

@@ -60,7 +60,7 @@ class SampledSetpoints final : public SetpointFile {
   std::size_t read_ = 0;
 };
 
-Result<VerifyReport> judge(SetpointFile& file, const Outcome& outcome, const Monitor& monitor) {
+Result<VerifyReport> judge(SetpointFile& file, const Outcome& outcome, bool measures, const Monitor& monitor) {
   const Job& job = *outcome.job;
   const Moves& moves = job.program->moves;
   const auto path = build_path(moves, job.machine.tool_change);  // as programmed: the outcome's may be smoothed
@@ -69,7 +69,7 @@ Result<VerifyReport> judge(SetpointFile& file, const Outcome& outcome, const Mon
   for (const std::uint32_t row : path->move) {
     program.segment_tolerance.push_back(corner_tolerance(moves, row, job.options.corner) + kExact);
   }
-  return verify(file, judged_machine(job.machine, outcome.ran), &program, monitor);
+  return verify(file, judged_machine(job.machine, outcome.ran), &program, {job.options.corner, measures, monitor});
 }
 
 }  // namespace
@@ -80,6 +80,14 @@ Machine judged_machine(const Machine& machine, const PlanOptions& options) {
   judged.path.jerk = judged.path.jerk_deceleration = kUnlimited;
   for (auto& axis : judged.axes) axis.jerk = kUnlimited;
   return judged;
+}
+
+SetpointOrigin origin_of(const Outcome& outcome) {
+  const Moves& moves = outcome.job->program->moves;
+  const bool has_control = std::any_of(moves.mode.begin(), moves.mode.end(), [&](std::uint16_t mode) {
+    return moves.modes[mode].control != PathControl::job_default;
+  });
+  return {std::string(law_row(outcome.ran.law).id), outcome.job->options.corner, has_control};
 }
 
 double corner_tolerance(const Moves& moves, std::uint32_t row, const CornerOptions& corner) {
@@ -97,12 +105,18 @@ double judged_tolerance(const Moves& moves, const CornerOptions& corner) {
 Result<VerifyReport> prove(const std::filesystem::path& setpoints, const Outcome& outcome, const Monitor& monitor) {
   auto file = open_setpoint_file(setpoints);
   if (!file) return tl::unexpected(file.error());
-  return judge(**file, outcome, monitor);
+  return judge(**file, outcome, true, monitor);
 }
 
 Result<VerifyReport> prove(const Outcome& outcome, const Monitor& monitor) {
   SampledSetpoints setpoints(outcome);
-  return judge(setpoints, outcome, monitor);
+  return judge(setpoints, outcome, true, monitor);
+}
+
+bool is_proven(const Outcome& outcome, const Monitor& monitor) {
+  SampledSetpoints setpoints(outcome);
+  const auto report = judge(setpoints, outcome, false, monitor);
+  return report && report->passes();
 }
 
 }  // namespace toolpace

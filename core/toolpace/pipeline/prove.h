@@ -11,6 +11,9 @@ namespace toolpace {
 /// The machine as its setpoints are judged: a law that does not bound jerk is not judged by jerk.
 Machine judged_machine(const Machine& machine, const PlanOptions& options);
 
+/// What setpoint files say of the plan, for those who judge them without it.
+SetpointOrigin origin_of(const Outcome& outcome);
+
 /// How far a job may round the corners of a row of Moves [mm]: its own tolerance, or that of G64 P in the program; 0 under
 /// G61 and G61.1, and where the job's corner rule stays on the path.
 double corner_tolerance(const Moves& moves, std::uint32_t row, const CornerOptions& corner);
@@ -24,5 +27,8 @@ Result<VerifyReport> prove(const std::filesystem::path& setpoints, const Outcome
 
 /// The same for the setpoints themselves, without a file.
 Result<VerifyReport> prove(const Outcome& outcome, const Monitor& monitor = {});
+
+/// Whether they pass, which is known sooner than by how much.
+bool is_proven(const Outcome& outcome, const Monitor& monitor = {});
 
 }  // namespace toolpace

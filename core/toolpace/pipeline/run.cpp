@@ -197,14 +197,9 @@ Result<Outcome> plan_job(std::shared_ptr<const Job> job, const Monitor& monitor)
   return plan_by(std::move(job), corners, monitor);
 }
 
-bool is_proven(const Outcome& outcome, const Monitor& monitor) {
-  const auto report = prove(outcome, {monitor.stop, {}});
-  return report && report->passes();
-}
-
 /// Whether one plan may stand for another: faster, and proven by its setpoints.
 bool is_better(const Outcome& one, const Outcome& other, const Monitor& monitor) {
-  return one.summary.cycle_time < other.summary.cycle_time && is_proven(one, monitor);
+  return one.summary.cycle_time < other.summary.cycle_time && is_proven(one, {monitor.stop, {}});
 }
 
 Diagnostic not_smoothed(const std::string& why, const std::string& remedy) {
@@ -226,7 +221,7 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   if (unbounded) blended->warnings.push_back(not_smoothed(smooth.error().message, smooth.error().remedy));
   bool takes_blended = unbounded || is_better(*blended, *smooth, monitor);
   // The tube is held at some places of each step; where a dwell is no whole number of periods, setpoints fall between them.
-  if (!takes_blended && !is_proven(*smooth, monitor) && is_proven(*blended, monitor)) {
+  if (!takes_blended && !is_proven(*smooth, {monitor.stop, {}}) && is_proven(*blended, {monitor.stop, {}})) {
     takes_blended = true;
     blended->warnings.push_back(not_smoothed("setpoints of the motion through the tube do not pass every check", ""));
   }

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "toolpace/base/metric.h"
-#include "toolpace/verify/position_corners.h"
 
 namespace toolpace {
 namespace {
@@ -18,11 +17,7 @@ constexpr double kUnknownRadii = 8;   // without a program arcs may have radii s
 }  // namespace
 
 LimitCheck::LimitCheck(const Machine& machine, double period, std::optional<double> extent)
-    : machine_(machine),
-      period_(period),
-      corners_known_(extent.has_value()),
-      extent_(extent.value_or(0.0)),
-      path_speed_(machine.path.speed) {
+    : machine_(machine), period_(period), extent_(extent), path_speed_(machine.path.speed) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const AxisLimits& limits = machine.axes[axis];
     axes_[axis].speed = Worst(limits.speed);
@@ -34,14 +29,20 @@ LimitCheck::LimitCheck(const Machine& machine, double period, std::optional<doub
 }
 
 double LimitCheck::noise(const AxisState& state) const {
-  const double extent = corners_known_ ? std::max(extent_, state.largest) : kUnknownRadii * state.largest;
+  const double extent = extent_ ? std::max(*extent_, state.largest) : kUnknownRadii * state.largest;
   return kEpsilon * kWayUlps * way_ + (kEpsilon * kGeometryUlps + kPhaseGap) * extent;
 }
 
-void LimitCheck::take(const RowStream& stream, const CornerLog& log) {
+double LimitCheck::noise() const {
+  double largest = 0.0;
+  for (const auto& state : axes_) largest = std::max(largest, noise(state));
+  return largest;
+}
+
+void LimitCheck::take(const RowStream& stream, CornerExemption& corners) {
   take_path_speed(stream);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (!stream.rows().position[axis].empty()) take_axis(stream, log, axis);
+    if (!stream.rows().position[axis].empty()) take_axis(stream, corners, axis);
   }
 }
 
@@ -61,8 +62,9 @@ void LimitCheck::take_path_speed(const RowStream& stream) {
   }
 }
 
-void LimitCheck::take_axis(const RowStream& stream, const CornerLog& log, std::size_t axis) {
+void LimitCheck::take_axis(const RowStream& stream, CornerExemption& corners, std::size_t axis) {
   AxisState& state = axes_[axis];
+  const auto k = static_cast<Eigen::Index>(axis);
   const double* const p = stream.rows().position[axis].data();
   for (std::size_t i = stream.begin() - 1; i < stream.end() + 2; ++i)
     state.largest = std::max(state.largest, std::abs(p[i]));
@@ -78,11 +80,11 @@ void LimitCheck::take_axis(const RowStream& stream, const CornerLog& log, std::s
     double acceleration = std::abs(d1 - d0) * per2;
     double jerk = std::abs((d2 - d1) - (d1 - d0)) * per3;
     if (acceleration > acceleration_limit) {
-      acceleration = std::max(0.0, acceleration - allowance(stream, log, axis, i, 2).speed_step * per);
+      acceleration = std::max(0.0, acceleration - corners.explain(stream, i, 2, noise()).speed_step[k] * per);
     }
     if (jerk > jerk_limit) {
-      const Allowance steps = allowance(stream, log, axis, i, 3);
-      const double explained = steps.speed_step * per2 + steps.acceleration_step * per;
+      const Allowance steps = corners.explain(stream, i, 3, noise());
+      const double explained = steps.speed_step[k] * per2 + steps.acceleration_step[k] * per;
       state.largest_allowance = std::max(state.largest_allowance, explained);
       jerk = std::max(0.0, jerk - explained);
     }
@@ -93,35 +95,6 @@ void LimitCheck::take_axis(const RowStream& stream, const CornerLog& log, std::s
     if (state.high.would_take(p[i], u) || !stream.is_real(i - 1)) state.high.take(p[i], u, stream, i);
     if (state.low.would_take(-p[i], u) || !stream.is_real(i - 1)) state.low.take(-p[i], u, stream, i);
   }
-}
-
-LimitCheck::Allowance LimitCheck::allowance(const RowStream& stream, const CornerLog& log, std::size_t axis,
-                                            std::size_t local, std::size_t intervals) {
-  Allowance sum;
-  const auto take = [&](const CornerEvent& event) {
-    sum.speed_step += event.speed_step[static_cast<Eigen::Index>(axis)];
-    sum.acceleration_step += event.acceleration_step[static_cast<Eigen::Index>(axis)];
-    count_corner(event);
-  };
-  if (corners_known_) {
-    const std::int64_t first = stream.row(local);
-    log.for_each(first, first + static_cast<std::int64_t>(intervals) - 1, take);
-    return sum;
-  }
-  double position_noise = 0.0;
-  for (const auto& state : axes_) position_noise = std::max(position_noise, noise(state));
-  for (std::size_t k = 0; k < intervals; ++k) {
-    take(corner_between_straights(stream, local + k, period_, position_noise));
-  }
-  return sum;
-}
-
-void LimitCheck::count_corner(const CornerEvent& event) {
-  const double step = event.speed_step.norm();
-  if (step == 0.0 && event.acceleration_step.isZero(0.0)) return;
-  largest_step_ = std::max(largest_step_, step);
-  if (event.corner > last_corner_) ++corners_;
-  last_corner_ = std::max(last_corner_, event.corner);
 }
 
 void LimitCheck::report(VerifyReport& report) const {
@@ -143,8 +116,6 @@ void LimitCheck::report(VerifyReport& report) const {
   }
   report.checks.push_back(path_speed_.named(CheckKind::path_speed));
   report.position_resolution = std::min(report.position_resolution, resolution);
-  report.exempt_corners = corners_;
-  report.largest_corner_step = largest_step_;
 }
 
 }  // namespace toolpace

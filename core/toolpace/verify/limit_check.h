@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "toolpace/limits/machine.h"
-#include "toolpace/verify/corner_log.h"
+#include "toolpace/verify/corner_exemption.h"
 #include "toolpace/verify/report.h"
 #include "toolpace/verify/row_stream.h"
 #include "toolpace/verify/worst.h"
@@ -20,12 +20,14 @@ namespace toolpace {
 class LimitCheck {
  public:
   /// @param period  [s]
-  /// @param extent  [mm] largest coordinate and centre + radius of the program, whose corners the log tells; none = there
-  ///                is no program, and corners are looked for in the positions
+  /// @param extent  [mm] largest coordinate and centre + radius of the program; none = there is none
   LimitCheck(const Machine& machine, double period, std::optional<double> extent);
 
-  /// Judges the rows of the window. @param log  corners of these rows
-  void take(const RowStream& stream, const CornerLog& log);
+  /// Judges the rows of the window. @param corners  of these rows
+  void take(const RowStream& stream, CornerExemption& corners);
+
+  /// How far rounding may have moved a position of the rows so far, of any axis [mm, rad].
+  double noise() const;
 
   void report(VerifyReport& report) const;
 
@@ -36,28 +38,16 @@ class LimitCheck {
     double largest_allowance = 0.0;  ///< of the jerk that corners explain
     bool used = false;
   };
-  /// Sum of the steps over a few intervals.
-  struct Allowance {
-    double speed_step = 0.0;
-    double acceleration_step = 0.0;
-  };
-  void take_axis(const RowStream& stream, const CornerLog& log, std::size_t axis);
+  void take_axis(const RowStream& stream, CornerExemption& corners, std::size_t axis);
   void take_path_speed(const RowStream& stream);
-  Allowance allowance(const RowStream& stream, const CornerLog& log, std::size_t axis, std::size_t local,
-                      std::size_t intervals);
-  void count_corner(const CornerEvent& event);
   double noise(const AxisState& state) const;
 
   Machine machine_;
   double period_;
-  bool corners_known_;
-  double extent_;
+  std::optional<double> extent_;
   double way_ = 0.0;  ///< [mm] so far
   std::array<AxisState, kAxisCount> axes_;
   Worst path_speed_;
-  std::int64_t corners_ = 0;
-  std::int64_t last_corner_ = -1;
-  double largest_step_ = 0.0;
 };
 
 }  // namespace toolpace

@@ -6,13 +6,15 @@
 
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/verify/numpy_array.h"
+#include "toolpace/verify/origin_text.h"
 #include "toolpace/verify/setpoint_readers.h"
 #include "toolpace/verify/zip_reader.h"
 
 namespace toolpace::detail {
 namespace {
 
-constexpr std::size_t kBlockRows = 1024;  // a block stays in the second-level cache
+constexpr std::size_t kBlockRows = 1024;         // a block stays in the second-level cache
+constexpr std::uint64_t kLongestMeta = 1 << 20;  // [bytes]
 
 /// Why it is no table of float64, or nothing.
 std::string table_fault(const NumpyArray& array) {
@@ -53,6 +55,8 @@ class NumpySetpoints final : public SetpointFile {
     columns_.line = true;
     return {};
   }
+
+  void take_origin(SetpointOrigin origin) { origin_ = std::move(origin); }
 
   Result<std::size_t> read(SetpointRows& rows, std::size_t limit) override {
     if (at_ == 0) {
@@ -159,6 +163,20 @@ Result<void> check_entry(ByteStream& entry) {
   return entry.finish();
 }
 
+/// The text in an array of one text; none where it is no such array. Letters that are not ASCII become '?'.
+std::optional<std::string> text_of(std::unique_ptr<ByteStream> entry, const std::string& name) {
+  auto array = open_array(std::move(entry), name);
+  if (!array || !array->type.starts_with("<U") || !array->shape.empty() || array->bytes > kLongestMeta) return {};
+  std::string points(static_cast<std::size_t>(array->bytes), '\0');
+  if (!array->seek_values() || !array->stream->read(points.data(), points.size())) return {};
+  std::string text;
+  for (std::size_t k = 0; k + 3 < points.size(); k += 4) {
+    const bool is_ascii = points[k + 1] == 0 && points[k + 2] == 0 && points[k + 3] == 0 && points[k] > 0;
+    text += is_ascii ? points[k] : '?';
+  }
+  return text;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<SetpointFile>> open_npy(InputFile file, const std::string& name) {
@@ -188,6 +206,10 @@ Result<std::unique_ptr<SetpointFile>> open_npz(InputFile file, const std::string
       fine = is_table ? numpy->take(std::move(*array)) : numpy->take_lines(std::move(*array));
     } else {
       fine = check_entry(**entry);
+      if (fine) {
+        (*entry)->rewind();
+        if (auto text = text_of(std::move(*entry), name)) numpy->take_origin(origin_of_text(*text));
+      }
     }
     if (!fine) return tl::unexpected(std::move(fine.error()));
   }

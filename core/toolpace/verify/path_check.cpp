@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/limits/corner_between.h"
+#include "toolpace/path/commanded.h"
+#include "toolpace/verify/chord.h"
+
 namespace toolpace {
 namespace {
 
@@ -31,16 +35,13 @@ bool path_has_rotary(const Path& path) {
   return std::any_of(path.node.begin(), path.node.end(), [](const AxisVector& n) { return !n.tail<3>().isZero(0); });
 }
 
-bool is_exact(const Moves& moves, std::uint32_t row) {
-  const PathControl control = moves.modes[moves.mode[row]].control;
-  return control == PathControl::exact_path || control == PathControl::exact_stop;
-}
+PathControl control_of(const Moves& moves, std::uint32_t row) { return moves.modes[moves.mode[row]].control; }
 
 std::vector<SegmentRule> rules_of(const ProgrammedPath& program) {
   std::vector<SegmentRule> rules(program.path.size());
   for (std::size_t i = 0; i < rules.size(); ++i) {
     if (!program.segment_tolerance.empty()) rules[i].tolerance = program.segment_tolerance[i];
-    rules[i].is_exact = is_exact(program.moves, program.path.move[i]) || rules[i].tolerance <= kSmoothing;
+    rules[i].is_exact = is_exact(control_of(program.moves, program.path.move[i])) || rules[i].tolerance <= kSmoothing;
   }
   return rules;
 }
@@ -60,13 +61,15 @@ void place(Check& check, const RowStream& stream, std::size_t local) {
 
 }  // namespace
 
-PathCheck::PathCheck(const ProgrammedPath& program, const Machine& machine, double reach, double period)
+PathCheck::PathCheck(const ProgrammedPath& program, const Machine& machine, const CornerLimit& corners, double reach,
+                     double period)
     : path_(program.path),
       moves_(program.moves),
       period_(period),
       reach_(reach),
       sagitta_(std::clamp(reach / 5, kFinest, kCoarsest)),
       rotary_(path_has_rotary(program.path)),
+      corner_limit_(corners),
       slack_(program.path, machine, period),
       tolerance_(program.tolerance),
       vertices_(program.path, sagitta_, rules_of(program)),
@@ -177,26 +180,38 @@ bool PathCheck::is_passed_exactly(std::size_t left) const {
   return vertices_.rule(left).is_exact || vertices_.rule(left + 1).is_exact;
 }
 
+/// The rule of the corner behind a segment; none where it may be smoothed, or where the job's rule is not known.
+std::optional<CornerOptions> PathCheck::rule_behind(std::size_t left) const {
+  const PathControl before = control_of(moves_, path_.move[left]), after = control_of(moves_, path_.move[left + 1]);
+  if (!corner_limit_.rule() && !is_exact(before) && !is_exact(after)) return std::nullopt;
+  return corner_between(corner_limit_.rule().value_or(CornerOptions{}), before, after);
+}
+
+CornerEvent PathCheck::step_at(const CornerRun& run, const Joint& joint) const {
+  const auto [speed, tangential] = corner_limit_.passage(run, period_, rule_behind(joint.left));
+  const AxisVector turn = (run.leaving - run.arriving).cwiseAbs();
+  CornerEvent event;
+  if (turn.maxCoeff() > kNegligibleStep) event.speed_step = speed * turn;
+  event.acceleration_step = speed * speed * joint.bend + tangential * turn;
+  if (event.acceleration_step.norm() <= kNegligibleStep * speed * speed) event.acceleration_step.setZero();
+  return event;
+}
+
 void PathCheck::log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt) {
   const std::size_t left = node.segment, right = left + 1;
   const Frame in = frame_at(path_, left, path_.length[left]), out = frame_at(path_, right, 0.0);
-  double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = local - 1; i <= local + 1; ++i) {
-    const AxisVector step = point_of(stream, i) - point_of(stream, i - 1);
-    const double length =
-        is_rotary_only(path_, left) && is_rotary_only(path_, right) ? step.norm() : step.head<3>().norm();
-    longest = std::max(longest, length);
-    if (i != local) shortest = std::min(shortest, length);
-  }
-  // The speed at the node is between the mean speeds around it, but for what one period changes.
-  const double speed = (longest + (longest - shortest)) / period_;
-  const AxisVector turn = (out.first - in.first).cwiseAbs();
-  CornerEvent event;
-  event.speed_step = turn.maxCoeff() > kNegligibleStep ? AxisVector(speed * turn) : AxisVector::Zero();
-  const double tangential = (longest - shortest) / (period_ * period_);
-  event.acceleration_step = speed * speed * (out.second - in.second).cwiseAbs() + tangential * turn;
-  const double step = event.speed_step.norm();
-  if (step == 0 && event.acceleration_step.norm() <= kNegligibleStep * speed * speed) return;
+  const Chord before = chord_to(stream, local - 1), here = chord_to(stream, local), after = chord_to(stream, local + 1);
+  CornerRun run{in.first, out.first, before.length(), after.length()};
+  const double longest = std::max({run.before, run.after, here.length()});
+  (run.before < run.after ? run.after : run.before) = longest;
+  const Joint joint{left, (out.second - in.second).cwiseAbs()};
+  CornerEvent event = step_at(run, joint);
+  if (!vertices_.rule(left).is_exact && before.length() > 0) run.arriving = before.way / before.length();
+  if (!vertices_.rule(right).is_exact && after.length() > 0) run.leaving = after.way / after.length();
+  const CornerEvent as_run = step_at(run, joint);
+  event.speed_step = event.speed_step.cwiseMax(as_run.speed_step);
+  event.acceleration_step = event.acceleration_step.cwiseMax(as_run.acceleration_step);
+  if (event.speed_step.isZero(0.0) && event.acceleration_step.isZero(0.0)) return;
   event.corner = static_cast<std::int64_t>(left);
   const double near = kNearNode * longest;
   const std::int64_t row = stream.row(local);

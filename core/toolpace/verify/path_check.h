@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "toolpace/limits/machine.h"
+#include "toolpace/verify/corner_limit.h"
 #include "toolpace/verify/corner_log.h"
 #include "toolpace/verify/path_follower.h"
 #include "toolpace/verify/path_vertices.h"
@@ -20,14 +21,17 @@ namespace toolpace {
 /// - measures the distance of each setpoint to the exact curve that it is matched to;
 /// - measures how far the path is from the straight lines between setpoints (chord error);
 /// - logs each node that is passed on the path, as each next to G61 or G61.1 is, with a step of direction or curvature:
-///   V·|Δu| and V²·|Δκ| of each axis;
+///   V·|Δu| and V²·|Δκ| of each axis, V at most what the corner rule lets pass. On a side where corners may be smoothed the
+///   motion arrives or leaves as its setpoints say, which may be another direction than that of the block;
 /// - compares the line column with the lines of the path under the setpoint.
 /// Setpoints that cut a corner, as smoothing does, are off the path there and get no such exemption.
 class PathCheck {
  public:
-  /// @param reach   [mm] how far setpoints are looked for beside the path
-  /// @param period  [s]
-  PathCheck(const ProgrammedPath& program, const Machine& machine, double reach, double period);
+  /// @param corners  up to which speed corners are exempt
+  /// @param reach    [mm] how far setpoints are looked for beside the path
+  /// @param period   [s]
+  PathCheck(const ProgrammedPath& program, const Machine& machine, const CornerLimit& corners, double reach,
+            double period);
 
   /// Goes through the rows up to two beyond the window's end. @return false once the setpoints have left the path
   bool take(const RowStream& stream);
@@ -38,6 +42,8 @@ class PathCheck {
   /// After the last row. Also false if the path has not been followed to its end.
   bool has_followed();
   void report(VerifyReport& report, bool followed) const;
+  /// Largest distance of a setpoint so far [mm].
+  double deviation() const { return deviation_.check().value; }
   /// Where the setpoints left the path.
   const Check& left() const { return left_; }
   /// Shows the place where a narrower search had lost the path.
@@ -52,6 +58,13 @@ class PathCheck {
   void take_crossings(const RowStream& stream, std::size_t local, const AxisVector& to, const PathMatch& before,
                       bool on_path);
   bool is_passed_exactly(std::size_t left) const;
+  /// A node, and by how much each axis' curvature changes there.
+  struct Joint {
+    std::size_t left;
+    AxisVector bend;  ///< [1/mm, rad/mm²]
+  };
+  std::optional<CornerOptions> rule_behind(std::size_t left) const;
+  CornerEvent step_at(const CornerRun& run, const Joint& joint) const;
   void log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt);
   void take_line(const RowStream& stream, std::size_t local);
   double exact_distance(const AxisVector& point);
@@ -63,6 +76,7 @@ class PathCheck {
   double reach_;
   double sagitta_;
   bool rotary_;
+  CornerLimit corner_limit_;
   SlackRule slack_;
   std::optional<double> tolerance_;
   PathVertices vertices_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "toolpace/base/metric.h"
+#include "toolpace/verify/chord.h"
 
 namespace toolpace {
 namespace {
@@ -13,29 +13,6 @@ constexpr double kTimeUlps = 4;     // t = k·Ts, from a period and a product th
 constexpr double kStraight = 1e-6;  // [rad] below it three chords lie on one line
 constexpr double kKernel = 0.0321;  // ∫|½u(u−1) + 1/12| du over [0, 1]
 
-struct Chord {
-  AxisVector way;
-  Metric metric;
-  double length() const { return metric.norm(way); }
-};
-
-Chord chord(const RowStream& stream, std::size_t i) {
-  const auto& p = stream.rows().position;
-  AxisVector way;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    way[static_cast<Eigen::Index>(axis)] = p[axis].empty() ? 0.0 : p[axis][i] - p[axis][i - 1];
-  }
-  return {way, Metric::along(way.head<3>().isZero(0.0))};
-}
-
-/// Angle between two chords [rad]; π where one of them has no length. Exact for small ones, too (Kahan).
-double turn(const Chord& a, const Chord& b) {
-  const double la = a.length(), lb = b.length();
-  if (!(a.metric == b.metric) || la == 0 || lb == 0) return std::numbers::pi;
-  const AxisVector u = a.way / la, w = b.way / lb;
-  return 2 * std::atan2(a.metric.norm(u - w), a.metric.norm(u + w));
-}
-
 /// How the direction changes around an interval, and the acceleration vector there.
 struct Turning {
   double angle;         ///< [rad], at most π
@@ -43,7 +20,7 @@ struct Turning {
 };
 
 Turning turning_at(const RowStream& stream, std::size_t i, double period) {
-  const Chord before = chord(stream, i - 1), here = chord(stream, i), after = chord(stream, i + 1);
+  const Chord before = chord_to(stream, i - 1), here = chord_to(stream, i), after = chord_to(stream, i + 1);
   const auto change = [](const Chord& a, const Chord& b) {
     return a.metric == b.metric ? a.metric.norm(b.way - a.way) : std::hypot(a.length(), b.length());
   };
@@ -59,14 +36,9 @@ double shrink(double value, double amount) {
 }  // namespace
 
 ProfileCheck::ProfileCheck(const Machine& machine, double period)
-    : limits_(machine.path),
-      period_(period),
-      time_(0.0),
-      path_acceleration_(limits_.acceleration),
-      path_deceleration_(limits_.deceleration),
-      path_jerk_(std::max(limits_.jerk, limits_.jerk_deceleration)) {}
+    : limits_(machine.path), period_(period), time_(0.0) {}
 
-void ProfileCheck::take(const RowStream& stream) {
+void ProfileCheck::take(const RowStream& stream, PathWorst& worst) {
   has_time_ = !stream.rows().time.empty();
   has_profile_ = !stream.rows().speed.empty();
   for (std::size_t i = stream.begin(); i < stream.end(); ++i) {
@@ -81,23 +53,23 @@ void ProfileCheck::take(const RowStream& stream) {
         time_.take(error, kTimeUlps * kEpsilon * std::max(std::abs(due), period_), stream, i);
     }
     if (!has_profile_) continue;
-    take_limits(stream, i);
+    take_limits(stream, i, worst);
     if (stream.row(i) > 0) take_interval(stream, i);
   }
 }
 
-void ProfileCheck::take_limits(const RowStream& stream, std::size_t i) {
+void ProfileCheck::take_limits(const RowStream& stream, std::size_t i, PathWorst& worst) {
   const double a = stream.rows().acceleration[i], j = stream.rows().jerk[i];
   largest_ = std::max(largest_, std::abs(a));
   largest_jerk_ = std::max(largest_jerk_, std::abs(j));
-  if (path_acceleration_.would_take(a, 0.0)) path_acceleration_.take(a, 0.0, stream, i);
-  if (path_deceleration_.would_take(-a, 0.0)) path_deceleration_.take(-a, 0.0, stream, i);
+  if (worst.acceleration.would_take(a, 0.0)) worst.acceleration.take(a, 0.0, stream, i);
+  if (worst.deceleration.would_take(-a, 0.0)) worst.deceleration.take(-a, 0.0, stream, i);
   // With two limits the smaller one holds for certain where the speed rises or falls clearly.
   const double clear = 1e-6 * largest_;
-  const double limit = a > clear ? limits_.jerk : a < -clear ? limits_.jerk_deceleration : path_jerk_.check().limit;
+  const double limit = a > clear ? limits_.jerk : a < -clear ? limits_.jerk_deceleration : worst.jerk.check().limit;
   double jerk = std::abs(j);
-  if (limit < path_jerk_.check().limit) jerk *= path_jerk_.check().limit / limit;
-  if (std::isfinite(jerk) && path_jerk_.would_take(jerk, 0.0)) path_jerk_.take(jerk, 0.0, stream, i);
+  if (limit < worst.jerk.check().limit) jerk *= worst.jerk.check().limit / limit;
+  if (std::isfinite(jerk) && worst.jerk.would_take(jerk, 0.0)) worst.jerk.take(jerk, 0.0, stream, i);
 }
 
 void ProfileCheck::take_interval(const RowStream& stream, std::size_t i) {
@@ -108,7 +80,7 @@ void ProfileCheck::take_interval(const RowStream& stream, std::size_t i) {
   largest_speed_ = std::max({largest_speed_, std::abs(v0), std::abs(v1)});
   const double way = period_ / 2 * (v0 + v1) + period_ * period_ / 12 * (a0 - a1);
   way_ += std::abs(way);
-  const Chord here = chord(stream, i);
+  const Chord here = chord_to(stream, i);
   const double length = here.length();
   double chord_off = length - way;
   double speed_off = std::abs(v1 - v0 - period_ / 2 * (a0 + a1));
@@ -137,9 +109,6 @@ void ProfileCheck::report(VerifyReport& report) const {
     report.duration = static_cast<double>(report.rows - 1) * period_;
   }
   if (!has_profile_) return;
-  report.checks.push_back(path_acceleration_.named(CheckKind::path_acceleration));
-  report.checks.push_back(path_deceleration_.named(CheckKind::path_deceleration));
-  report.checks.push_back(path_jerk_.named(CheckKind::path_jerk));
   // The bounds come from the machine, not from the columns: an altered number must not widen its own bound.
   const double limit = std::max(limits_.jerk, limits_.jerk_deceleration);
   const double jerk = std::isfinite(limit) ? limit : largest_jerk_;

@@ -2,6 +2,7 @@
 /// The columns: time, and speed, acceleration and jerk along the path against each other and the positions.
 
 #include "toolpace/limits/machine.h"
+#include "toolpace/verify/path_worst.h"
 #include "toolpace/verify/report.h"
 #include "toolpace/verify/row_stream.h"
 #include "toolpace/verify/worst.h"
@@ -19,19 +20,19 @@ class ProfileCheck {
  public:
   ProfileCheck(const Machine& machine, double period);
 
-  void take(const RowStream& stream);
+  /// @param worst  takes the columns' acceleration and jerk
+  void take(const RowStream& stream, PathWorst& worst);
   void report(VerifyReport& report) const;
 
  private:
   void take_interval(const RowStream& stream, std::size_t i);
-  void take_limits(const RowStream& stream, std::size_t i);
+  void take_limits(const RowStream& stream, std::size_t i, PathWorst& worst);
 
   PathLimits limits_;
   double period_;
   bool has_time_ = false, has_profile_ = false;
   double first_time_ = 0.0, last_time_ = 0.0;
   Worst time_, chord_, speed_, acceleration_;
-  Worst path_acceleration_, path_deceleration_, path_jerk_;
   double largest_ = 0.0;  ///< |acceleration|
   double largest_jerk_ = 0.0;
   double way_ = 0.0;

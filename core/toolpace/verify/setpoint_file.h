@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "toolpace/base/axes.h"
 #include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
+#include "toolpace/limits/corner_rule.h"
 
 namespace toolpace {
 
@@ -24,6 +26,13 @@ struct SetpointColumns {
   bool line = false;
   bool axis_derivatives = false;          ///< of any axis
   std::vector<std::string> ignored = {};  ///< names of columns that mean nothing here
+};
+
+/// What a file says of the plan that its setpoints are of.
+struct SetpointOrigin {
+  std::string law = {};                      ///< "quintic", …; empty = not told
+  std::optional<CornerOptions> corner = {};  ///< of the job
+  bool has_path_control = false;  ///< whether the program has path control of its own somewhere: G61, G64 P, …
 };
 
 /// Some consecutive rows, column by column; columns that the file lacks are empty.
@@ -49,6 +58,7 @@ class SetpointFile {
   SetpointFile& operator=(const SetpointFile&) = delete;
 
   const SetpointColumns& columns() const { return columns_; }
+  const SetpointOrigin& origin() const { return origin_; }
 
   /// Appends up to `limit` rows. @return how many; 0 = no more
   virtual Result<std::size_t> read(SetpointRows& rows, std::size_t limit) = 0;
@@ -60,6 +70,7 @@ class SetpointFile {
  protected:
   SetpointFile() = default;
   SetpointColumns columns_;
+  SetpointOrigin origin_;
 };
 
 }  // namespace toolpace

@@ -1,7 +1,10 @@
 #pragma once
 /// An independent proof of a setpoint file: nothing of it comes from planning.
 
+#include <optional>
+
 #include "toolpace/base/monitor.h"
+#include "toolpace/limits/corner_rule.h"
 #include "toolpace/limits/machine.h"
 #include "toolpace/verify/programmed_path.h"
 #include "toolpace/verify/report.h"
@@ -9,13 +12,25 @@
 
 namespace toolpace {
 
+struct VerifyOptions {
+  /// The job's corner rule, up to which corners are exempt; none = that of the file, where it says one.
+  std::optional<CornerOptions> corner = {};
+  /// Whether to find out within which distance a program is followed; otherwise only whether within its tolerance, which
+  /// takes fewer passes.
+  bool measures = true;
+  Monitor monitor = {};
+};
+
 /// Checks the file against the machine and, if given, the program. Reads the file once, or several times where it is
 /// not on the path to 1e-6 mm. Bounded memory, whatever the file's length.
+///
+/// Where the corner rule is not known, a corner of up to a right angle is exempt at any speed, and one that turns back farther
+/// only by what the servo rule, or a junction deviation of 1 mm, would let pass: a reversal is no corner.
 ///
 /// @param machine  its period serves files without a time column; a difference to it is a note
 /// @return Errors: of reading; input (setpoints-empty, setpoints-axes: the program moves axes that the file lacks);
 ///         cancelled
 Result<VerifyReport> verify(SetpointFile& file, const Machine& machine, const ProgrammedPath* program = nullptr,
-                            const Monitor& monitor = {});
+                            const VerifyOptions& options = {});
 
 }  // namespace toolpace

@@ -135,6 +135,135 @@ TEST(Limits, ExemptReversalsWhereverTheRowsFall) {
   }
 }
 
+/// X there and back at ±speed, from rest and to rest under the limits of axis_limited_setup() or below.
+std::vector<double> there_and_back(double speed, double slow_down_to) {
+  const double period = 0.001, step = 2000 * period * 0.5;  // half of what the acceleration allows in a period
+  std::vector<double> v;
+  const auto change = [&](double to) {
+    while (v.empty() || std::abs(v.back() - to) > 1e-9) {
+      const double from = v.empty() ? 0.0 : v.back();
+      v.push_back(from + std::clamp(to - from, -step, step));
+    }
+    v.insert(v.end(), 20, to);
+  };
+  change(speed);
+  change(slow_down_to);
+  v.push_back(-slow_down_to);
+  v.push_back(-slow_down_to);
+  change(-speed);
+  change(0.0);
+  std::vector<double> x = {0.0};
+  for (const double speed_here : v) x.push_back(x.back() + speed_here * period);
+  return x;
+}
+
+/// Which of the checks of acceleration are broken.
+struct Broken {
+  bool axis, path;
+  bool operator==(const Broken&) const = default;
+};
+Broken broken_accelerations(const VerifyReport& report) {
+  return {
+      check_of(report, CheckKind::axis_acceleration, 0).broken,
+      check_of(report, CheckKind::path_acceleration).broken || check_of(report, CheckKind::path_deceleration).broken};
+}
+
+Machine without_jerk(Machine machine) {
+  machine.path.jerk = machine.path.jerk_deceleration = kUnlimited;
+  for (auto& axis : machine.axes) axis.jerk = kUnlimited;
+  return machine;
+}
+
+// A reversal is run through by no corner rule but in the step that a servo follows in a period: 2000 mm/s² · 1 ms = 2 mm/s.
+TEST(Limits, DoNotExemptAReversalAtSpeed) {
+  const TemporaryDirectory dir;
+  const Machine axes = without_jerk(axis_limited_setup().machine);
+  Machine path_alone = axes;
+  path_alone.axes = {};
+  write_csv(dir / "fast.csv", there_and_back(60, 60), 0.001);
+  write_csv(dir / "slow.csv", there_and_back(60, 1), 0.001);
+  EXPECT_EQ(broken_accelerations(verified(dir / "fast.csv", axes)), (Broken{true, true}));
+  EXPECT_EQ(broken_accelerations(verified(dir / "fast.csv", path_alone)), (Broken{false, true}));
+  const VerifyReport slow = verified(dir / "slow.csv", axes);
+  EXPECT_TRUE(slow.passes()) << broken(slow);
+  const VerifyReport on_path = verified(dir / "slow.csv", path_alone);
+  EXPECT_TRUE(on_path.passes()) << broken(on_path);
+}
+
+TEST(Limits, ExemptAReversalByTheStepThatTheJobAllows) {
+  const TemporaryDirectory dir;
+  const Machine machine = without_jerk(axis_limited_setup().machine);
+  write_csv(dir / "a.csv", there_and_back(60, 20), 0.001);
+  const auto judged = [&](const CornerOptions& corner) {
+    auto file = open_setpoint_file(dir / "a.csv");
+    VerifyOptions options;
+    options.corner = corner;
+    return verify(**file, machine, nullptr, options).value();
+  };
+  EXPECT_TRUE(judged({.step = 40.0}).passes());
+  EXPECT_FALSE(judged({.step = 30.0}).passes());
+  EXPECT_FALSE(judged({.rule = CornerRule::servo}).passes());
+  EXPECT_FALSE(judged({.rule = CornerRule::junction}).passes());
+  EXPECT_FALSE(judged({.rule = CornerRule::stop}).passes());
+}
+
+// Around a corner at 60 mm/s, 10 mm/s behind it: the turn explains a step across, not one of the speed along the path.
+TEST(Limits, DoNotExemptAStepOfSpeedAtACorner) {
+  const Machine axes = without_jerk(axis_limited_setup().machine);
+  Machine path_alone = axes;
+  path_alone.axes = {};
+  for (const double angle : {0.3, 1.2, std::numbers::pi / 2}) {
+    for (const double inside : {0.0, 0.4}) {  // share of the period at which the corner is passed
+      const TemporaryDirectory dir;
+      std::ofstream out(dir / "a.csv");
+      out.precision(17);
+      out << "t_s,x_mm,y_mm\n";
+      double way = 0, v = 0;
+      int row = 0;
+      const auto put = [&](double speed, double beyond) {
+        const double before = way - beyond;
+        out << 0.001 * row++ << ',' << before + beyond * std::cos(angle) << ',' << beyond * std::sin(angle) << '\n';
+        way += speed * 0.001;
+      };
+      while (v < 60) put(v += 1, 0);
+      const double corner = way + 0.6 - 0.06 * inside;
+      for (int k = 0; k < 60; ++k) put(way < corner ? 60 : 10, std::max(0.0, way - corner));
+      out.close();
+      const VerifyReport with_axes = verified(dir / "a.csv", axes);
+      EXPECT_TRUE(check_of(with_axes, CheckKind::path_deceleration).broken) << angle << ", " << inside;
+      EXPECT_TRUE(check_of(verified(dir / "a.csv", path_alone), CheckKind::path_deceleration).broken);
+    }
+  }
+}
+
+// The columns say nothing here: a ramp at twice the acceleration, straight and round an arc of 20 mm.
+TEST(Limits, OfThePathAreJudgedFromThePositions) {
+  for (const double radius : {1e9, 20.0}) {
+    const TemporaryDirectory dir;
+    std::ofstream out(dir / "a.csv");
+    out.precision(17);
+    out << "t_s,x_mm,y_mm\n";
+    double way = 0, v = 0;
+    for (int k = 0; k < 20; ++k) {
+      out << 0.001 * k << ',' << radius * std::sin(way / radius) << ','
+          << 2 * radius * std::pow(std::sin(way / radius / 2), 2) << '\n';
+      way += (v += 4) * 0.001;
+    }
+    for (; v > 0; v -= 1) {
+      out << 0.001 * (80 + 20 - v) << ',' << radius * std::sin(way / radius) << ','
+          << 2 * radius * std::pow(std::sin(way / radius / 2), 2) << '\n';
+      way += v * 0.001;
+    }
+    out.close();
+    Machine machine;
+    machine.path.acceleration = machine.path.deceleration = 2000;
+    const VerifyReport report = verified(dir / "a.csv", machine);
+    EXPECT_TRUE(check_of(report, CheckKind::path_acceleration).broken) << radius;
+    EXPECT_NEAR(check_of(report, CheckKind::path_acceleration).value, 4000, 40) << radius;
+    EXPECT_FALSE(check_of(report, CheckKind::path_deceleration).broken) << radius;
+  }
+}
+
 TEST(Limits, DoNotExemptARowOutOfLine) {
   const TemporaryDirectory dir;
   Program program;

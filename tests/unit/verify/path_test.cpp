@@ -216,6 +216,43 @@ TEST(PathCheck, ExemptsACornerOfTheJobsRuleBesideABlend) {
   EXPECT_TRUE(report.passes()) << broken(report);
 }
 
+// Two short blocks are merged within 0.1 mm, so that the motion comes to the corner of G61 in another direction than the block
+// before it: what is exempt there is the step of the motion.
+TEST(PathCheck, ExemptsTheCornerOfG61BehindMergedBlocks) {
+  toolpace::Setup setup = default_setup();
+  setup.machine.period = 0.00025;
+  setup.machine.path = {284, 157.9, 157.9, 18526, 18526};
+  setup.machine.axes[0] = {119.6, 233.8, 10018};
+  setup.machine.axes[1] = {199.9, 221.3, 9728};
+  setup.options.law = LawKind::seven_phase;
+  setup.options.ramps = Ramps::span;
+  const VerifyReport report =
+      proven("G21 G90 F285\nG64 P0.1\nG1 X-0.193 Y0.3354\nG1 X-0.2075 Y0.4087\nG61\nG1 X-0.337 Y1.236\nM2\n", setup);
+  EXPECT_TRUE(report.passes()) << broken(report);
+  EXPECT_EQ(report.exempt_corners, 1);
+}
+
+// Strokes 0.03 mm apart: looked for in a wide reach, rows of one are as well on its neighbour.
+TEST(PathCheck, MeasuresTheSameDeviationWhateverTheTolerance) {
+  const TemporaryDirectory dir;
+  std::vector<Eigen::Vector2d> corners = {{0, 0}};
+  for (int i = 0; i < 6; ++i) {
+    corners.push_back({i % 2 == 0 ? 4 : 0, 0.03 * i});
+    corners.push_back({i % 2 == 0 ? 4 : 0, 0.03 * (i + 1)});
+  }
+  std::vector<Eigen::Vector2d> points = walk(corners, 0.01);
+  for (std::size_t k = 0; k < points.size(); ++k) points[k].y() += 0.009 * std::sin(0.05 * static_cast<double>(k));
+  write_points(dir / "a.csv", points);
+  const auto deviation = [&](std::optional<double> tolerance) {
+    return check_of(verified(dir / "a.csv", Machine{}, &polyline(corners).moves(), tolerance), CheckKind::deviation)
+        .value;
+  };
+  const double measured = deviation({});
+  EXPECT_NEAR(measured, 0.009, 2e-4);
+  for (const double tolerance : {0.001, 0.0092, 0.01, 0.02, 0.1, 1.0})
+    EXPECT_EQ(deviation(tolerance), measured) << tolerance;
+}
+
 TEST(PathCheck, NoticesAMissingEndAndAWrongLine) {
   const TemporaryDirectory dir;
   Program program;

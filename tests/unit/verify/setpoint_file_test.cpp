@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 
 #include "sample_setpoints.h"
 #include "temporary_directory.h"
@@ -221,6 +222,36 @@ TEST(SetpointFile, SaysThatAFileWasChangedWhileItWasRead) {
   std::ofstream(dir / "b.csv", std::ios::app) << "3\n";
   SetpointRows rows;
   EXPECT_EQ((*growing)->read(rows, 10).error().code, "file-changed");
+}
+
+TEST(SetpointFile, TellsOfWhichPlanItIsInNpz) {
+  const TemporaryDirectory dir;
+  const auto told = [&](const SetpointOrigin& origin, const std::string& program) {
+    SetpointFileOptions options;
+    options.program_name = program;
+    auto writer = open_setpoint_writer(dir / "a.npz", options);
+    EXPECT_TRUE((*writer)->write(sample_setpoints(0, 10)));
+    (*writer)->tell_origin(origin);
+    EXPECT_TRUE((*writer)->finish());
+    auto file = open_setpoint_file(dir / "a.npz");
+    EXPECT_TRUE(file);
+    return (*file)->origin();
+  };
+  CornerOptions corner;
+  corner.rule = CornerRule::junction;
+  corner.step = 12.5;
+  corner.junction_deviation = 0.03;
+  const SetpointOrigin origin = told({"trapezoid", corner, true}, "\", \"law\": \"x\", [{ \\ ä");
+  EXPECT_EQ(origin.law, "trapezoid");
+  ASSERT_TRUE(origin.corner);
+  EXPECT_EQ(origin.corner->rule, CornerRule::junction);
+  EXPECT_EQ(origin.corner->step, 12.5);
+  EXPECT_EQ(origin.corner->junction_deviation, 0.03);
+  EXPECT_TRUE(origin.has_path_control);
+  corner.step = std::numeric_limits<double>::infinity();
+  EXPECT_GT(*told({"quintic", corner, false}, "").corner->step, 1e12);
+  const SetpointOrigin nothing = told({}, "part.ngc");
+  EXPECT_TRUE(nothing.law.empty() && !nothing.corner);
 }
 
 TEST(SetpointFile, TakesEmptyLinesAtItsEndAloneAndNoLineWithoutEnd) {
