@@ -54,12 +54,28 @@ void mention_unused(const LawRow& law, const MoveFlags& flags) {
   if (!law.bounds_jerk && (flags.jm || flags.jd)) mention("--jm, --jd");
 }
 
+/// All that was given, whether the law uses it or not.
+Dynamics given_dynamics(const MoveFlags& flags) {
+  const double am = flags.am.value_or(kUnbounded), jm = flags.jm.value_or(kUnbounded), tacc = flags.tacc.value_or(0);
+  return {{am, jm, tacc}, {flags.dm.value_or(am), flags.jd.value_or(jm), flags.tdec.value_or(tacc)}};
+}
+
 Dynamics dynamics_of(const LawRow& law, const MoveFlags& flags) {
-  if (law.uses_time) {
-    return {{kUnbounded, kUnbounded, *flags.tacc}, {kUnbounded, kUnbounded, flags.tdec.value_or(*flags.tacc)}};
+  Dynamics used = given_dynamics(flags);
+  for (RampLimits* limits : {&used.up, &used.down}) {
+    if (law.uses_time) {
+      limits->acceleration = limits->jerk = kUnbounded;
+    } else {
+      limits->time = 0.0;
+    }
   }
-  const double am = flags.am.value_or(kUnbounded), jm = flags.jm.value_or(kUnbounded);
-  return {{am, jm, 0.0}, {flags.dm.value_or(am), flags.jd.value_or(jm), 0.0}};
+  return used;
+}
+
+/// A number that makes no sense is none under a law that would not look at it either.
+std::optional<Error> find_senseless(LawKind law, const MoveFlags& flags) {
+  auto error = check_move(law, flags.move, given_dynamics(flags));
+  return error && error->code == "number-out-of-range" ? error : std::nullopt;
 }
 
 Json move_json(const LawRow& law, const SingleMove& move) {
@@ -117,6 +133,7 @@ Done run_move(const MoveFlags& flags) {
   }
   const LawRow& law = law_row(*kind);
   if (auto error = find_missing(law, flags)) return tl::unexpected(std::move(*error));
+  if (const auto error = find_senseless(*kind, flags)) return tl::unexpected(with_flag(*error, kFlags));
   const auto move = single_move(*kind, flags.move, dynamics_of(law, flags));
   if (!move) return tl::unexpected(with_flag(move.error(), kFlags));
   mention_unused(law, flags);

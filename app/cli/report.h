@@ -10,9 +10,6 @@ namespace toolpace::cli {
 /// Prints to stderr. Where that cannot be written, there is nobody to tell.
 void tell(const std::string& text);
 
-/// Prints to stderr. Where that cannot be written, there is nobody to tell.
-void tell(const std::string& text);
-
 ExitCode exit_code(ErrorKind kind);
 
 /// Prints "file:line:column: error: message [code]" and the remedy to stderr.

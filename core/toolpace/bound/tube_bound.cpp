@@ -26,14 +26,18 @@ class TubeBound {
       : path_(path), commands_(commands), machine_(machine) {
     std::array<bool, kLinearAxes> moved{};
     for (const AxisVector& node : path.node) {
-      for (std::size_t k = 0; k < kLinearAxes; ++k) moved[k] = moved[k] || node[k] != path.node.front()[k];
+      for (std::size_t k = 0; k < kLinearAxes; ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        moved[k] = moved[k] || node[i] != path.node.front()[i];
+      }
     }
     for (const SegmentKind kind : path.kind) moved_round_ = moved_round_ || kind != SegmentKind::line;
     Point speed = Point::Zero(), acceleration = Point::Zero();
     for (std::size_t k = 0; k < kLinearAxes; ++k) {
       if (!moved[k] && !moved_round_) continue;
-      speed[k] = machine.axes[k].speed;
-      acceleration[k] = machine.axes[k].acceleration;
+      const auto i = static_cast<Eigen::Index>(k);
+      speed[i] = machine.axes[k].speed;
+      acceleration[i] = machine.axes[k].acceleration;
     }
     speed_ = std::min(machine.path.speed, speed.norm());
     up_ = std::min(machine.path.acceleration, acceleration.norm());
@@ -88,7 +92,8 @@ class TubeBound {
     const double length = distance(last_, point) - 2 * radius_;
     double time = cap_ > 0 && length > 0 ? length / cap_ : 0.0;
     for (std::size_t k = 0; k < kLinearAxes; ++k) {
-      time = std::max(time, (std::abs(point[k] - last_[k]) - 2 * radius_) / machine_.axes[k].speed);
+      const auto i = static_cast<Eigen::Index>(k);
+      time = std::max(time, (std::abs(point[i] - last_[i]) - 2 * radius_) / machine_.axes[k].speed);
     }
     section_time_ += std::max(0.0, time);
     if (length > 0 && cap_ > 0 && cap_ < kUnlimited) {

@@ -40,7 +40,7 @@ int column_of(std::string_view title) {
 class PolylineReader {
  public:
   PolylineReader(const std::string& name, const ReadOptions& options, Reading& reading)
-      : name_(name), options_(options), reading_(reading), log_(reading.diagnostics, options.strict) {}
+      : name_(name), reading_(reading), log_(reading.diagnostics, options.strict) {}
 
   bool run(std::string_view text, const Monitor& monitor);
 
@@ -56,7 +56,6 @@ class PolylineReader {
   }
 
   const std::string& name_;
-  const ReadOptions& options_;
   Reading& reading_;
   DiagnosticLog log_;
   std::vector<int> columns_;

@@ -45,6 +45,13 @@ class Move(CommandLineTest):
         run = self.move(law="quintic", length=1, feed=100, start=0, end=100, am=3000, jm=1e6)
         self.expect_failure(run, BAD_INPUT, "mm" if " mm" in run.err else "length")
 
+    def test_a_senseless_number_is_bad_usage_under_a_law_that_does_not_use_it_too(self):
+        for law, *more in (("quintic", "--am", "3000", "--jm", "1e6", "--tacc", "nan"), ("quintic", "--am", "3000", "--jm", "1e6", "--tdec", "-1"),
+                           ("trapezoid", "--am", "3000", "--jm", "nan"), ("five-phase-time", "--tacc", "35", "--am", "1e40")):
+            run = self.run_toolpace("move", "--law", law, "--length", "10", "--feed", "100", *more)
+            self.expect_failure(run, BAD_USAGE, "number-out-of-range")
+            self.assertIn(more[-2], run.err)
+
     def test_speeds_above_the_feed_and_senseless_numbers_are_bad_usage(self):
         good = dict(law="quintic", length=10, feed=50, start=0, end=0, am=3000, jm=1e6)
         self.assertEqual(self.move(**good).code, FINE)
