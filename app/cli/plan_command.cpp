@@ -16,6 +16,7 @@
 #include "reading_flags.h"
 #include "report.h"
 #include "servo_json.h"
+#include "setpoint_pass.h"
 #include "toolpace/base/descriptor.h"
 #include "toolpace/bound/lower_bound.h"
 #include "toolpace/io/program_pulse_writer.h"
@@ -25,7 +26,6 @@
 #include "toolpace/pipeline/follow.h"
 #include "toolpace/pipeline/prove.h"
 #include "toolpace/sample/program_pulses.h"
-#include "toolpace/sample/sampler.h"
 #include "verification.h"
 
 namespace toolpace::cli {
@@ -36,15 +36,8 @@ struct PlanFlags {
   JobFlags job;
   std::string setpoints;
   bool axis_derivatives = false, decimal_comma = false;
-  bool json = false, bound = false, verify = false;
+  bool json = false, bound = false, verify = false, servo = false;
   std::optional<double> timer_hz;
-};
-
-/// What one pass over the setpoints finds out.
-struct SetpointPass {
-  std::size_t rows = 0;
-  AxisPeakMeter peaks;
-  double chord_error = 0.0;  ///< [mm]
 };
 
 /// The file that --setpoints names, opened before anything is planned: what cannot be written is known at once.
@@ -75,30 +68,6 @@ Result<Target> open_target(const PlanFlags& flags) {
   if (!setpoints) return tl::unexpected(setpoints.error());
   target.setpoints = std::move(*setpoints);
   return target;
-}
-
-/// Samples the plan once: measures, and writes the file where one is wanted. Without either nothing but their number is
-/// found out, as a slow program has millions.
-Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, SetpointWriter* writer, bool measures,
-                                         const Monitor& monitor) {
-  SetpointPass pass;
-  Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
-  pass.rows = sampler.rows();
-  if (!writer && !measures) return pass;
-  sampler.measure_chords();
-  for (Setpoints chunk; sampler.next(chunk);) {
-    if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
-    pass.peaks.add(chunk);
-    if (writer) {
-      if (auto written = writer->write(chunk); !written) return tl::unexpected(written.error());
-    }
-    monitor.report(static_cast<double>(chunk.first_row + chunk.size()) / static_cast<double>(pass.rows));
-  }
-  pass.chord_error = sampler.largest_chord_error();
-  if (writer) {
-    if (auto finished = writer->finish(); !finished) return tl::unexpected(finished.error());
-  }
-  return pass;
 }
 
 /// The step pulses of the plan.
@@ -203,7 +172,6 @@ Done run_plan(const PlanFlags& flags) {
   if (!target) return tl::unexpected(target.error());
   const auto outcome = plan_program(flags.reading, *setup);
   if (!outcome) return tl::unexpected(outcome.error());
-  const std::chrono::duration<double> planned = std::chrono::steady_clock::now() - begin;
   std::optional<double> bound;
   if (flags.bound) {
     const auto found = lower_bound(*outcome, terminal_monitor("bound"));
@@ -231,11 +199,14 @@ Done run_plan(const PlanFlags& flags) {
     Json json = plan_json(*outcome, *pass, proof);
     if (bound) json["bound_s"] = *bound;
     json["ignored"] = flags.job.ignored_in(*outcome);
-    const auto servo = follow(*outcome, {}, terminal_monitor("simulating"));
-    end_progress();
-    if (!servo && servo.error().kind == ErrorKind::cancelled) return tl::unexpected(servo.error());
-    json["servo"] = servo ? servo_json(*servo, outcome->job->machine) : Json(nullptr);
-    json["plan_wall_s"] = planned.count();
+    json["servo"] = nullptr;
+    if (flags.servo) {
+      const auto servo = follow(*outcome, {}, terminal_monitor("simulating"));
+      end_progress();
+      if (!servo) return tl::unexpected(servo.error());
+      json["servo"] = servo_json(*servo, outcome->job->machine);
+    }
+    json["plan_wall_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     print_json(json);
   } else {
     if (!to_stdout) print_summary(*outcome, bound, *pass, flags);
@@ -256,6 +227,7 @@ void add_plan_command(CommandLine& line) {
   command.toggle("--verify", flags->verify, "Read the setpoints back and prove that they keep every limit");
   command.toggle("--bound", flags->bound, "Compute a lower bound of the cycle time");
   command.json(flags->json, "Print one JSON object");
+  command.toggle("--servo", flags->servo, "Simulate the drives too, and add what simulate --json tells of them");
   command.toggle("--axis-derivatives", flags->axis_derivatives, "Add speed, acceleration and jerk of each axis");
   command.toggle("--decimal-comma", flags->decimal_comma, "Decimal commas in .semicolon.csv");
   command.number("--timer-hz HZ", flags->timer_hz, "Clock of the pulse timer, for .pulses.csv");

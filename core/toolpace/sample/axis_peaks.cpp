@@ -30,6 +30,12 @@ void AxisPeakMeter::add(const Setpoints& chunk) {
   }
 }
 
+void AxisPeakMeter::resume(const Setpoints& chunk) {
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    if (!chunk.position[k].empty()) axes_[k].position = chunk.position[k].front();
+  }
+}
+
 std::array<AxisPeaks, kAxisCount> AxisPeakMeter::peaks() const {
   std::array<AxisPeaks, kAxisCount> result;
   for (std::size_t k = 0; k < kAxisCount; ++k) {

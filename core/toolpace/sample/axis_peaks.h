@@ -16,6 +16,9 @@ class AxisPeakMeter {
  public:
   void add(const Setpoints& chunk);
 
+  /// Goes on at the first row of a chunk, where every axis has moved uniformly since the row before.
+  void resume(const Setpoints& chunk);
+
   /// Peaks of all rows so far, the rest after them included.
   std::array<AxisPeaks, kAxisCount> peaks() const;
 

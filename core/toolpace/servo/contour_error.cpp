@@ -6,52 +6,50 @@
 namespace toolpace {
 namespace {
 
-constexpr std::size_t kRowsAhead = 64;   // of command after a row before it is measured
-constexpr double kWindowLags = 4.0;      // of path on either side
-constexpr std::size_t kRowsKept = 4096;  // behind, before what is out of every window is dropped
+constexpr std::size_t kRowsAhead = 64;          // of command after a row before it is measured
+constexpr double kWindowLags = 4.0;             // of path on either side
+constexpr std::size_t kPointsBehind = 1 << 16;  // at most
 
 }  // namespace
 
 void ContourMeter::take(const AxisVector& commanded, const AxisVector& actual) {
-  const double way = points_.empty() ? 0.0 : points_.back().way + (commanded - points_.back().commanded).norm();
-  points_.push_back({commanded, way});
-  actual_.push_back(actual);
-  longest_lag_ = std::max(longest_lag_, (commanded - actual).norm());
+  if (points_.empty() || points_.back().commanded != commanded) {
+    const double way = points_.empty() ? 0.0 : points_.back().way + (commanded - points_.back().commanded).norm();
+    points_.push_back({commanded, way});
+  }
+  waiting_.push_back({actual, points_.size() - 1});
 }
 
 void ContourMeter::measure(bool all, std::vector<Row>& rows) {
-  while (next_actual_ < actual_.size() && (all || measured_ + kRowsAhead < points_.size())) {
-    rows.push_back(measure_one(measured_));
-    ++next_actual_;
-    ++measured_;
-  }
-  actual_.erase(actual_.begin(), actual_.begin() + static_cast<std::ptrdiff_t>(next_actual_));
-  next_actual_ = 0;
+  const std::size_t ready =
+      all ? waiting_.size() : waiting_.size() - std::min<std::size_t>(waiting_.size(), kRowsAhead);
+  for (std::size_t row = 0; row < ready; ++row) rows.push_back(measure_one(row));
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(ready));
   drop_old();
 }
 
-/// Keeps what the longest lag so far may still look back at.
+/// Half of a full window at a time, so that the points kept are moved seldom.
 void ContourMeter::drop_old() {
-  if (measured_ < 2 * kRowsKept) return;
-  const double oldest = points_[measured_].way - 2 * kWindowLags * longest_lag_;
-  std::size_t gone = measured_ - kRowsKept;
-  while (gone > 0 && points_[gone].way >= oldest) --gone;
+  const std::size_t next = waiting_.empty() ? points_.size() : waiting_.front().point;
+  if (next < 2 * kPointsBehind) return;
+  const std::size_t gone = next - kPointsBehind;
   points_.erase(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(gone));
-  measured_ -= gone;
+  for (Waiting& row : waiting_) row.point -= gone;
   nearest_ -= std::min(nearest_, gone);
 }
 
-ContourMeter::Row ContourMeter::measure_one(std::size_t index) {
-  const AxisVector& actual = actual_[next_actual_];
-  const double lag = (points_[index].commanded - actual).norm();
-  const double window = kWindowLags * lag;
-  Nearest best{lag, index};
+ContourMeter::Row ContourMeter::measure_one(std::size_t row) {
+  const auto& [actual, own] = waiting_[row];
+  const double lag = (points_[own].commanded - actual).norm();
+  const std::size_t ahead = std::min(row + kRowsAhead, waiting_.size()) - 1;
+  const Window window{own - std::min(own, kPointsBehind), own, waiting_[ahead].point, kWindowLags * lag};
+  Nearest best{lag, own};
   // Near where the last row was: a small distance to begin with lets whole stretches be passed over.
-  for (std::size_t chord = nearest_; chord < std::min(nearest_ + 3, index); ++chord) {
-    if (points_[chord].way >= points_[index].way - window) look_at(actual, chord, best);
+  for (std::size_t chord = std::max(nearest_, window.first); chord < std::min(nearest_ + 3, own); ++chord) {
+    if (points_[chord].way >= points_[own].way - window.reach) look_at(actual, chord, best);
   }
-  look_back(actual, index, window, best);
-  look_ahead(actual, index, window, best);
+  look_back(actual, window, best);
+  look_ahead(actual, window, best);
   nearest_ = best.chord;
   return {lag, best.distance};
 }
@@ -66,24 +64,23 @@ void ContourMeter::look_at(const AxisVector& actual, std::size_t chord, Nearest&
 }
 
 /// A point at distance d has nothing nearer than `best` within d − best of path: chords in between are passed over.
-void ContourMeter::look_back(const AxisVector& actual, std::size_t index, double window, Nearest& best) const {
-  const double last = points_[index].way - window;
-  for (std::size_t i = index; i > 0 && points_[i].way >= last;) {
+void ContourMeter::look_back(const AxisVector& actual, const Window& window, Nearest& best) const {
+  const double last = points_[window.own].way - window.reach;
+  for (std::size_t i = window.own; i > window.first && points_[i].way >= last;) {
     const double clear = points_[i].way - ((actual - points_[i].commanded).norm() - best.distance);
-    while (i > 0 && points_[i - 1].way > clear) --i;
-    if (i == 0 || points_[i].way < last) return;
+    while (i > window.first && points_[i - 1].way > clear) --i;
+    if (i == window.first || points_[i].way < last) return;
     look_at(actual, i - 1, best);
     --i;
   }
 }
 
-void ContourMeter::look_ahead(const AxisVector& actual, std::size_t index, double window, Nearest& best) const {
-  const double last = points_[index].way + window;
-  const std::size_t end = std::min(points_.size(), index + kRowsAhead) - 1;
-  for (std::size_t i = index; i < end && points_[i].way <= last;) {
+void ContourMeter::look_ahead(const AxisVector& actual, const Window& window, Nearest& best) const {
+  const double last = points_[window.own].way + window.reach;
+  for (std::size_t i = window.own; i < window.last && points_[i].way <= last;) {
     const double clear = points_[i].way + ((actual - points_[i].commanded).norm() - best.distance);
-    while (i < end && points_[i + 1].way < clear) ++i;
-    if (i == end || points_[i].way > last) return;
+    while (i < window.last && points_[i + 1].way < clear) ++i;
+    if (i == window.last || points_[i].way > last) return;
     look_at(actual, i, best);
     ++i;
   }

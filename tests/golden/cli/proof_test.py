@@ -52,6 +52,28 @@ class Verify(CommandLineTest):
         self.assertEqual(run.json()["violations"], 0)
         self.assertLess(run.json()["max_path_deviation_mm"], 1e-6)
 
+    def test_a_law_without_a_jerk_limit_is_told_by_the_file_or_by_a_flag(self):
+        for out in ("a.csv", "a.npz"):
+            self.plan(out, "--law", "trapezoid")
+        for code, *more in ((LIMIT_BROKEN, "a.csv"), (FINE, "a.csv", "--law", "trapezoid"), (FINE, "a.csv", "--no-jerk-limit"), (FINE, "a.npz"),
+                            (LIMIT_BROKEN, "a.npz", "--law", "quintic")):
+            run = self.run_toolpace("verify", *more, "--machine", "strict.toml")
+            self.assertEqual(run.code, code, f"{more}\n{run.out.decode()}{run.err}")
+
+    def test_a_reversal_at_speed_is_no_corner(self):
+        ramp = list(range(0, 61)) + [60] * 20
+        speeds = ramp + [-v for v in reversed(ramp)]
+        x, rows = 0.0, ["t_s,x_mm"]
+        for k, v in enumerate(speeds):
+            rows.append(f"{k / 1000},{x!r}")
+            x += v * 0.001
+        self.file("back.csv", "\n".join(rows) + "\n")
+        self.file("soft.toml", "[path]\nmax_speed_mm_s = 100\nmax_acceleration_mm_s2 = 2000\n")
+        for more, code in (([], LIMIT_BROKEN), (["--corner-step-mm-s", "120"], FINE), (["--corner-step-mm-s", "100"], LIMIT_BROKEN)):
+            run = self.run_toolpace("verify", "back.csv", "--machine", "soft.toml", "--json", *more)
+            self.assertEqual(run.code, code, f"{more}\n{run.out.decode()}{run.err}")
+        self.assertEqual({c["check"] for c in run.json()["checks"] if c["broken"]}, {"path-deceleration"})
+
     def test_standard_input_is_a_setpoint_file_too(self):
         self.plan("a.csv")
         run = self.run_toolpace("verify", "-", "--machine", "strict.toml", stdin=(self.folder / "a.csv").read_bytes())
@@ -110,7 +132,7 @@ class Simulate(CommandLineTest):
         self.file("m.toml", "[path]\nmax_speed_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 1e5\n"
                   "[servo]\nkv_1_s = 40\n[servo.Y]\nkv_1_s = 30\nbacklash_mm = 0.02\n")
         self.file("line.ngc", "G21 G90 G94\nG1 X3 Y4 F600\nM2\n")
-        runs = [self.run_toolpace(command, "line.ngc", "--machine", "m.toml", "--json") for command in ("plan", "simulate")]
+        runs = [self.run_toolpace(*command, "line.ngc", "--machine", "m.toml", "--json") for command in (("plan", "--servo"), ("simulate",))]
         for run in runs:
             self.assertEqual(run.code, FINE, run.err)
             drives = run.json()["servo"]["drives"]
@@ -119,8 +141,9 @@ class Simulate(CommandLineTest):
             self.assertEqual((drives["Y"]["kv_1_s"], drives["Y"]["backlash_mm"]), (30, 0.02))
             self.assertEqual(drives["C"]["kv_1_s"], 40)
 
-    def test_plan_json_has_the_same_object(self):
-        plan = self.run_toolpace("plan", EXAMPLES / "butterfly.ngc", "--machine", MILL, "--json").json()
+    def test_plan_has_the_same_object_where_it_is_asked_for(self):
+        self.assertIsNone(self.run_toolpace("plan", EXAMPLES / "butterfly.ngc", "--machine", MILL, "--json").json()["servo"])
+        plan = self.run_toolpace("plan", EXAMPLES / "butterfly.ngc", "--machine", MILL, "--json", "--servo").json()
         simulate = self.run_toolpace("simulate", EXAMPLES / "butterfly.ngc", "--machine", MILL, "--json").json()
         self.assertEqual(plan["servo"], simulate["servo"])
 

@@ -95,6 +95,30 @@ TEST(ContourError, IsTheNearestOfAllDistances) {
   }
 }
 
+// An hour at rest and an hour of creeping, behind a rapid with a lag of millimetres: rows cost the same however many stand at
+// one place. (Looking through all of them for each would not end.)
+TEST(ContourError, DoesNotGrowWithDwellsAndSlowMotion) {
+  auto simulation = ServoSimulation::create(all({}), 0.001).value();
+  ServoTrace trace;
+  double x = 0;
+  std::uint64_t row = 0;
+  const auto run = [&](double speed, int rows) {
+    Setpoints chunk = empty_setpoints(0.001);
+    chunk.first_row = row;
+    for (int k = 0; k < rows; ++k) add(chunk, x += speed * 0.001, 0);
+    row += static_cast<std::uint64_t>(rows);
+    simulation.take(chunk, trace);
+  };
+  run(300, 1000);
+  for (int k = 0; k < 100; ++k) run(0, 10000);
+  for (int k = 0; k < 100; ++k) run(0.01, 10000);
+  run(300, 1000);
+  const ServoSummary summary = simulation.finish(trace);
+  EXPECT_EQ(summary.rows, row);
+  EXPECT_LT(summary.max_contour_error, 1e-9);
+  EXPECT_NEAR(summary.max_lag, 300.0 / 50, 0.5);
+}
+
 TEST(ServoSimulation, IsTheSameWhateverTheChunks) {
   Setpoints whole = empty_setpoints(0.001);
   for (int k = 0; k < 5000; ++k)
