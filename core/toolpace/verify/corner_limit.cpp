@@ -41,7 +41,9 @@ double CornerLimit::acceleration_along(const AxisVector& direction) const {
 CornerPassage CornerLimit::passage(const CornerRun& run, double period,
                                    const std::optional<CornerOptions>& rule) const {
   const double slow = std::min(run.before, run.after), fast = std::max(run.before, run.after);
-  const double most = kPeriods * std::max(acceleration_along(run.arriving), acceleration_along(run.leaving));
+  const double most = run.is_straight
+                          ? kPeriods * std::max(acceleration_along(run.arriving), acceleration_along(run.leaving))
+                          : kUnlimited;
   const double change = std::min((fast - slow) / (period * period), most);
   const double passed = std::min((fast + (fast - slow)) / period, slow / period + most * period);
   return {std::min(passed, speed(run, rule)), change};

@@ -12,6 +12,7 @@ namespace toolpace {
 struct CornerRun {
   AxisVector arriving, leaving;  ///< change of the axes by length of path [1, rad/mm; rad/deg]
   double before, after;          ///< way of the period before and after it [mm; deg]
+  bool is_straight = false;      ///< whether both ways are known to be straight, and so as long as the rows are apart
 };
 
 /// What a corner may have been passed at, at most.
@@ -27,8 +28,8 @@ class CornerLimit {
   /// @param rule  of the job; none = not known
   CornerLimit(const Machine& machine, const std::optional<CornerOptions>& rule) : machine_(machine), rule_(rule) {}
 
-  /// The speed at a corner is between the mean speeds around it, but for what a few periods at the largest acceleration change,
-  /// and no more than its rule lets pass.
+  /// The speed at a corner is between the mean speeds around it, but for what changes in a period (on straight ways no more than
+  /// a few periods at the largest acceleration bring), and no more than its rule lets pass.
   ///
   /// @param period  [s]
   /// @param rule    of this corner; none = not known, as under rules that smooth corners. Then a turn of up to a right angle may

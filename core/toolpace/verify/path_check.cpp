@@ -180,11 +180,13 @@ bool PathCheck::is_passed_exactly(std::size_t left) const {
   return vertices_.rule(left).is_exact || vertices_.rule(left + 1).is_exact;
 }
 
-/// The rule of the corner behind a segment; none where it may be smoothed, or where the job's rule is not known.
+/// The rule of the corner behind a segment where it names a step of its own; none where directions of the blocks alone tell
+/// how fast a corner may be, which a motion that rounds or merges blocks beside it does not pass in just these.
 std::optional<CornerOptions> PathCheck::rule_behind(std::size_t left) const {
-  const PathControl before = control_of(moves_, path_.move[left]), after = control_of(moves_, path_.move[left + 1]);
-  if (!corner_limit_.rule() && !is_exact(before) && !is_exact(after)) return std::nullopt;
-  return corner_between(corner_limit_.rule().value_or(CornerOptions{}), before, after);
+  if (!corner_limit_.rule()) return std::nullopt;
+  const CornerOptions rule = corner_between(*corner_limit_.rule(), control_of(moves_, path_.move[left]),
+                                            control_of(moves_, path_.move[left + 1]));
+  return rule.step ? std::optional(rule) : std::nullopt;
 }
 
 CornerEvent PathCheck::step_at(const CornerRun& run, const Joint& joint) const {

@@ -21,7 +21,8 @@ namespace toolpace {
 /// - measures the distance of each setpoint to the exact curve that it is matched to;
 /// - measures how far the path is from the straight lines between setpoints (chord error);
 /// - logs each node that is passed on the path, as each next to G61 or G61.1 is, with a step of direction or curvature:
-///   V·|Δu| and V²·|Δκ| of each axis, V at most what the corner rule lets pass. On a side where corners may be smoothed the
+///   V·|Δu| and V²·|Δκ| of each axis, V at a turn back at most what a corner
+///   rule lets pass. On a side where corners may be smoothed the
 ///   motion arrives or leaves as its setpoints say, which may be another direction than that of the block;
 /// - compares the line column with the lines of the path under the setpoint.
 /// Setpoints that cut a corner, as smoothing does, are off the path there and get no such exemption.

@@ -79,7 +79,8 @@ CornerEvent corner_between_straights(const RowStream& stream, std::size_t local,
   if (!at_row && !turns_inside(surroundings, sight.noise) && !cut_of(before, here, after, sight.noise)) return event;
   const double from = length_of(before), to = length_of(after);
   const AxisVector arriving = before / from, leaving = after / to, turn = (leaving - arriving).cwiseAbs();
-  const CornerPassage passage = sight.limit.passage({arriving, leaving, from, to}, sight.period, sight.limit.rule());
+  const CornerPassage passage =
+      sight.limit.passage({arriving, leaving, from, to, true}, sight.period, sight.limit.rule());
   event.speed_step = passage.speed * turn;
   event.acceleration_step = passage.acceleration * turn;
   return event;

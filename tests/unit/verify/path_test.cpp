@@ -289,14 +289,13 @@ TEST(PathCheck, FollowsRotaryAxes) {
   EXPECT_EQ(verify(**file, setup.machine, &programmed).error().code, "setpoints-axes");
 }
 
-// By hand: 3 mm back along the line, the tolerance is 2 mm. The row at 7 mm is matched to 8 mm at least, where the row at
-// 10 mm may have been matched to, and so no more than 1 mm off; the earlier match at 10 mm is out of its reach.
+// By hand: 3 mm back along the line. Nothing that goes forward alone is nearer than 1.5 mm to both rows, at 10 and at 7 mm.
 TEST(PathCheck, MeasuresARowThatGoesBackFromWhereItIsMatched) {
   const TemporaryDirectory dir;
   write_points(dir / "a.csv", {{0, 0}, {5, 0}, {10, 0}, {7, 0}, {12, 0}, {20, 0}});
   const VerifyReport report = verified(dir / "a.csv", Machine{}, &polyline({{0, 0}, {20, 0}}).moves(), 2.0);
   EXPECT_TRUE(report.passes()) << broken(report);
-  EXPECT_NEAR(check_of(report, CheckKind::deviation).value, 1.0, 1e-5);
+  EXPECT_NEAR(check_of(report, CheckKind::deviation).value, 1.5, 0.03);
 }
 
 TEST(PathCheck, TellsOfAnotherProgram) {
