@@ -56,7 +56,8 @@ Error unexpected(const CLI::App& app, const std::string& word) {
   const CLI::App& command = running(app);
   const std::string flag = word.substr(0, word.find('='));
   const auto flags = flags_of(command);
-  const bool is_behind_dashes = std::find(flags.begin(), flags.end(), flag) != flags.end();  // "--": no flags from here on
+  const bool is_behind_dashes =
+      std::find(flags.begin(), flags.end(), flag) != flags.end();  // "--": no flags from here on
   if (word.size() > 1 && word.front() == '-' && !is_behind_dashes) {
     return usage_error("flag-unknown", fmt::format("there is no flag {}", flag),
                        suggestion(meant(flag, flags), help_of(command)));

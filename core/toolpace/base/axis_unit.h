@@ -14,8 +14,7 @@ struct AxisUnit {
   std::array<const char*, 4> key;     ///< the same in keys and columns: mm, mm_s, …
 };
 
-inline constexpr AxisUnit kMillimetres = {
-    1.0, {"mm", "mm/s", "mm/s²", "mm/s³"}, {"mm", "mm_s", "mm_s2", "mm_s3"}};
+inline constexpr AxisUnit kMillimetres = {1.0, {"mm", "mm/s", "mm/s²", "mm/s³"}, {"mm", "mm_s", "mm_s2", "mm_s3"}};
 inline constexpr AxisUnit kDegrees = {
     kRadiansPerDegree, {"deg", "deg/s", "deg/s²", "deg/s³"}, {"deg", "deg_s", "deg_s2", "deg_s3"}};
 

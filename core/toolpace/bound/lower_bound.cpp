@@ -7,6 +7,7 @@
 #include "toolpace/bound/stretch_bound.h"
 #include "toolpace/bound/tube_bound.h"
 #include "toolpace/limits/curve_bounds.h"
+#include "toolpace/path/blend_path.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/prove.h"
@@ -111,7 +112,8 @@ double bound_along_path(const Outcome& outcome, const Monitor& monitor) {
 
 Result<double> lower_bound(const Outcome& outcome, const Monitor& monitor) {
   const Job& job = *outcome.job;
-  const bool leaves_path = is_through_tube(job) || !outcome.plan.splines.empty();
+  // Rounded corners lie in the tube, whichever way of planning rounds them.
+  const bool leaves_path = is_through_tube(job) || blends_everywhere(job) || asks_for_blends(job.program->moves);
   if (!leaves_path) return bound_along_path(outcome, monitor) + outcome.summary.dwell_time;
   const auto programmed = build_path(job.program->moves, job.machine.tool_change, monitor);
   if (!programmed) return tl::unexpected(programmed.error());

@@ -41,7 +41,7 @@ Result<std::optional<std::string_view>> LineReader::next() {
     }
     if (buffer_.size() - begin_ > kLongestLine) {
       return tl::unexpected(detail::setpoints_error("setpoints-broken", "a line is longer than 1 MiB",
-                                                           {file_.name().string(), line_ + 1, 0}));
+                                                    {file_.name().string(), line_ + 1, 0}));
     }
     searched = buffer_.size() - begin_;
     if (auto filled = fill(); !filled) return tl::unexpected(std::move(filled.error()));

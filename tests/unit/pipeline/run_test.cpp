@@ -152,6 +152,7 @@ TEST(Run, AnArcThatBulgesOutOfTheTravelIsSeenThoughItsEndsAreInside) {
   job.program = reading;
   job.machine.axes[0].travel_min = 5;
   job.machine.axes[0].travel_max = 100;
+  job.machine.axes[1].travel_max = 100;
   const Outcome o = planned(job);
   ASSERT_EQ(o.warnings.size(), 1u);
   EXPECT_EQ(o.warnings[0].where.line, 2u) << "the arc, whose leftmost point is X0";
