@@ -1368,6 +1368,10 @@
     <context>
         <name>remedies</name>
         <message>
+            <source>give a shorter --tacc-ms and --tdec-ms</source>
+            <translation>请减小 --tacc-ms 和 --tdec-ms</translation>
+        </message>
+        <message>
             <source>try again when it is written</source>
             <translation>等它写完后再试</translation>
         </message>

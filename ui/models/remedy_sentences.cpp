@@ -127,6 +127,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "give a larger step I, or a simpler contour"),
     QT_TRANSLATE_NOOP("remedies", "give a motion code such as G0 or G1"),
     QT_TRANSLATE_NOOP("remedies", "give a positive F"),
+    QT_TRANSLATE_NOOP("remedies", "give a shorter --tacc-ms and --tdec-ms"),
     QT_TRANSLATE_NOOP("remedies", "give a slower timer"),
     QT_TRANSLATE_NOOP("remedies", "give a smaller A or C"),
     QT_TRANSLATE_NOOP("remedies", "give a smaller allowance D (of G70 also E)"),
