@@ -27,6 +27,12 @@ Commands command(const Path& path, const Job& job) {
   return command_path(path, job.program->moves, options);
 }
 
+double time_at_feeds(const Path& path, const Commands& commands) {
+  double time = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) time += path.length[i] / commands[i].speed;
+  return time;
+}
+
 LimitOptions limit_options(const PlanOptions& options) {
   LimitOptions limits;
   limits.corner = options.corner;

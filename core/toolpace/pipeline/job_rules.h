@@ -18,6 +18,9 @@ Rounding rounding(const CornerOptions& corner);
 /// What is commanded on a path of the job.
 Commands command(const Path& path, const Job& job);
 
+/// How long the path takes where every segment is run as fast as it is commanded [s].
+double time_at_feeds(const Path& path, const Commands& commands);
+
 /// The part of the options that caps speeds.
 LimitOptions limit_options(const PlanOptions& options);
 

@@ -161,10 +161,9 @@ bool may_be_beaten(const Outcome& through) {
   if (path.size() <= kShort || static_cast<double>(through.summary.tube_fallbacks) >
                                    kMostFallen * static_cast<double>(through.summary.tube_windows))
     return true;
-  double commanded = through.summary.dwell_time;
+  const double commanded = through.summary.dwell_time + time_at_feeds(path, commands);
   std::size_t changes = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    commanded += path.length[i] / commands[i].speed;
     changes += i > 0 && commands[i].speed != commands[i - 1].speed;
   }
   return through.summary.cycle_time < kNearFeed * commanded ||

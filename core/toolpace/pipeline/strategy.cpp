@@ -108,9 +108,7 @@ bool is_worth_timing_anew(const PlanTask& task, const MotionPlan& plan) {
   constexpr std::size_t kShort = 200;  // segments
   if (has_programmed_curves(task.job) || !goes_quickly_through_tube(task.job, task.path.size())) return true;
   if (task.path.size() <= kShort) return true;
-  double commanded = 0;
-  for (std::size_t i = 0; i < task.path.size(); ++i) commanded += task.path.length[i] / task.commands[i].speed;
-  return plan.cycle_time() < kNearFeed * commanded;
+  return plan.cycle_time() < kNearFeed * time_at_feeds(task.path, task.commands);
 }
 
 /// A plan that is near what the limits allow, whatever the law: from there the way to the fastest one is short. Nothing where
