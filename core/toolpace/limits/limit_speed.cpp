@@ -10,6 +10,7 @@
 #include "toolpace/limits/curve_axes.h"
 #include "toolpace/limits/curve_bounds.h"
 #include "toolpace/limits/curve_budget.h"
+#include "toolpace/limits/dynamics_table.h"
 
 namespace toolpace {
 namespace {
@@ -19,6 +20,10 @@ constexpr double kSmoothJoint = 1e-5;  // difference of directions that rounding
 
 using AxesLimits = std::array<AxisLimits, kAxisCount>;
 
+Dynamics along_path(const PathLimits& p, const LimitOptions& options) {
+  return {{p.acceleration, p.jerk, options.t_acc}, {p.deceleration, p.jerk_deceleration, options.t_dec}};
+}
+
 class Limiter {
  public:
   Limiter(const Path& path, const Commands& commands, const Machine& machine, const LimitOptions& options)
@@ -27,13 +32,13 @@ class Limiter {
         machine_(machine),
         options_(options),
         curve_axes_(curve_axes(machine, options.keeps_jerk)),
-        rapid_axes_(curve_axes_) {
+        rapid_axes_(curve_axes_),
+        dynamics_(along_path(machine.path, options)) {
     for (auto& axis : rapid_axes_) axis.speed *= options.rapid_override;
     axes_are_bounded_ = std::any_of(machine.axes.begin(), machine.axes.end(), [](const AxisLimits& a) {
       return a.speed < kUnlimited || a.acceleration < kUnlimited || a.jerk < kUnlimited;
     });
-    const PathLimits& p = machine.path;
-    limits_.along = {{p.acceleration, p.jerk, options.t_acc}, {p.deceleration, p.jerk_deceleration, options.t_dec}};
+    limits_.along = along_path(machine.path, options);
     const std::size_t n = path.size();
     limits_.length = path.length;
     limits_.block_cap.reserve(n);
@@ -64,7 +69,7 @@ class Limiter {
     }
     limits_.block_cap.push_back(cap);
     limits_.block_cause.push_back(cause);
-    limits_.ramp.push_back(add_dynamics(dynamics, limits_));
+    limits_.ramp.push_back(dynamics_.add(dynamics));
   }
 
   /// Node between block i − 1 and block i.
@@ -94,8 +99,7 @@ class Limiter {
       return std::binary_search(path_.pauses.begin(), path_.pauses.end(), Path::Pause{node, 0, 0},
                                 [](const Path::Pause& a, const Path::Pause& b) { return a.node < b.node; });
     });
-    limits_.dynamics.shrink_to_fit();
-    limits_.dynamics_cause.shrink_to_fit();
+    std::move(dynamics_).give_to(limits_);
     return std::move(limits_);
   }
 
@@ -131,6 +135,7 @@ class Limiter {
   AxesLimits curve_axes_, rapid_axes_;
   bool axes_are_bounded_;
   SpeedLimits limits_;
+  DynamicsTable dynamics_;
 };
 
 /// A limit along the path that is none, in a block that has no other.

@@ -2,14 +2,10 @@
 
 namespace toolpace {
 
-std::uint32_t add_dynamics(const Dynamics& dynamics, SpeedLimits& limits) {
-  if (limits.dynamics.empty() || !(limits.dynamics.back() == dynamics)) {
-    const bool by_axis = dynamics.up.acceleration < limits.along.up.acceleration ||
-                         dynamics.down.acceleration < limits.along.down.acceleration;
-    limits.dynamics.push_back(dynamics);
-    limits.dynamics_cause.push_back(by_axis ? Cause::axis_acceleration : Cause::acceleration);
-  }
-  return static_cast<std::uint32_t>(limits.dynamics.size() - 1);
+Cause ramp_cause(const Dynamics& dynamics, const Dynamics& along) {
+  const bool by_axis =
+      dynamics.up.acceleration < along.up.acceleration || dynamics.down.acceleration < along.down.acceleration;
+  return by_axis ? Cause::axis_acceleration : Cause::acceleration;
 }
 
 SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end) {

@@ -25,7 +25,7 @@ struct SpeedLimits {
   /// have them at their ends, where they rest all the same.
   std::vector<std::uint32_t> reversals;
 
-  std::vector<Dynamics> dynamics;  ///< the distinct ramp limits
+  std::vector<Dynamics> dynamics;  ///< the different ramp limits (dynamics_table.h); slices join equal neighbours alone
   /// What sets them, one entry each: acceleration (of the path) or axis_acceleration. Empty = acceleration everywhere.
   std::vector<Cause> dynamics_cause;
 
@@ -39,8 +39,8 @@ struct SpeedLimits {
   const Dynamics& dynamics_of(std::size_t block) const { return dynamics[ramp[block]]; }
 };
 
-/// Index of these among the dynamics of a chain: the last ones, or new ones. Axes set them where they are not `along`.
-std::uint32_t add_dynamics(const Dynamics& dynamics, SpeedLimits& limits);
+/// What sets the ramp limits of a block: the path, or axes that leave less of it.
+Cause ramp_cause(const Dynamics& dynamics, const Dynamics& along);
 
 /// Blocks begin … end − 1 as a chain of their own, from rest to rest. @pre begin < end ≤ all.size()
 SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/limits/dynamics_table.h"
 #include "toolpace/plan/block/block_plan.h"
 
 namespace toolpace {
@@ -66,8 +67,7 @@ class RunSettler {
 
   /// Caps and ramp limits by the shares. Nodes keep their own caps: plans see the lower of these and their neighbours'.
   void apply() {
-    run_.dynamics.clear();
-    run_.dynamics_cause.clear();
+    DynamicsTable different(all_.along);
     std::size_t c = 0;
     for (std::size_t i = 0; i < run_.size(); ++i) {
       Dynamics dynamics = all_.dynamics_of(begin_ + i);
@@ -77,8 +77,9 @@ class RunSettler {
         dynamics = within(all_.along, b.at(run_.block_cap[i], use_.at_cap));
         ++c;
       }
-      run_.ramp[i] = add_dynamics(dynamics, run_);
+      run_.ramp[i] = different.add(dynamics);
     }
+    std::move(different).give_to(run_);
   }
 
   double time_of(double share) {
@@ -200,8 +201,7 @@ void lower_nodes(SpeedLimits& limits) {
 SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor& monitor) {
   const std::size_t n = widest.size();
   if (widest.curved.empty()) return widest;
-  SpeedLimits chosen;  // dynamics alone
-  chosen.along = widest.along;
+  DynamicsTable chosen(widest.along);
   std::vector<std::uint32_t> ramp(n);
   std::vector<double> cap = widest.block_cap;
   for (std::size_t begin = 0, end = 0; begin < n && !monitor.is_cancelled(); begin = end) {
@@ -210,7 +210,7 @@ SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor
     const SpeedLimits& run = settler.run();
     for (std::size_t i = begin; i < end; ++i) {
       cap[i] = run.block_cap[i - begin];
-      ramp[i] = add_dynamics(run.dynamics_of(i - begin), chosen);
+      ramp[i] = chosen.add(run.dynamics_of(i - begin));
     }
   }
   for (const std::uint32_t i : widest.curved) {
@@ -218,8 +218,7 @@ SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor
   }
   widest.block_cap = std::move(cap);
   widest.ramp = std::move(ramp);
-  widest.dynamics = std::move(chosen.dynamics);
-  widest.dynamics_cause = std::move(chosen.dynamics_cause);
+  std::move(chosen).give_to(widest);
   lower_nodes(widest);
   return widest;
 }
