@@ -1,8 +1,12 @@
 /// Thousands of things that somebody does with the window, at random. TOOLPACE_USER_ACTIONS (100) and TOOLPACE_USER_SEED (1)
 /// choose how many and which; TOOLPACE_USER_TRACE prints each before it is done.
 
+#include <execinfo.h>
+#include <unistd.h>
+
 #include <QSettings>
 #include <QTest>
+#include <array>
 #include <csignal>
 #include <cstdio>
 
@@ -28,9 +32,11 @@ int number_from_environment(const char* name, int usual) {
   return given ? number : usual;
 }
 
-/// Where it was when the process dies.
+/// Where it was when the process dies, and in which calls (addr2line names their lines).
 void tell_place(int signal) {
   std::fprintf(stderr, "random user: seed %llu, step %d, after: %s\n", place.seed, place.step, place.last.constData());
+  std::array<void*, 64> calls = {};
+  backtrace_symbols_fd(calls.data(), backtrace(calls.data(), static_cast<int>(calls.size())), STDERR_FILENO);
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
