@@ -56,7 +56,7 @@ MainWindow::MainWindow(bool remember)
   if (const auto map = ui::colour_map_named(preferences_.colour_map)) contour_->setColourMap(*map);
   resize(kFirstSize);
   if (!preferences_.geometry.isEmpty()) restoreGeometry(preferences_.geometry);
-  if (!preferences_.layout.isEmpty()) restoreState(preferences_.layout);
+  if (!preferences_.layout.isEmpty()) restorePanels(preferences_.layout);
   showProblems();
   nc_->view().setFocus();
 }

@@ -119,6 +119,7 @@ class MainWindow : public QMainWindow {
   void addTool(const char* name, QWidget* page, const QSize& size);
   void arrange();
   void showWholeTuning();
+  void restorePanels(const QByteArray& state);
   void shareRoom();
   void buildToolBar();
   void buildMenus();

@@ -1,4 +1,5 @@
 #include <QDockWidget>
+#include <QLayout>
 #include <QMenuBar>
 #include <QResizeEvent>
 #include <QStatusBar>
@@ -126,6 +127,15 @@ void MainWindow::arrange() {
   for (const auto& tab : tabs) tabifyDockWidget(docks_["resultsDock"], docks_[tab]);
   docks_["resultsDock"]->raise();
   shareRoom();
+}
+
+// At its end restoreState() shows each tab bar of a list. The first that it shows activates the layout, which makes that list anew while it
+// is being read, so the process dies now and then; a layout that rests until all is done leaves the list alone.
+void MainWindow::restorePanels(const QByteArray& state) {
+  layout()->setEnabled(false);
+  restoreState(state);
+  layout()->setEnabled(true);
+  layout()->activate();
 }
 
 // Plots and preview share the height of the window, and the tuning gets what it needs; until somebody drags a border,

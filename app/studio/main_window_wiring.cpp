@@ -151,7 +151,7 @@ void MainWindow::connectActions() {
   on(a.english, [this] { setLanguage("en"); });
   on(a.chinese, [this] { setLanguage("zh_CN"); });
   on(a.reset_layout, [this] {
-    restoreState(first_layout_);
+    restorePanels(first_layout_);
     shareRoom();
   });
   on(a.show_keys, [this] { showKeys(); });

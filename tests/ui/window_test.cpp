@@ -7,6 +7,7 @@
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <random>
 
 #include "main_window.h"
 #include "panels/nc_panel.h"
@@ -52,6 +53,29 @@ class WindowTest : public QObject {
     QCOMPARE(window.the<QLabel>("dropHint").text(), QString("drop an NC program here"));
     QVERIFY(!window.workspace().isStale());
     QVERIFY(window.the<QLabel>("cycleTimeLabel").text().endsWith(" s"));
+  }
+
+  // Qt's restoreState() read a list of tab bars that showing one of them had freed: about once in fifty times.
+  void the_panels_come_back_whatever_became_of_them() {
+    Opened window;
+    std::mt19937 chance(1);
+    const auto happens = [&](unsigned percent) { return chance() % 100 < percent; };
+    const auto docks = window.findChildren<QDockWidget*>();
+    for (int round = 0; round < 100; ++round) {
+      for (int change = 0; change < 5; ++change) {
+        QDockWidget& dock = *docks[static_cast<int>(chance() % static_cast<unsigned>(docks.size()))];
+        dock.setVisible(happens(70));
+        if (happens(50)) dock.raise();
+        if (happens(25)) window.resize(640 + static_cast<int>(chance() % 1400), 400 + static_cast<int>(chance() % 800));
+        if (happens(10)) window.setLanguage(happens(50) ? "en" : "zh_CN");
+        if (happens(50)) QApplication::processEvents();
+      }
+      window.the<QAction>("resetLayoutAction").trigger();
+      for (const char* name : {"programDock", "plotsDock", "tuningDock", "resultsDock"}) {
+        QVERIFY2(window.the<QDockWidget>(name).isVisible(), name);
+      }
+      QVERIFY(!window.the<QDockWidget>("singleMoveDock").isVisible());
+    }
   }
 
   void pictures_of_both_themes_both_languages_and_two_sizes() {
