@@ -143,7 +143,7 @@ void print_summary(const Outcome& outcome, std::optional<double> bound, const Se
   if (s.rotary_peaks.speed > 0) print_peaks(s.rotary_peaks, "deg");
   for (std::size_t i = 0; i < s.time_by_cause.size(); ++i) {
     if (s.time_by_cause[i] > 0) {
-      fmt::print("  {:<12} {:.4f} s  ({:.1f} %)\n", cause_name(static_cast<Cause>(i)), s.time_by_cause[i],
+      fmt::print("  {:<13} {:.4f} s  ({:.1f} %)\n", cause_name(static_cast<Cause>(i)), s.time_by_cause[i],
                  100 * s.time_by_cause[i] / s.cycle_time);
     }
   }

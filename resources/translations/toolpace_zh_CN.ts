@@ -58,6 +58,10 @@
             <source>dwell</source>
             <translation>暂停</translation>
         </message>
+        <message>
+            <source>limit of the program</source>
+            <translation>程序设定的限值</translation>
+        </message>
     </context>
     <context>
         <name>ColourBy</name>
@@ -1285,6 +1289,42 @@
             <translation>缺少子程序</translation>
         </message>
         <message>
+            <source>corner-limit-without-effect</source>
+            <translation>程序的拐角限值在此不起作用</translation>
+        </message>
+        <message>
+            <source>limit-not-positive</source>
+            <translation>限值不大于 0</translation>
+        </message>
+        <message>
+            <source>limit-without-effect</source>
+            <translation>限值设定对规划不起作用</translation>
+        </message>
+        <message>
+            <source>limits-change-in-tube</source>
+            <translation>圆滑运动中限值有变化</translation>
+        </message>
+        <message>
+            <source>macro-operation</source>
+            <translation>未知的宏运算</translation>
+        </message>
+        <message>
+            <source>macro-undefined</source>
+            <translation>宏运算没有结果</translation>
+        </message>
+        <message>
+            <source>macro-variable</source>
+            <translation>宏变量不可赋值</translation>
+        </message>
+        <message>
+            <source>main-program-behind</source>
+            <translation>主程序位于子程序之后</translation>
+        </message>
+        <message>
+            <source>tool-table-missing</source>
+            <translation>缺少刀具表</translation>
+        </message>
+        <message>
             <source>polar-incremental</source>
             <translation>G91 下的极坐标半径</translation>
         </message>
@@ -1928,8 +1968,8 @@
             <translation>每个 sub、if、while、do 和 repeat 用各自的标号</translation>
         </message>
         <message>
-            <source>give fewer different tolerances</source>
-            <translation>减少不同公差的个数</translation>
+            <source>give fewer different tolerances and limits</source>
+            <translation>减少不同公差和限值的个数</translation>
         </message>
         <message>
             <source>give it with P</source>
@@ -2642,6 +2682,26 @@
         <message>
             <source>give a tool table with --tools</source>
             <translation>请用 --tools 给出刀具表</translation>
+        </message>
+        <message>
+            <source>--corner servo follows each of them</source>
+            <translation>--corner servo 会逐一遵循这些限值</translation>
+        </message>
+        <message>
+            <source>--corner servo follows it</source>
+            <translation>--corner servo 会遵循它</translation>
+        </message>
+        <message>
+            <source>check Q and R</source>
+            <translation>请检查 Q 和 R</translation>
+        </message>
+        <message>
+            <source>give one above 0</source>
+            <translation>请给出大于 0 的值</translation>
+        </message>
+        <message>
+            <source>name the variable with P, such as P#100</source>
+            <translation>请用 P 指定变量，例如 P#100</translation>
         </message>
         <message>
             <source>give its radius with I; of growing circles the first radius with I, the last with K, the step with Q</source>

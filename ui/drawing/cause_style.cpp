@@ -24,6 +24,7 @@ constexpr std::array<CauseStyle, kCauseCount> kStyles = {{
     {QT_TRANSLATE_NOOP("Cause", "look-ahead"), 0xff7c7a00, 0xfff0e442},
     {QT_TRANSLATE_NOOP("Cause", "stop"), 0xff30363d, 0xffe2e6ea},
     {QT_TRANSLATE_NOOP("Cause", "dwell"), 0xff882255, 0xffc0608f},
+    {QT_TRANSLATE_NOOP("Cause", "limit of the program"), 0xff5a4fcf, 0xffa79bff},
 }};
 
 }  // namespace

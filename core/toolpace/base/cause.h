@@ -18,9 +18,10 @@ enum class Cause : std::uint8_t {
   curvature,
   lookahead,
   stop,
-  dwell
+  dwell,
+  program_limit  ///< a speed or an acceleration that the program lowers: M203, M204, SET_VELOCITY_LIMIT, …
 };
-inline constexpr std::size_t kCauseCount = 12;
+inline constexpr std::size_t kCauseCount = 13;
 
 /// "feed", "axis_speed", …: the keys of time_by_limit_s.
 std::string_view cause_name(Cause cause);

@@ -6,6 +6,7 @@
 #include "toolpace/bound/path_bound.h"
 #include "toolpace/bound/stretch_bound.h"
 #include "toolpace/bound/tube_bound.h"
+#include "toolpace/limits/ceilings.h"
 #include "toolpace/limits/curve_bounds.h"
 #include "toolpace/path/blend_path.h"
 #include "toolpace/path/build_path.h"
@@ -60,7 +61,7 @@ class Opener {
 
  private:
   void open_curve(std::size_t i) {
-    const Machine& machine = outcome_.job->machine;
+    const Machine machine = under(outcome_.job->machine, outcome_.commands->ceiling_of(i));
     const CurveBounds bounds = curve_bounds(path_, i);
     const Together axes = axes_together(bounds, machine);
     const double curvature = least_curvature(path_, i);
@@ -118,7 +119,9 @@ Result<double> lower_bound(const Outcome& outcome, const Monitor& monitor) {
   const auto programmed = build_path(job.program->moves, job.machine.tool_change, monitor);
   if (!programmed) return tl::unexpected(programmed.error());
   const double tolerance = judged_tolerance(job.program->moves, job.options.corner);
-  return tube_bound(*programmed, command(*programmed, job), job.machine, tolerance) + outcome.summary.dwell_time;
+  const Commands commands = command(*programmed, job);
+  const Machine machine = under(job.machine, highest_ceiling(commands, 0, commands.size()));
+  return tube_bound(*programmed, commands, machine, tolerance) + outcome.summary.dwell_time;
 }
 
 }  // namespace toolpace

@@ -6,6 +6,7 @@
 #include "toolpace/bound/envelope.h"
 #include "toolpace/bound/timing_dual.h"
 #include "toolpace/law/law_table.h"
+#include "toolpace/limits/ceilings.h"
 #include "toolpace/limits/curve_axes.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/retime/stretch_retimer.h"
@@ -28,8 +29,9 @@ class TimedStretch {
   TimedStretch(const Outcome& outcome, std::size_t begin, std::size_t end)
       : path_(*outcome.path),
         commands_(*outcome.commands),
-        along_(outcome.job->machine.path),
-        axes_(curve_axes(outcome.job->machine, true)),
+        machine_(under(outcome.job->machine, highest_ceiling(commands_, begin, end))),
+        along_(machine_.path),
+        axes_(curve_axes(machine_, true)),
         begin_(begin),
         end_(end) {
     const SpeedLimits part = slice(outcome.limits, begin, end);
@@ -153,6 +155,7 @@ class TimedStretch {
 
   const Path& path_;
   const Commands& commands_;
+  Machine machine_;  ///< under the highest limits that the program sets on the way
   const PathLimits& along_;
   std::array<AxisLimits, kAxisCount> axes_;
   std::size_t begin_, end_;

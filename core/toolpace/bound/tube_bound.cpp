@@ -65,7 +65,7 @@ class TubeBound {
   /// Rapids may cut a corner in a direction in which the axes together are faster than in either of its own.
   double top_speed(std::size_t segment) const {
     const Command& command = commands_[segment];
-    return command.is_rapid() ? speed_ : std::min(speed_, command.speed);
+    return command.is_rapid ? speed_ : std::min(speed_, command.speed);
   }
 
   void walk(std::size_t segment) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/limits/limit_speed.h"
@@ -68,6 +69,27 @@ double corner_speed(const CornerOptions& corner, const AxisVector& before, const
     case CornerRule::smooth: return 0.0;  // a corner that could not be rounded stops
     default: return servo_speed(step, machine);
   }
+}
+
+double corner_speed(const MotionCeiling& ceiling, const AxisVector& before, const AxisVector& after,
+                    const Machine& machine) {
+  const AxisVector step = after - before;
+  const double chord = kApart.norm(step);
+  if (chord <= kSameDirection || !ceiling.limits_corners()) return kUnlimited;
+  double speed = kUnlimited;
+  for (Eigen::Index k = 0; k < step.size(); ++k) {
+    if (step[k] != 0) speed = std::min(speed, ceiling.corner_step[k] / std::abs(step[k]));
+  }
+  if (ceiling.corner_speed < kUnlimited) {
+    // cos(α/2)/(1 − cos(α/2)) is 1/(√2 − 1) at a right angle.
+    const double product = ceiling.corner_speed * ceiling.corner_speed * (std::numbers::sqrt2 - 1);
+    speed = std::min(speed, junction_speed(chord / 2, 1.0, product));
+  }
+  if (ceiling.junction_deviation < kUnlimited) {
+    const double acceleration = turning_acceleration(step, machine);
+    speed = std::min(speed, junction_speed(chord / 2, acceleration, ceiling.junction_deviation));
+  }
+  return speed;
 }
 
 }  // namespace toolpace

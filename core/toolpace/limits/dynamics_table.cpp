@@ -18,21 +18,17 @@ std::uint64_t hash_of(const Dynamics& d) {
 
 }  // namespace
 
-std::uint32_t DynamicsTable::append(const Dynamics& dynamics) {
-  list_.push_back(dynamics);
-  cause_.push_back(ramp_cause(dynamics, along_));
-  return static_cast<std::uint32_t>(list_.size() - 1);
-}
-
-std::uint32_t DynamicsTable::add(const Dynamics& dynamics) {
-  if (!list_.empty() && list_[last_] == dynamics) return last_;
+std::uint32_t DynamicsTable::add(const Dynamics& dynamics, Cause cause) {
+  if (!list_.empty() && is_at(last_, dynamics, cause)) return last_;
   for (std::size_t at = hash_of(dynamics) % kSlots;; at = (at + 1) % kSlots) {
     if (slot_[at] == 0) {
-      last_ = append(dynamics);
+      last_ = static_cast<std::uint32_t>(list_.size());
+      list_.push_back(dynamics);
+      cause_.push_back(cause);
       if (list_.size() <= kMostFound) slot_[at] = last_ + 1;
       return last_;
     }
-    if (list_[slot_[at] - 1] == dynamics) return last_ = slot_[at] - 1;
+    if (is_at(slot_[at] - 1, dynamics, cause)) return last_ = slot_[at] - 1;
   }
 }
 

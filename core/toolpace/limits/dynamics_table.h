@@ -15,11 +15,8 @@ namespace toolpace {
 /// each is compared with those and with the last.
 class DynamicsTable {
  public:
-  /// @param along  the path's own, which tell whether axes set those that are added
-  explicit DynamicsTable(const Dynamics& along) : along_(along) {}
-
-  /// Where these stand in the list, in which they are put unless they are known.
-  std::uint32_t add(const Dynamics& dynamics);
+  /// Where these, set by this cause, stand in the list, in which they are put unless they are known.
+  std::uint32_t add(const Dynamics& dynamics, Cause cause);
 
   /// Gives the list and its causes away.
   void give_to(SpeedLimits& limits) &&;
@@ -27,9 +24,10 @@ class DynamicsTable {
  private:
   static constexpr std::size_t kSlots = 1024, kMostFound = kSlots / 2;
 
-  std::uint32_t append(const Dynamics& dynamics);
+  bool is_at(std::uint32_t place, const Dynamics& dynamics, Cause cause) const {
+    return list_[place] == dynamics && cause_[place] == cause;
+  }
 
-  Dynamics along_;
   std::vector<Dynamics> list_;
   std::vector<Cause> cause_;
   std::uint32_t last_ = 0;

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "toolpace/limits/ceilings.h"
 #include "toolpace/limits/corner_between.h"
 #include "toolpace/limits/curve_axes.h"
 #include "toolpace/limits/curve_bounds.h"
@@ -20,25 +21,48 @@ constexpr double kSmoothJoint = 1e-5;  // difference of directions that rounding
 
 using AxesLimits = std::array<AxisLimits, kAxisCount>;
 
-Dynamics along_path(const PathLimits& p, const LimitOptions& options) {
-  return {{p.acceleration, p.jerk, options.t_acc}, {p.deceleration, p.jerk_deceleration, options.t_dec}};
+bool is_bounded(const AxisLimits& a) {
+  return a.speed < kUnlimited || a.acceleration < kUnlimited || a.jerk < kUnlimited;
 }
+
+/// The machine under one ceiling of the program, as blocks and nodes ask for it.
+struct Ceiling {
+  Ceiling(const Machine& own, const MotionCeiling& of_program, const LimitOptions& options)
+      : limits(of_program),
+        machine(under(own, of_program)),
+        curve_axes(toolpace::curve_axes(machine, options.keeps_jerk)),
+        rapid_axes(curve_axes) {
+    const double rapid_override = of_program.holds_overrides ? 1.0 : options.rapid_override;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+      const double speed = own.axes[k].speed * rapid_override, most = of_program.speed[static_cast<Eigen::Index>(k)];
+      rapid_axes[k].speed = std::min(speed, most);
+      lowers_speed = lowers_speed || most < own.axes[k].speed;
+      if (machine.axes[k].acceleration < own.axes[k].acceleration) along.of_axes = Cause::program_limit;
+    }
+    const PathLimits& p = machine.path;
+    along.dynamics = {{p.acceleration, p.jerk, options.t_acc}, {p.deceleration, p.jerk_deceleration, options.t_dec}};
+    if (p.acceleration < own.path.acceleration || p.deceleration < own.path.deceleration)
+      along.own = Cause::program_limit;
+    axes_are_bounded = std::any_of(machine.axes.begin(), machine.axes.end(), is_bounded);
+  }
+
+  MotionCeiling limits;
+  Machine machine;
+  AxesLimits curve_axes, rapid_axes;
+  AlongPath along;
+  bool axes_are_bounded = false;
+  bool lowers_speed = false;  ///< of an axis
+};
 
 class Limiter {
  public:
   Limiter(const Path& path, const Commands& commands, const Machine& machine, const LimitOptions& options)
-      : path_(path),
-        commands_(commands),
-        machine_(machine),
-        options_(options),
-        curve_axes_(curve_axes(machine, options.keeps_jerk)),
-        rapid_axes_(curve_axes_),
-        dynamics_(along_path(machine.path, options)) {
-    for (auto& axis : rapid_axes_) axis.speed *= options.rapid_override;
-    axes_are_bounded_ = std::any_of(machine.axes.begin(), machine.axes.end(), [](const AxisLimits& a) {
-      return a.speed < kUnlimited || a.acceleration < kUnlimited || a.jerk < kUnlimited;
-    });
-    limits_.along = along_path(machine.path, options);
+      : path_(path), commands_(commands), options_(options) {
+    ceilings_.reserve(commands.ceilings.size());
+    for (const MotionCeiling& c : commands.ceilings) {
+      ceilings_.emplace_back(machine, c, options);
+      limits_.along.push_back(ceilings_.back().along);
+    }
     const std::size_t n = path.size();
     limits_.length = path.length;
     limits_.block_cap.reserve(n);
@@ -54,22 +78,24 @@ class Limiter {
     const Command& command = commands_[i];
     double cap = command.speed;
     Cause cause = command.cause;
-    Dynamics dynamics = limits_.along;
+    const Ceiling& ceiling = ceilings_[command.ceiling];
+    Dynamics dynamics = ceiling.along.dynamics;
     const bool is_line = path_.kind[i] == SegmentKind::line;
-    if (!is_line || axes_are_bounded_) {
+    if (!is_line || ceiling.axes_are_bounded) {
       const CurveBudget budget = curve_budget(curve_bounds(path_, i), axes_of(i));
       const double top = budget.bends() ? budget.top_speed() : budget.speed;
-      if (top < cap && !command.is_rapid()) cause = top < budget.speed ? Cause::curvature : Cause::axis_speed;
+      if (top < cap) cause = top < budget.speed && !command.is_rapid ? Cause::curvature : axis_cause(ceiling, command);
       cap = std::min(cap, top);
-      dynamics = within(limits_.along, budget.at(cap, AtCap::changes));
+      dynamics = within(dynamics, budget.at(cap, AtCap::changes));
       if (budget.bends()) {
         limits_.curved.push_back(static_cast<std::uint32_t>(i));
         limits_.budget.push_back(budget);
+        limits_.ceiling.push_back(command.ceiling);
       }
     }
     limits_.block_cap.push_back(cap);
     limits_.block_cause.push_back(cause);
-    limits_.ramp.push_back(dynamics_.add(dynamics));
+    limits_.ramp.push_back(dynamics_.add(dynamics, cause_of(dynamics, ceiling.along)));
   }
 
   /// Node between block i − 1 and block i.
@@ -109,7 +135,22 @@ class Limiter {
     // Curves meet their neighbours with one direction and one curvature, whatever rounding leaves of short lines.
     const bool is_curve = path_.kind[i - 1] >= SegmentKind::spline || path_.kind[i] >= SegmentKind::spline;
     const bool smooth = is_curve && corner.rule == CornerRule::blend && (leaving - arriving).norm() < kSmoothJoint;
-    return smooth ? kUnlimited : corner_speed(corner, arriving, leaving, machine_);
+    if (smooth) return kUnlimited;
+    const double speed = speed_under(commands_[i - 1].ceiling, corner, arriving, leaving);
+    if (commands_[i - 1].ceiling == commands_[i].ceiling) return speed;
+    return std::min(speed, speed_under(commands_[i].ceiling, corner, arriving, leaving));
+  }
+
+  double speed_under(std::uint16_t index, const CornerOptions& corner, const AxisVector& arriving,
+                     const AxisVector& leaving) const {
+    const Ceiling& c = ceilings_[index];
+    return std::min(corner_speed(corner, arriving, leaving, c.machine),
+                    corner_speed(c.limits, arriving, leaving, c.machine));
+  }
+
+  static Cause axis_cause(const Ceiling& c, const Command& command) {
+    if (c.lowers_speed) return Cause::program_limit;
+    return command.is_rapid ? command.cause : Cause::axis_speed;
   }
 
   /// Whether every axis goes back between two lines. What is left of its direction would be a step of acceleration.
@@ -120,8 +161,9 @@ class Limiter {
   }
 
   const AxesLimits& axes_of(std::size_t i) const {
-    if (path_.kind[i] == SegmentKind::line) return machine_.axes;
-    return commands_[i].is_rapid() ? rapid_axes_ : curve_axes_;
+    const Ceiling& c = ceilings_[commands_[i].ceiling];
+    if (path_.kind[i] == SegmentKind::line) return c.machine.axes;
+    return commands_[i].is_rapid ? c.rapid_axes : c.curve_axes;
   }
 
   Cause slower_block_cause(std::size_t i) const {
@@ -130,10 +172,8 @@ class Limiter {
 
   const Path& path_;
   const Commands& commands_;
-  const Machine& machine_;
   const LimitOptions& options_;
-  AxesLimits curve_axes_, rapid_axes_;
-  bool axes_are_bounded_;
+  std::vector<Ceiling> ceilings_;
   SpeedLimits limits_;
   DynamicsTable dynamics_;
 };

@@ -18,7 +18,7 @@ struct LimitOptions {
   bool keeps_jerk = true;       ///< whether the law does; without, curves are not held to the axes' jerk
 };
 
-/// The machine's part in what is commanded: its top speeds, without overrides.
+/// The machine's part in what is commanded: its top speeds, without overrides and whatever the program lowers.
 CommandOptions command_options(const Machine& machine);
 
 /// Speed caps and ramp limits of every block and node.
@@ -39,6 +39,12 @@ Result<SpeedLimits> limit_speed(const Path& path, const Commands& commands, cons
 /// Largest speed that the corner rule allows between two directions, ignoring the blocks' own caps; infinite for none.
 /// @param before, after  direction by path length, per axis
 double corner_speed(const CornerOptions& corner, const AxisVector& before, const AxisVector& after,
+                    const Machine& machine);
+
+/// The same of what the program asks for: no axis' speed may step by more (Marlin M205 X Y Z), and V² = a·δ·cos(α/2)/(1 − cos(α/2))
+/// with δ the junction deviation (M205 J), or such that V is the given speed at a right angle (Klipper's
+/// SQUARE_CORNER_VELOCITY).
+double corner_speed(const MotionCeiling& ceiling, const AxisVector& before, const AxisVector& after,
                     const Machine& machine);
 
 }  // namespace toolpace

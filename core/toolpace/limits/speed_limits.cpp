@@ -1,11 +1,15 @@
 #include "toolpace/limits/speed_limits.h"
 
+#include <utility>
+
+#include "toolpace/limits/dynamics_table.h"
+
 namespace toolpace {
 
-Cause ramp_cause(const Dynamics& dynamics, const Dynamics& along) {
-  const bool by_axis =
-      dynamics.up.acceleration < along.up.acceleration || dynamics.down.acceleration < along.down.acceleration;
-  return by_axis ? Cause::axis_acceleration : Cause::acceleration;
+Cause cause_of(const Dynamics& dynamics, const AlongPath& along) {
+  const bool by_axes = dynamics.up.acceleration < along.dynamics.up.acceleration ||
+                       dynamics.down.acceleration < along.dynamics.down.acceleration;
+  return by_axes ? along.of_axes : along.own;
 }
 
 SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end) {
@@ -22,17 +26,16 @@ SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end) {
                    {},
                    {},
                    {},
-                   all.along,
+                   {},
+                   {},
                    {},
                    {}};
+  DynamicsTable different;
   for (std::uint32_t& ramp : part.ramp) {
-    const Dynamics& dynamics = all.dynamics[ramp];
-    if (part.dynamics.empty() || !(part.dynamics.back() == dynamics)) {
-      part.dynamics.push_back(dynamics);
-      if (!all.dynamics_cause.empty()) part.dynamics_cause.push_back(all.dynamics_cause[ramp]);
-    }
-    ramp = static_cast<std::uint32_t>(part.dynamics.size() - 1);
+    const Cause cause = all.dynamics_cause.empty() ? Cause::acceleration : all.dynamics_cause[ramp];
+    ramp = different.add(all.dynamics[ramp], cause);
   }
+  std::move(different).give_to(part);
   for (const std::uint32_t node : all.reversals) {
     if (node >= begin && node <= end) part.reversals.push_back(node - static_cast<std::uint32_t>(begin));
   }

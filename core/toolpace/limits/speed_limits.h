@@ -10,6 +10,13 @@
 
 namespace toolpace {
 
+/// What the path as a whole may use, and what sets it: the machine, or the program where that lowers it.
+struct AlongPath {
+  Dynamics dynamics;
+  Cause own = Cause::acceleration;           ///< where nothing else bounds a block
+  Cause of_axes = Cause::axis_acceleration;  ///< where axes do
+};
+
 struct SpeedLimits {
   // One entry a block.
   std::vector<double> length;       ///< [mm] > 0
@@ -25,22 +32,24 @@ struct SpeedLimits {
   /// have them at their ends, where they rest all the same.
   std::vector<std::uint32_t> reversals;
 
-  std::vector<Dynamics> dynamics;  ///< the different ramp limits (dynamics_table.h); slices join equal neighbours alone
-  /// What sets them, one entry each: acceleration (of the path) or axis_acceleration. Empty = acceleration everywhere.
+  std::vector<Dynamics> dynamics;  ///< the different ramp limits (dynamics_table.h)
+  /// What sets them, one entry each: acceleration (of the path), axis_acceleration or program_limit. Empty = acceleration
+  /// everywhere.
   std::vector<Cause> dynamics_cause;
 
   // One entry a curve: cap and ramp limits of its block are a choice among all that its budget allows, at first the highest
   // cap and what that leaves (settle_curves() chooses better). Slices have none.
-  Dynamics along;                     ///< of the path, whatever turns
   std::vector<std::uint32_t> curved;  ///< blocks that turn, rising
   std::vector<CurveBudget> budget;
+  std::vector<std::uint16_t> ceiling;  ///< index into along
+  std::vector<AlongPath> along;        ///< under each ceiling of the program
 
   std::size_t size() const { return length.size(); }
   const Dynamics& dynamics_of(std::size_t block) const { return dynamics[ramp[block]]; }
 };
 
-/// What sets the ramp limits of a block: the path, or axes that leave less of it.
-Cause ramp_cause(const Dynamics& dynamics, const Dynamics& along);
+/// What sets dynamics that are no higher than those along the path.
+Cause cause_of(const Dynamics& dynamics, const AlongPath& along);
 
 /// Blocks begin … end − 1 as a chain of their own, from rest to rest. @pre begin < end ≤ all.size()
 SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end);

@@ -69,6 +69,7 @@ std::uint32_t words_of_settings(const Block& block) {
   if (block.has(GGroup::compensation)) words |= word_bit('d') | word_bit('l');
   if (block.has(GGroup::tool_length)) words |= word_bit('h');
   if (block.has(GGroup::path_control)) words |= word_bit('p') | word_bit('q');
+  if (block.code(GGroup::path_control) == kSmoothness) words |= word_bit('e');
   if (block.has(GGroup::spindle_mode)) words |= word_bit('d') | kSpindleBit;
   if (block.has('s')) words |= kSpindleBit;
   if (block.code(GGroup::system) == 541) words |= word_bit('p');
@@ -79,7 +80,7 @@ std::uint32_t words_of_settings(const Block& block) {
   if (block.has(MGroup::override_) || block.has(MGroup::user)) words |= word_bit('p') | word_bit('q');
   if (block.has(MGroup::spindle)) words |= word_bit('r') | word_bit('q') | word_bit('p') | kSpindleBit;
   if (block.has(MGroup::subprogram)) words |= word_bit('p') | word_bit('l') | word_bit('q');
-  if (block.has(MGroup::ignored) || block.has(GGroup::ignored)) words |= ~0u;
+  if (block.has(MGroup::ignored) || block.has(MGroup::limits) || block.has(GGroup::ignored)) words |= ~0u;
   if (block.has(GGroup::kept) || block.has(GGroup::machine)) words |= ~0u;
   return words;
 }
@@ -110,7 +111,8 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
   const Code named = block.code(GGroup::motion);
   motion = kNoCode;
   const bool claimed = takes_axes(once) || keeps_axes(block) || (once == 40 && context.rules.dwells_by_axis_words) ||
-                       (block.has(MGroup::ignored) && context.rules.extruder);  // M92 X80, M205 X8: settings
+                       block.has(MGroup::limits) ||
+                       (block.has(MGroup::ignored) && context.rules.extruder);  // M92 X80: settings
   const bool only_sets_motion = context.rules.motion_beside_home && (named == 0 || named == 10);
   if (claimed && named != kNoCode && named != 800 && takes_axes(once)) {
     if (only_sets_motion) {
@@ -174,6 +176,7 @@ bool check_words(Context& context, const Block& block, Code motion) {
   std::uint32_t unused = block.words & ~always;
   if (unused == 0) return true;
   if (context.rules.lathe_words && motion == 10) unused &= ~(word_bit('r') | word_bit('i') | word_bit('k'));
+  if (context.rules.dwells_by_axis_words && block.code(GGroup::once) == 40) unused &= ~word_bit('u');
   unused &= ~(words_of_motion(motion) | words_of_settings(block));
   if (unused == 0) return true;
   if ((unused & (1u << kSpindleWord)) != 0) {

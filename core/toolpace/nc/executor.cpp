@@ -7,9 +7,11 @@
 #include "toolpace/nc/block_words.h"
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/dwell.h"
+#include "toolpace/nc/macro_arithmetic.h"
 #include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/once_codes.h"
+#include "toolpace/nc/program_limits.h"
 #include "toolpace/nc/settings.h"
 #include "toolpace/nc/text/whole_number.h"
 #include "toolpace/nc/tool_table.h"
@@ -52,21 +54,28 @@ bool Executor::run_in_order(const Block& block) {
   }
   if (block.has('f') && !set_feed(context_, block)) return false;
   if (!plain) {
-    if (block.has('s') && !set_speed(context_, block)) return false;
-    if (block.has('t') && !select_tool(context_, block)) return false;
+    const bool sets_limits = block.has(MGroup::limits);  // M204 S T are accelerations
+    if (block.has('s') && !sets_limits && !set_speed(context_, block)) return false;
+    if (block.has('t') && !sets_limits && !select_tool(context_, block)) return false;
     if (block.m_groups != 0 && !run_machine_codes(block)) return false;
     if (!run_dwell(block) || !run_settings(context_, block)) return false;
+    context_.out.set_travelling(!block.has('e'));
     context_.out.set_mode(context_.state.modal);
     if (block.has(GGroup::once) && !run_once_code(context_, block)) return false;
     if (block.has(GGroup::macro) || !block.message.empty()) {
       if (!raise_alarm(context_, block)) return false;
     }
   }
+  if (plain && context_.state.limits.has_own_travels()) {
+    context_.out.set_travelling(true);
+    context_.out.set_mode(context_.state.modal);
+  }
   if (motion != kNoCode) {
     if (!is_cycle(motion)) context_.state.cycle.initial_level.reset();
     if (!run_any_motion(block, motion)) return false;
   }
   if (plain) return !macros_.has_modal() || macros_.run(block);
+  if (is_macro_arithmetic(block)) return run_macro_arithmetic(context_, flow_, block);
   return macros_.run(block) && run_stop(block);
 }
 
@@ -82,6 +91,8 @@ bool Executor::run_machine_codes(const Block& block) {
     const Code code = block.code(MGroup::spindle);
     context_.state.modal.spindle_direction = code == 3 ? 1 : code == 4 ? -1 : 0;
   }
+  if (block.has(MGroup::override_)) set_overrides(context_, block);
+  if (block.has(MGroup::limits)) set_program_limits(context_, block);
   if (block.has(MGroup::state) && !run_saved_state(block.code(MGroup::state))) return false;
   if (block.has(MGroup::coolant)) {
     const Code code = block.code(MGroup::coolant);
@@ -120,8 +131,11 @@ bool Executor::run_dwell(const Block& block) {
     seconds = dwell_of(context_, block);
   } else if (context_.rules.dwells_by_axis_words && block.has_any(word_bit('x') | word_bit('u') | word_bit('s'))) {
     seconds = block.of(block.has('x') ? 'x' : block.has('u') ? 'u' : 's');
-  } else {
+  } else if (context_.rules.refuses_doubtful) {
     return context_.faults.fail("dwell-without-time", "G4 without a time", "give it with P", column);
+  } else {
+    context_.faults.warn("dwell-without-time", "G4 without a time", "give it with P", column);
+    return true;
   }
   if (!is_dwell(seconds)) {
     return context_.faults.fail("dwell-negative", fmt::format("a dwell of {:g} s", seconds),

@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "toolpace/base/file_name.h"
+#include "toolpace/nc/flow/main_program.h"
 #include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/motion/increments.h"
+#include "toolpace/nc/program_limits.h"
 #include "toolpace/nc/settings.h"
 #include "toolpace/nc/text/line_kinds.h"
 
@@ -51,6 +53,7 @@ Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, const 
 bool Interpreter::run(const Monitor& monitor) {
   monitor_ = &monitor;
   recorder_.record(state_, flow_);
+  if (!rules_.refuses_doubtful) start_at_main_program();
   while (run_next_line()) {
   }
   if (end_ == End::cancelled) return false;
@@ -60,6 +63,19 @@ bool Interpreter::run(const Monitor& monitor) {
   log_.finish(files_.at(0).name);
   reading_.refused = log_.has_errors();
   return true;
+}
+
+// Sub-programs may stand before the program that calls them.
+void Interpreter::start_at_main_program() {
+  const auto found = find_main_program(files_.at(0).text);
+  if (!found) return;
+  percent_seen_ = files_.at(0).text.substr(0, found->offset).find('%') != std::string_view::npos;
+  flow_.go_to({0, found->offset, found->line - 1});
+  log_.add({"main-program-behind",
+            fmt::format("{} is run, which alone ends with M2 or M30: what stands before it are its sub-programs",
+                        found->name),
+            "", 0, Severity::warning},
+           files_.at(0).name, found->line, {});
 }
 
 // @return false where there is nothing more to run
@@ -90,8 +106,8 @@ bool Interpreter::check_bounds() {
   if (out_.is_full()) {
     end_ = End::ended;
     if (out_.has_all_modes()) {
-      return faults_.fail("too-many-modes", "more than 65536 combinations of plane, feed mode and G64 P Q",
-                          "give fewer different tolerances");
+      return faults_.fail("too-many-modes", "more than 65536 combinations of plane, feed mode, G64 P Q and limits",
+                          "give fewer different tolerances and limits");
     }
     return faults_.fail("too-many-blocks",
                         fmt::format("loops, calls and cycles make more than {} motion blocks", options_.limits.blocks),
@@ -225,7 +241,7 @@ bool Interpreter::run_line(std::string_view line) {
     if (rules_.macro_statements && is_digit(text.peek())) text.take();
     c = text.peek();
   }
-  while (c == 'n') {
+  while (c == 'n' || (c == ':' && numbers_line(text))) {
     const std::size_t column = text.column();
     text.take();
     double number = 0.0;
@@ -240,6 +256,7 @@ bool Interpreter::run_line(std::string_view line) {
       c = text.peek();
     }
   }
+  if (rules_.texts_without_quotes && c == 's' && run_velocity_limit(context_, text)) return true;
   if (rules_.texts_without_quotes && is_macro_line(text)) {
     faults_.warn("sender-macro", "a macro of the sender is not followed; it is taken to move nothing", "",
                  text.column());
@@ -258,6 +275,12 @@ bool Interpreter::run_line(std::string_view line) {
     if (flow_.run_fanuc_statement(text, good)) return good;
   }
   return run_block(text);
+}
+
+// ":0030 T1 M6": posts number the lines of tool changes so. Alone it may be the head of a program.
+bool Interpreter::numbers_line(const Scanner& text) const {
+  if (rules_.refuses_doubtful) return false;
+  return !rules_.macro_statements || !begins_program_number(text);
 }
 
 bool Interpreter::read_block(Scanner& text) {

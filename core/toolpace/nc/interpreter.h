@@ -37,8 +37,10 @@ class Interpreter {
   bool run_line(std::string_view line);
   bool run_percent();
   bool run_sender_command(Scanner& text);
+  bool numbers_line(const Scanner& text) const;
   bool read_block(Scanner& text);
   bool run_block(Scanner& text);
+  void start_at_main_program();
   void end_of_text();
   bool must_end();
   void warn_of_text_behind();

@@ -32,9 +32,21 @@ MoveMode make_mode(const Modal& modal, bool exact_path, bool synchronised) {
 
 bool MoveWriter::ModeOrder::operator()(const MoveMode& a, const MoveMode& b) const {
   const auto key = [](const MoveMode& m) {
-    return std::tuple(m.control, m.tolerance, m.naive_tolerance, m.plane, m.feed_mode);
+    return std::tuple(m.control, m.tolerance, m.naive_tolerance, m.plane, m.feed_mode, m.ceiling);
   };
   return key(a) < key(b);
+}
+
+bool MoveWriter::CeilingOrder::operator()(const MotionCeiling& a, const MotionCeiling& b) const {
+  const auto key = [](const MotionCeiling& c) {
+    return std::tuple(c.path_speed, c.path_acceleration, c.corner_speed, c.junction_deviation, c.holds_overrides);
+  };
+  if (key(a) != key(b)) return key(a) < key(b);
+  for (const auto values : {&MotionCeiling::speed, &MotionCeiling::acceleration, &MotionCeiling::corner_step}) {
+    const AxisVector &x = a.*values, &y = b.*values;
+    if (x != y) return std::lexicographical_compare(x.data(), x.data() + x.size(), y.data(), y.data() + y.size());
+  }
+  return false;
 }
 
 AxisVector machine_vector(const Offsets& offsets, const Position& work) {
@@ -47,7 +59,11 @@ AxisVector machine_vector(const Offsets& offsets, const Position& work) {
 }
 
 void MoveWriter::set_mode(const Modal& modal, bool exact_path, bool synchronised) {
-  const MoveMode mode = make_mode(modal, exact_path, synchronised);
+  MoveMode mode = make_mode(modal, exact_path, synchronised);
+  if (!find_ceiling(modal.holds_overrides, mode.ceiling)) {
+    has_all_modes_ = full_ = true;
+    return;
+  }
   auto& modes = moves_.modes;
   if (modes[mode_] == mode) return;
   const auto [known, is_new] = known_modes_.try_emplace(mode, modes.size());
@@ -60,6 +76,31 @@ void MoveWriter::set_mode(const Modal& modal, bool exact_path, bool synchronised
     modes.push_back(mode);
   }
   mode_ = static_cast<std::uint16_t>(known->second);
+}
+
+void MoveWriter::set_ceilings(const MotionCeiling& feeding, const MotionCeiling& travelling) {
+  ceilings_[0] = feeding;
+  ceilings_[1] = travelling;
+  for (auto& of_kind : known_) of_kind[0] = of_kind[1] = std::nullopt;
+}
+
+// @return false where there are too many
+bool MoveWriter::find_ceiling(bool holds_overrides, std::uint16_t& index) {
+  std::optional<std::uint16_t>& known = known_[travels_ ? 1 : 0][holds_overrides ? 1 : 0];
+  if (!known) {
+    MotionCeiling ceiling = ceilings_[travels_ ? 1 : 0];
+    ceiling.holds_overrides = holds_overrides;
+    auto& all = moves_.ceilings;
+    const auto [found, is_new] = known_ceilings_.try_emplace(ceiling, all.size());
+    if (is_new && all.size() > std::numeric_limits<std::uint16_t>::max()) {
+      known_ceilings_.erase(found);
+      return false;
+    }
+    if (is_new) all.push_back(ceiling);
+    known = static_cast<std::uint16_t>(found->second);
+  }
+  index = *known;
+  return true;
 }
 
 bool MoveWriter::begin_row() {

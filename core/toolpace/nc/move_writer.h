@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -23,13 +24,14 @@ class MoveWriter {
  public:
   MoveWriter(Moves& moves, std::size_t most_rows) : moves_(moves), most_rows_(most_rows) {
     for (std::size_t i = 0; i < moves.modes.size(); ++i) known_modes_.emplace(moves.modes[i], i);
+    for (std::size_t i = 0; i < moves.ceilings.size(); ++i) known_ceilings_.emplace(moves.ceilings[i], i);
   }
 
   /// After the first error of a program nothing more is written.
   void stop() { enabled_ = false; }
   bool is_enabled() const { return enabled_; }
   bool is_full() const { return full_; }
-  /// True where what is full is the table of modes.
+  /// True where what is full is the table of modes, or that of ceilings.
   bool has_all_modes() const { return has_all_modes_; }
   /// True once after a row that led farther than kFarthest, and was not written.
   bool take_too_far() { return std::exchange(too_far_, false); }
@@ -41,6 +43,10 @@ class MoveWriter {
   std::size_t line_number() const { return line_; }
   std::size_t file() const { return file_; }
   void set_mode(const Modal& modal, bool exact_path = false, bool synchronised = false);
+  /// What the program lowers the machine's limits to in rows of modes that are set from now on, and in travels of printers.
+  void set_ceilings(const MotionCeiling& feeding, const MotionCeiling& travelling);
+  /// Whether the rows to come are such travels.
+  void set_travelling(bool travels) { travels_ = travels; }
 
   /// Straight rows and rows without motion. `feed` is ignored for rapids.
   void line(MoveKind kind, const Offsets& offsets, const Position& end, const Feedrate& feed = {},
@@ -59,8 +65,12 @@ class MoveWriter {
   struct ModeOrder {
     bool operator()(const MoveMode& a, const MoveMode& b) const;
   };
+  struct CeilingOrder {
+    bool operator()(const MotionCeiling& a, const MotionCeiling& b) const;
+  };
 
   bool begin_row();
+  bool find_ceiling(bool holds_overrides, std::uint16_t& index);
   void append(MoveKind kind, const AxisVector& end, double feed, std::uint32_t detail);
   AxisVector last_end() const { return moves_.empty() ? moves_.start : moves_.end.back(); }
 
@@ -74,6 +84,12 @@ class MoveWriter {
   std::uint16_t file_ = 0;
   std::uint16_t mode_ = 0;
   std::map<MoveMode, std::size_t, ModeOrder> known_modes_;
+
+  // What is lowered, of feeding and of travelling moves; by that and by held overrides: where it is among the ceilings.
+  MotionCeiling ceilings_[2];
+  std::optional<std::uint16_t> known_[2][2] = {};
+  bool travels_ = false;
+  std::map<MotionCeiling, std::size_t, CeilingOrder> known_ceilings_;
 };
 
 /// Machine coordinates in mm and rad.

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,28 @@ enum class PathControl : std::uint8_t { job_default, exact_path, exact_stop, ble
 /// MoveMode::feed_mode of moves whose speed hangs on the spindle's turns: threads, rigid taps.
 inline constexpr std::uint8_t kSynchronisedFeed = 33;
 
+/// What a program lowers the machine's limits to. Infinite: nothing.
+struct MotionCeiling {
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+
+  AxisVector speed = AxisVector::Constant(kNone);         ///< of each axis [mm/s, rad/s] > 0
+  AxisVector acceleration = AxisVector::Constant(kNone);  ///< of each axis [mm/s², rad/s²] > 0
+  double path_speed = kNone;                              ///< [mm/s] > 0
+  double path_acceleration = kNone;                       ///< [mm/s²] > 0
+  // At corners that are crossed, and not rounded:
+  AxisVector corner_step = AxisVector::Constant(kNone);  ///< of each axis' speed [mm/s, rad/s] ≥ 0
+  double corner_speed = kNone;                           ///< [mm/s] ≥ 0 at a right angle
+  double junction_deviation = kNone;                     ///< [mm] ≥ 0
+  bool holds_overrides = false;                          ///< overrides of feed and rapid do not count
+  bool operator==(const MotionCeiling&) const = default;
+
+  bool limits_corners() const;
+};
+
+/// Of each limit the lower one, or the higher one: what holds everywhere under both, and what no motion under one of them exceeds.
+MotionCeiling lower_of(const MotionCeiling& a, const MotionCeiling& b);
+MotionCeiling higher_of(const MotionCeiling& a, const MotionCeiling& b);
+
 /// Modal state that planning needs, shared by many rows.
 struct MoveMode {
   PathControl control = PathControl::job_default;
@@ -59,6 +82,7 @@ struct MoveMode {
   double naive_tolerance = 0.0;  ///< [mm] of G64 Q
   std::uint8_t plane = 17;       ///< 17, 18, 19
   std::uint8_t feed_mode = 94;   ///< 93, 94, 95 or kSynchronisedFeed; feeds are converted already
+  std::uint16_t ceiling = 0;     ///< index into ceilings
   bool operator==(const MoveMode&) const = default;
 };
 
@@ -86,7 +110,8 @@ struct Moves {
   std::vector<double> dwells;      ///< [s]
   std::vector<std::string> notes;  ///< tool number, …
   std::vector<MoveMode> modes = std::vector<MoveMode>(1);
-  std::vector<std::string> files;  ///< names, [0] is the program
+  std::vector<MotionCeiling> ceilings = std::vector<MotionCeiling>(1);  ///< [0] lowers nothing
+  std::vector<std::string> files;                                       ///< names, [0] is the program
 
   std::size_t size() const { return kind.size(); }
   bool empty() const { return kind.empty(); }

@@ -34,8 +34,23 @@ bool set_units(Context& context, const Block& block) {
   return true;
 }
 
+// G187 of Haas: E is how far corners may be rounded; what its levels P are, only the machine's maker knows.
+void set_smoothness(Context& context, const Block& block) {
+  Modal& modal = context.state.modal;
+  modal.tolerance_given = block.has('e') && block.of('e') > 0.0;
+  modal.path_tolerance = modal.tolerance_given ? length_of(context.state, block, 'e') : 0.0;
+  modal.naive_tolerance = 0.0;
+  if (block.has('p') && !std::exchange(context.state.limits.unused_told, true)) {
+    context.faults.warn("limit-without-effect", "P of G187 has no effect on plans here", "", block.column_of('p'));
+  }
+}
+
 bool set_path_control(Context& context, const Block& block) {
   Modal& modal = context.state.modal;
+  if (block.code(GGroup::path_control) == kSmoothness) {
+    set_smoothness(context, block);
+    return true;
+  }
   modal.path_control = block.code(GGroup::path_control);
   if (modal.path_control != 640) return true;
   const bool has_p = block.has('p');

@@ -10,6 +10,7 @@
 
 #include "toolpace/base/axes.h"
 #include "toolpace/nc/motion/offset_geometry.h"
+#include "toolpace/nc/moves.h"
 #include "toolpace/nc/text/words.h"
 
 namespace toolpace::nc {
@@ -54,6 +55,7 @@ struct Modal {
   int spindle_direction = 0;                                       ///< −1, 0, +1 (clockwise)
   bool polar = false;  ///< G16: X is a radius, Y an angle, or what the plane has for them
   bool mist = false, flood = false;
+  bool holds_overrides = false;  ///< M49, M50 P0: those of feed and rapid do not count
   bool operator==(const Modal&) const = default;
 
   double unit() const { return units == 200 ? kMmPerInch : 1.0; }
@@ -177,6 +179,15 @@ struct MendedArcs {
   std::size_t line = 0, file = 0;
 };
 
+/// What a program has told of limits, and of what has no effect on plans (told once each).
+struct ProgramLimits {
+  MotionCeiling ceiling;                              ///< of moves that feed, by which printers mean printing
+  double travel_acceleration = MotionCeiling::kNone;  ///< [mm/s²] of moves of printers that do not print
+  bool unused_told = false;
+
+  bool has_own_travels() const { return travel_acceleration != ceiling.path_acceleration; }
+};
+
 struct State {
   Modal modal;
   Offsets offsets;
@@ -197,10 +208,12 @@ struct State {
   std::optional<WaitingMove> waiting;
   std::map<int, OtherSpindle> spindles;  ///< by number, from 1
   MendedArcs mended;
+  ProgramLimits limits;
   bool extruder_told = false;     ///< that E is left out has been said
   bool lathe_level_told = false;  ///< that R of a lathe's drilling cycle is a level has been said
   bool increments_told = false;   ///< that a peck is read in least increments has been said
   bool turns_c = false;           ///< the program has moved C as an axis
+  bool tool_table_told = false;   ///< that there is no tool table has been said
   bool pocket_told = false;       ///< that the radius of a pocket's tool is not known has been said
   bool chamfer_told = false;      ///< that C of a straight move is a chamfer has been said
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/motion/motion.h"
@@ -112,6 +113,14 @@ bool find_tool(Context& context, int number, std::size_t column, Tool& tool) {
                              "add it to the tool table", column);
 }
 
+void miss_tool_table(Context& context, int number, std::size_t column) {
+  State& state = context.state;
+  if (state.has_tool_table || number == 0 || state.tools.count(number) > 0) return;
+  if (std::exchange(state.tool_table_told, true)) return;
+  context.faults.warn("tool-table-missing", "there is no tool table: lengths and radii of tools count as 0",
+                      "give a tool table with --tools", column);
+}
+
 namespace {
 
 // T0101 of lathes: tool 1 with offset 1. The turret turns at once.
@@ -199,6 +208,7 @@ bool set_tool_length(Context& context, const Block& block) {
     } else if (code == 432) {
       return context.faults.fail("g43.2-without-h", "G43.2 without a tool", "name the tool with H", column);
     }
+    miss_tool_table(context, number, column);
     offset = tool.offset;
     if (code == 440) {
       for (double& value : offset) value = -value;

@@ -17,6 +17,9 @@ void read_tool_table(std::string_view text, State& state, const std::function<vo
 /// @return false (with a fault) if the table does not know the tool. Without a table every tool has no size.
 bool find_tool(Context& context, int number, std::size_t column, Tool& tool);
 
+/// Says once that lengths and radii are not known, where a tool's are asked for and there is no table of them.
+void miss_tool_table(Context& context, int number, std::size_t column);
+
 /// T: selects. M6: loads the selected tool and appends a tool row. M61 Q: declares the loaded tool.
 bool select_tool(Context& context, const Block& block);
 bool change_tool(Context& context, const Block& block);

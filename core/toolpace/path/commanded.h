@@ -30,14 +30,33 @@ struct Command {
   double speed = std::numeric_limits<double>::infinity();
   double tolerance = 0.0;     ///< [mm, deg] see tolerance_of()
   std::uint32_t line = 0;     ///< of the program
-  Cause cause = Cause::feed;  ///< what sets `speed`: feed, rapid or path_speed
+  Cause cause = Cause::feed;  ///< what sets `speed`: feed, rapid, path_speed or program_limit
   PathControl control = PathControl::job_default;
-
-  bool is_rapid() const { return cause == Cause::rapid; }
+  bool is_rapid = false;
+  std::uint16_t ceiling = 0;  ///< index into Commands::ceilings
 };
 
-/// One a segment. Speeds are in the path's unit: mm/s, deg/s where only rotary axes move.
-using Commands = std::vector<Command>;
+/// One a segment, with what the program lowers the machine's limits to. Speeds are in the path's unit: mm/s, deg/s where only
+/// rotary axes move.
+class Commands {
+ public:
+  explicit Commands(std::size_t segments) : list_(segments) {}
+
+  std::size_t size() const { return list_.size(); }
+  const Command& operator[](std::size_t segment) const { return list_[segment]; }
+  Command& operator[](std::size_t segment) { return list_[segment]; }
+  auto begin() const { return list_.begin(); }
+  auto end() const { return list_.end(); }
+  auto begin() { return list_.begin(); }
+  auto end() { return list_.end(); }
+
+  const MotionCeiling& ceiling_of(std::size_t segment) const { return ceilings[list_[segment].ceiling]; }
+
+  std::vector<MotionCeiling> ceilings = std::vector<MotionCeiling>(1);
+
+ private:
+  std::vector<Command> list_;
+};
 
 struct CommandOptions {
   double path_speed = std::numeric_limits<double>::infinity();  ///< the machine's top speed along the path [mm/s]

@@ -57,6 +57,28 @@ Result<void> check_duration(double cycle_time, double period) {
                               {}});
 }
 
+/// What of the program's limits the plan could not follow as they are told.
+Diagnostics check_ceilings(const Outcome& o, bool took_lowest) {
+  Diagnostics warnings;
+  const auto warn = [&](const char* code, std::string message, std::string remedy) {
+    warnings.push_back({Severity::warning, code, std::move(message), std::move(remedy), {}, {}});
+  };
+  if (took_lowest) {
+    warn("limits-change-in-tube",
+         "the program changes its limits within a motion that rounds corners: the lowest of them hold in all of it",
+         "--corner servo follows each of them");
+  }
+  const auto& ceilings = o.commands->ceilings;
+  const bool limits_corners =
+      std::any_of(ceilings.begin(), ceilings.end(), [](const MotionCeiling& c) { return c.limits_corners(); });
+  if (limits_corners && (is_through_tube(*o.job) || blends_everywhere(*o.job))) {
+    warn("corner-limit-without-effect",
+         "corners are rounded here: what the program says of their speed counts only where one is not",
+         "--corner servo follows it");
+  }
+  return warnings;
+}
+
 /// Where the machine goes, however fast.
 struct Route {
   std::shared_ptr<const Path> path;
@@ -122,6 +144,8 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, const Strategy& strat
   outcome.warnings = check_axes(*outcome.path, moves, outcome.job->machine);
   const Diagnostics travel = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.warnings.insert(outcome.warnings.end(), travel.begin(), travel.end());
+  const Diagnostics ceilings = check_ceilings(outcome, motion.took_lowest);
+  outcome.warnings.insert(outcome.warnings.end(), ceilings.begin(), ceilings.end());
   outcome.summary = summarise(outcome);
   outcome.summary.blends = route.blends;
   outcome.summary.tube_deviation = motion.deviation;

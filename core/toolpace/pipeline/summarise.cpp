@@ -14,7 +14,7 @@ bool stands_still(const Phase& phase) { return phase.speed == 0 && phase.acceler
 
 void measure_times(const Outcome& o, Summary& summary) {
   const auto time_of = [&](std::size_t block) -> double& {
-    return (*o.commands)[block].is_rapid() ? summary.rapid_time : summary.feed_time;
+    return (*o.commands)[block].is_rapid ? summary.rapid_time : summary.feed_time;
   };
   for (std::size_t i = 0; i < o.path->size(); ++i) time_of(i) += o.node_time[i + 1] - o.node_time[i];
   // node_time is the arrival: a rest counts to the block that follows it, unless it stands at the very end.

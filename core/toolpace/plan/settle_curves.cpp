@@ -67,17 +67,20 @@ class RunSettler {
 
   /// Caps and ramp limits by the shares. Nodes keep their own caps: plans see the lower of these and their neighbours'.
   void apply() {
-    DynamicsTable different(all_.along);
+    DynamicsTable different;
     std::size_t c = 0;
     for (std::size_t i = 0; i < run_.size(); ++i) {
       Dynamics dynamics = all_.dynamics_of(begin_ + i);
+      Cause cause = all_.dynamics_cause[all_.ramp[begin_ + i]];
       if (c < count_ && block(c) == i) {
         const CurveBudget& b = budget(c);
+        const AlongPath& along = all_.along[all_.ceiling[first_ + c]];
         run_.block_cap[i] = std::min(widest_cap(c), share_[c] * b.top_speed());
-        dynamics = within(all_.along, b.at(run_.block_cap[i], use_.at_cap));
+        dynamics = within(along.dynamics, b.at(run_.block_cap[i], use_.at_cap));
+        cause = cause_of(dynamics, along);
         ++c;
       }
-      run_.ramp[i] = different.add(dynamics);
+      run_.ramp[i] = different.add(dynamics, cause);
     }
     std::move(different).give_to(run_);
   }
@@ -201,7 +204,7 @@ void lower_nodes(SpeedLimits& limits) {
 SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor& monitor) {
   const std::size_t n = widest.size();
   if (widest.curved.empty()) return widest;
-  DynamicsTable chosen(widest.along);
+  DynamicsTable chosen;
   std::vector<std::uint32_t> ramp(n);
   std::vector<double> cap = widest.block_cap;
   for (std::size_t begin = 0, end = 0; begin < n && !monitor.is_cancelled(); begin = end) {
@@ -210,7 +213,7 @@ SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor
     const SpeedLimits& run = settler.run();
     for (std::size_t i = begin; i < end; ++i) {
       cap[i] = run.block_cap[i - begin];
-      ramp[i] = chosen.add(run.dynamics_of(i - begin));
+      ramp[i] = chosen.add(run.dynamics_of(i - begin), run.dynamics_cause[run.ramp[i - begin]]);
     }
   }
   for (const std::uint32_t i : widest.curved) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "toolpace/limits/ceilings.h"
 #include "toolpace/verify/corner_exemption.h"
 #include "toolpace/verify/derivative_check.h"
 #include "toolpace/verify/limit_check.h"
@@ -285,8 +286,13 @@ Result<VerifyReport> verify(SetpointFile& file, const Machine& machine, const Pr
   if (program != nullptr) {
     if (auto fine = check_axes(file, *program); !fine) return tl::unexpected(fine.error());
   }
-  auto report = Judgement(file, machine, *period, program, options).judge();
+  const Machine judged = program != nullptr ? under(machine, highest_ceiling(program->moves)) : machine;
+  auto report = Judgement(file, judged, *period, program, options).judge();
   if (!report) return report;
+  if (program != nullptr && program->moves.ceilings.size() > 1) {
+    report->notes.push_back(
+        "limits that the program sets are judged, too; where it changes them, the highest of each kind");
+  }
   if (program == nullptr && has_broken_steps(*report)) {
     report->notes.push_back(
         "without the program only corners between straight lines are known and exempt: with it those of arcs are, too");

@@ -27,6 +27,9 @@ struct VerifyOptions {
 /// Where the corner rule is not known, a corner of up to a right angle is exempt at any speed, and one that turns back farther
 /// only by what the servo rule, or a junction deviation of 1 mm, would let pass: a reversal is no corner.
 ///
+/// Limits that the program lowers are judged, too; where it changes them on the way, by the highest of each kind, which no motion
+/// of it exceeds.
+///
 /// @param machine  its period serves files without a time column; a difference to it is a note
 /// @return Errors: of reading; input (setpoints-empty, setpoints-axes: the program moves axes that the file lacks);
 ///         cancelled

@@ -46,6 +46,19 @@ class Verify(CommandLineTest):
         self.assertAlmostEqual(broken[0]["value_mm_s"], 50, places=6)
         self.assertIn(broken[0]["line"], (3, 5))
 
+    def test_a_program_that_lowers_limits_is_planned_and_judged_by_them(self):
+        self.plan("a.csv")
+        self.file("slow.gcode", SQUARE.replace("G21 G90 G94", "M203 X40 Y30"))
+        judged = self.run_toolpace("verify", "a.csv", "--machine", "strict.toml", "--program", "slow.gcode", "--json")
+        self.assertEqual(judged.code, LIMIT_BROKEN)
+        broken = [check for check in judged.json()["checks"] if check["broken"]]
+        self.assertEqual([(c["check"], c["axis"], c["limit_mm_s"]) for c in broken], [("axis-speed", "X", 40), ("axis-speed", "Y", 30)])
+        self.assertIn("limits that the program sets", judged.json()["notes"][0])
+        slow = ("plan", "slow.gcode", "--machine", "strict.toml", "--setpoints", "b.csv", "--verify", "--json")
+        run = self.run_toolpace(*slow)
+        self.assertEqual(run.code, FINE, run.err)
+        self.assertGreater(run.json()["time_by_limit_s"]["program_limit"], 2)  # 40 mm at 40 mm/s and 40 mm at 30 mm/s
+
     def test_plan_verify_reads_the_file_back(self):
         run = self.run_toolpace("plan", "square.ngc", "--machine", "strict.toml", "--setpoints", "a.npz", "--verify", "--json")
         self.assertEqual(run.code, FINE, run.err)

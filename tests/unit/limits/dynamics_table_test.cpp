@@ -7,14 +7,12 @@
 namespace toolpace {
 namespace {
 
-const Dynamics kAlong{{1000, 1e5, 0}, {800, 1e5, 0}};
-
 Dynamics slower(int step) { return {{1000.0 - step, 1e5, 0}, {800, 1e5, 0}}; }
 
 TEST(DynamicsTable, KeepsEachOfAFewOnceHoweverOftenTheyChange) {
-  DynamicsTable table(kAlong);
+  DynamicsTable table;
   std::vector<std::uint32_t> ramp;
-  for (int i = 0; i < 5000; ++i) ramp.push_back(table.add(slower(i * i % 100)));
+  for (int i = 0; i < 5000; ++i) ramp.push_back(table.add(slower(i * i % 100), Cause::acceleration));
   SpeedLimits limits;
   std::move(table).give_to(limits);
   std::set<double> different;
@@ -26,22 +24,21 @@ TEST(DynamicsTable, KeepsEachOfAFewOnceHoweverOftenTheyChange) {
 }
 
 TEST(DynamicsTable, FindsTheFirstAgainAfterManyOthers) {
-  DynamicsTable table(kAlong);
-  for (int i = 0; i < 900; ++i) EXPECT_EQ(table.add(slower(i)), static_cast<std::uint32_t>(i));
-  EXPECT_EQ(table.add(slower(3)), 3u);
-  EXPECT_EQ(table.add(slower(899)), 900u);  // not kept in mind
-  EXPECT_EQ(table.add(slower(899)), 900u);  // but for the last
+  DynamicsTable table;
+  for (int i = 0; i < 900; ++i) EXPECT_EQ(table.add(slower(i), Cause::acceleration), static_cast<std::uint32_t>(i));
+  EXPECT_EQ(table.add(slower(3), Cause::acceleration), 3u);
+  EXPECT_EQ(table.add(slower(899), Cause::acceleration), 900u);  // not kept in mind
+  EXPECT_EQ(table.add(slower(899), Cause::acceleration), 900u);  // but for the last
 }
 
-TEST(DynamicsTable, SaysWhatSetsEach) {
-  DynamicsTable table(kAlong);
-  table.add(kAlong);
-  table.add(slower(1));
-  table.add({kAlong.up, {799, 1e5, 0}});
+TEST(DynamicsTable, TellsTheSameLimitsOfDifferentCausesApart) {
+  DynamicsTable table;
+  EXPECT_EQ(table.add(slower(1), Cause::acceleration), 0u);
+  EXPECT_EQ(table.add(slower(1), Cause::axis_acceleration), 1u);
+  EXPECT_EQ(table.add(slower(1), Cause::acceleration), 0u);
   SpeedLimits limits;
   std::move(table).give_to(limits);
-  EXPECT_EQ(limits.dynamics_cause,
-            (std::vector{Cause::acceleration, Cause::axis_acceleration, Cause::axis_acceleration}));
+  EXPECT_EQ(limits.dynamics_cause, (std::vector{Cause::acceleration, Cause::axis_acceleration}));
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ std::optional<CodeUse<GGroup>> fanuc_g_code(Code code) {
     case 440: return CodeUse<GGroup>{GGroup::tool_length};
     case 541: return CodeUse<GGroup>{GGroup::system};
     case 1540: return CodeUse<GGroup>{GGroup::system, true, 541};  // Haas: G154 P is G54.1 P
-    case 1030:                                                     // look-ahead
-    case 1870: return CodeUse<GGroup>{GGroup::ignored};            // smoothness
+    case 1030: return CodeUse<GGroup>{GGroup::ignored};            // look-ahead
+    case kSmoothness: return CodeUse<GGroup>{GGroup::path_control};
     default: break;
   }
   if (is_listed(code, {650, 660, 670})) return CodeUse<GGroup>{GGroup::macro};
@@ -86,6 +86,7 @@ const char* fanuc_unfollowed(Code code) {
 
 std::optional<CodeUse<MGroup>> fanuc_m_code(int number) {
   if (const auto group = common_m_group(number)) return CodeUse<MGroup>{*group};
+  if (number == 48 || number == 49) return CodeUse<MGroup>{MGroup::override_};
   if (number == 198) return CodeUse<MGroup>{MGroup::subprogram};
   if (number >= 0 && number < 10000) return CodeUse<MGroup>{MGroup::ignored};
   return std::nullopt;

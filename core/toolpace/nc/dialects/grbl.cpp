@@ -19,6 +19,16 @@ std::optional<CodeUse<MGroup>> sender_m_code(int number) {
   return std::nullopt;
 }
 
+namespace {
+
+// grblHAL holds overrides as LinuxCNC does.
+std::optional<CodeUse<MGroup>> grbl_m_code(int number) {
+  if (number >= 48 && number <= 51) return CodeUse<MGroup>{MGroup::override_};
+  return sender_m_code(number);
+}
+
+}  // namespace
+
 // grbl 1.1: 0.005 mm always, else 0.1 % of the radius and at most 0.5 mm.
 constexpr ArcTolerance kGrblArcs{
     .metric = 0.005, .inch = 0.005, .relative = 0.001, .most = 100.0, .least_radius = 0.0001};
@@ -34,7 +44,7 @@ const DialectRules kGrblRules{.dialect = Dialect::grbl,
                               .ignores_centre_off_plane = true,
                               .arc = kGrblArcs,
                               .g_code = sender_g_code,
-                              .m_code = sender_m_code,
+                              .m_code = grbl_m_code,
                               .unfollowed = nothing_unfollowed};
 
 }  // namespace toolpace::nc

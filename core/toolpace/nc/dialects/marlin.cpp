@@ -20,6 +20,13 @@ std::optional<CodeUse<GGroup>> marlin_g_code(Code code) {
   return sender_g_code(code);
 }
 
+std::optional<CodeUse<MGroup>> marlin_m_code(int number) {
+  if (is_listed(number, {201, 203, 204, 205})) return CodeUse<MGroup>{MGroup::limits};
+  // Macros of files, by name: M98 P"/macros/prime.g".
+  if (number == 98 || number == 99) return CodeUse<MGroup>{MGroup::ignored};
+  return sender_m_code(number);
+}
+
 }  // namespace
 
 const DialectRules kMarlinRules{.dialect = Dialect::marlin,
@@ -35,7 +42,7 @@ const DialectRules kMarlinRules{.dialect = Dialect::marlin,
                                 .ignores_centre_off_plane = true,
                                 .arc = kMarlinArcs,
                                 .g_code = marlin_g_code,
-                                .m_code = sender_m_code,
+                                .m_code = marlin_m_code,
                                 .unfollowed = nothing_unfollowed};
 
 }  // namespace toolpace::nc

@@ -60,6 +60,7 @@ bool find_radius(Context& context, const Block& block, double& radius, int& orie
     }
     if (!find_tool(context, *whole, block.column_of('d'), tool)) return false;
   }
+  miss_tool_table(context, tool.number, block.column_of(GGroup::compensation));
   radius = tool.diameter / 2.0;
   orientation = tool.orientation;
   return true;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "toolpace/law/law_table.h"
+#include "toolpace/limits/ceilings.h"
 #include "toolpace/limits/curve_axes.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/retime/stretch_retimer.h"
@@ -27,8 +28,7 @@ class PlanRetimer {
       : path_(task.path),
         limits_(task.limits),
         keeps_jerk_(law_row(task.options.law).bounds_jerk),
-        axes_(curve_axes(task.machine, keeps_jerk_)),
-        along_(limits_along(task)),
+        task_(task),
         plan_(plan),
         start_(start),
         node_time_(node_times(task.limits, plan)),
@@ -39,6 +39,7 @@ class PlanRetimer {
     for (std::size_t i = 0; i < path_.size(); ++i) {
       speed_.push_back(path_.kind[i] == SegmentKind::line ? limits_.block_cap[i] : task.commands[i].speed);
     }
+    for (const Command& c : task.commands) top_speed_ = std::max(top_speed_, c.speed);
     corner_.assign(path_.size() + 1, kUnlimited);
     for (std::size_t i = 1; i < path_.size(); ++i) {
       if (limits_.node_cap[i] < std::min(limits_.block_cap[i - 1], limits_.block_cap[i]))
@@ -63,18 +64,26 @@ class PlanRetimer {
   }
 
  private:
-  /// What holds along the path, whatever turns.
-  static detail::retime::AlongLimits limits_along(const RetimeTask& task) {
-    const PathLimits& p = task.machine.path;
-    const LawRow& law = law_row(task.options.law);
+  /// What holds in a stretch.
+  struct Rules {
+    std::array<AxisLimits, kAxisCount> axes;
+    detail::retime::AlongLimits along;  ///< whatever turns
+  };
+
+  /// Where the program changes its limits on the way, the lowest of them hold in all of the stretch.
+  Rules rules_of(std::size_t begin, std::size_t end) const {
+    const Machine machine = under(task_.machine, lowest_ceiling(task_.commands, begin, end));
+    return {curve_axes(machine, keeps_jerk_), limits_along(machine.path)};
+  }
+
+  detail::retime::AlongLimits limits_along(const PathLimits& p) const {
+    const LawRow& law = law_row(task_.options.law);
     detail::retime::AlongLimits along{std::min(p.acceleration, p.deceleration), std::min(p.jerk, p.jerk_deceleration)};
     if (!law.bounds_jerk) along.jerk = kUnlimited;
-    const double least = law.uses_time ? std::max(task.options.t_acc, task.options.t_dec) : 0.0;
+    const double least = law.uses_time ? std::max(task_.options.t_acc, task_.options.t_dec) : 0.0;
     if (!(least > 0)) return along;
-    double top = 0;
-    for (const Command& c : task.commands) top = std::max(top, c.speed);
-    along.acceleration = std::min(along.acceleration, 2 * top / least);
-    along.jerk = std::min(along.jerk, 4 * top / (least * least));
+    along.acceleration = std::min(along.acceleration, 2 * top_speed_ / least);
+    along.jerk = std::min(along.jerk, 4 * top_speed_ / (least * least));
     return along;
   }
 
@@ -100,11 +109,12 @@ class PlanRetimer {
   }
 
   void time_anew(Stretch& s, const Monitor& monitor) const {
-    if (turns_back(s) || !may_gain(s.begin, s.end)) return;
+    const Rules rules = rules_of(s.begin, s.end);
+    if (turns_back(s) || !may_gain(s.begin, s.end, rules.axes)) return;
     const double begin = start_time_[s.begin];
     const detail::retime::PlanPart start{start_.phases, s.first_start, begin, start_time_[s.end] - begin,
                                          position_,     s.begin,       s.end};
-    detail::retime::StretchRetimer retimer({path_, axes_, along_, speed_, corner_, s.begin, s.end});
+    detail::retime::StretchRetimer retimer({path_, rules.axes, rules.along, speed_, corner_, s.begin, s.end});
     ArcMotion motion = retimer.run(motion_of(start), {monitor.stop, {}});
     if (!motion.empty() && motion.duration() < node_time_[s.end] - node_time_[s.begin]) s.motion = std::move(motion);
   }
@@ -122,7 +132,7 @@ class PlanRetimer {
   }
 
   /// Lines alone are run as fast as they can be. Every moving axis of X, Y, Z has to be limited.
-  bool may_gain(std::size_t begin, std::size_t end) const {
+  bool may_gain(std::size_t begin, std::size_t end, const std::array<AxisLimits, kAxisCount>& axes) const {
     double least = 0, curves = 0, least_curves = 0;
     for (std::size_t i = begin; i < end; ++i) {
       if (is_rotary_only(path_, i)) return false;
@@ -136,7 +146,7 @@ class PlanRetimer {
     if (!(duration > kWorthwhile * least) || !(curves > kWorthwhile * least_curves) || !(duration <= kLongest))
       return false;
     for (std::size_t a = 0; a < 3; ++a) {
-      const bool is_limited = axes_[a].acceleration < kUnlimited && (!keeps_jerk_ || axes_[a].jerk < kUnlimited);
+      const bool is_limited = axes[a].acceleration < kUnlimited && (!keeps_jerk_ || axes[a].jerk < kUnlimited);
       if (!is_limited && moves(a, begin, end)) return false;
     }
     return true;
@@ -175,8 +185,8 @@ class PlanRetimer {
   const Path& path_;
   const SpeedLimits& limits_;
   bool keeps_jerk_;
-  std::array<AxisLimits, kAxisCount> axes_;
-  detail::retime::AlongLimits along_;
+  const RetimeTask& task_;
+  double top_speed_ = 0;        // commanded anywhere
   std::vector<double> speed_;   // at most, of each segment, curvature aside
   std::vector<double> corner_;  // at most, of each node; infinite where only its segments hold it down
   const MotionPlan &plan_, &start_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/limits/ceilings.h"
 #include "toolpace/plan/hold.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/smooth/build_tube.h"
@@ -106,7 +107,9 @@ class SmoothPlanner {
 
   Result<void> add_tube(const Run& run, const ForEach& for_each, const Monitor& monitor) {
     TubePath tube = build_tube(path_, commands_, run.begin, run.end);
-    if (effort_ == TubeEffort::quick) leave_room_between(tube);
+    const TubeLimits limits = tube_limits(under(machine_, lowest_ceiling(commands_, run.begin, run.end)));
+    result_.took_lowest |= has_mixed_ceilings(commands_, run.begin, run.end);
+    if (effort_ == TubeEffort::quick) leave_room_between(tube, limits);
     Monitor part{monitor.stop, {}};
     if (monitor.progress) {
       const double from = position_[run.begin], to = position_[run.end], all = position_.back();
@@ -114,7 +117,7 @@ class SmoothPlanner {
     }
     std::optional<TubeHold> hold;
     if (hold_) hold = TubeHold{hold_time(), hold_->pause};
-    auto motion = plan_tube(tube, tube_limits(machine_), machine_.period, for_each, part, hold, effort_);
+    auto motion = plan_tube(tube, limits, machine_.period, for_each, part, hold, effort_);
     if (!motion) return tl::unexpected(motion.error());
     if (motion->held) hold_.reset();
     result_.deviation = std::max(result_.deviation, motion->deviation);
@@ -129,13 +132,13 @@ class SmoothPlanner {
   }
 
   /// The tube is held once a period from the run's begin on: setpoints that fall between those places may be off by the sag.
-  void leave_room_between(TubePath& tube) const {
+  void leave_room_between(TubePath& tube, const TubeLimits& limits) const {
     const double periods = (time_ + paused_) / machine_.period;
     if (std::abs(periods - std::round(periods)) <= kSamePeriod) return;
     double square = 0;
     for (int a = 0; a < tube.axes; ++a) {
       const auto axis = static_cast<std::size_t>(tube.axis[static_cast<std::size_t>(a)]);
-      const double most = tube_limits(machine_).acceleration[axis];
+      const double most = limits.acceleration[axis];
       square += most * most;
     }
     const double sag = std::sqrt(square) * machine_.period * machine_.period / 8;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/limits/ceilings.h"
+
 namespace toolpace {
 namespace {
 
@@ -23,7 +25,11 @@ class SplineExplainer {
  public:
   SplineExplainer(const MotionPlan& plan, const Machine& machine, const Commands& commands,
                   const std::vector<double>& node_time)
-      : plan_(plan), machine_(machine), commands_(commands), node_time_(node_time) {}
+      : plan_(plan),
+        machine_(machine),
+        under_program_(machines_under(machine, commands)),
+        commands_(commands),
+        node_time_(node_time) {}
 
   std::vector<Restraint> run(const std::vector<Restraint>& old) {
     std::size_t k = 0;
@@ -83,10 +89,14 @@ class SplineExplainer {
     const double h = spline.step;
     Use use;
     take_speed(v / h, use);
+    const Machine& m = under_program_[commands_[block_].ceiling];
     for (const AxisVector& part : a) {
-      take(part / (h * h), machine_.path.acceleration, Cause::acceleration, use);
+      const double along = m.path.acceleration;
+      take(part / (h * h), along, lowered(along, machine_.path.acceleration, Cause::acceleration), use);
       for (std::size_t k = 0; k < kAxisCount; ++k) {
-        use.take(part[static_cast<Eigen::Index>(k)] / (h * h), machine_.axes[k].acceleration, Cause::axis_acceleration);
+        const double limit = m.axes[k].acceleration;
+        use.take(part[static_cast<Eigen::Index>(k)] / (h * h), limit,
+                 lowered(limit, machine_.axes[k].acceleration, Cause::axis_acceleration));
       }
     }
     take(j / (h * h * h), machine_.path.jerk, Cause::jerk, use);
@@ -99,11 +109,14 @@ class SplineExplainer {
   void take_speed(const AxisVector& v, Use& use) const {
     const Command& command = commands_[block_];
     take(v, command.speed, command.cause, use);
-    const Cause of_axis = command.is_rapid() ? Cause::rapid : Cause::axis_speed;
+    const Cause of_axis = command.is_rapid ? Cause::rapid : Cause::axis_speed;
     for (std::size_t k = 0; k < kAxisCount; ++k) {
-      use.take(v[static_cast<Eigen::Index>(k)], machine_.axes[k].speed, of_axis);
+      const double limit = under_program_[command.ceiling].axes[k].speed;
+      use.take(v[static_cast<Eigen::Index>(k)], limit, lowered(limit, machine_.axes[k].speed, of_axis));
     }
   }
+
+  static Cause lowered(double limit, double own, Cause cause) { return limit < own ? Cause::program_limit : cause; }
 
   /// A limit of the path: of X Y Z together, or, where they stand still, of the rotary axes in degrees.
   static void take(const AxisVector& vector, double limit, Cause cause, Use& use) {
@@ -112,6 +125,7 @@ class SplineExplainer {
 
   const MotionPlan& plan_;
   const Machine& machine_;
+  std::vector<Machine> under_program_;  // by ceiling
   const Commands& commands_;
   const std::vector<double>& node_time_;
   std::size_t block_ = 0;
