@@ -83,9 +83,9 @@ DialectGuess detect_dialect(std::string_view text, std::string_view name) {
     }
     text.remove_prefix(std::min(length + 1, text.size()));
   }
-  for (const Sign& sign : reader.look_at_axes()) evidence.add(sign, 0);
-  DialectGuess guess;
   const bool named = is_named_as_linuxcnc(name);
+  for (const Sign& sign : reader.look_at_axes(named)) evidence.add(sign, 0);
+  DialectGuess guess;
   guess.dialect = choose(evidence, named, guess.other);
   guess.reasons = std::move(evidence.reasons(guess.dialect));
   if (guess.dialect == Dialect::fanuc_lathe_b) {

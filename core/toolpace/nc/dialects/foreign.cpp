@@ -23,35 +23,22 @@ struct Mark {
   const char* language;
   bool begins_line;
 };
-constexpr Mark kMarks[] = {{"BEGIN PGM", kHeidenhain, false},
-                           {"TOOL CALL ", kHeidenhain, false},
-                           {"BLK FORM ", kHeidenhain, false},
-                           {"CYCL DEF", kHeidenhain, false},
-                           {"%_N_", kSiemens, true},
-                           {"CYCLE800(", kSiemens, false},
-                           {"CYCLE8", kSiemens, false},
-                           {"MCALL ", kSiemens, false},
-                           {"T=\"", kSiemens, false},
-                           {"CR=", kSiemens, false},
-                           {"=IC(", kSiemens, false},
-                           {"=AC(", kSiemens, false},
-                           {"DEF REAL ", kSiemens, false},
-                           {"DEF INT ", kSiemens, false},
-                           {"MSG(\"", kSiemens, false},
-                           {"WORKPIECE(", kSiemens, false},
-                           {"SUPA ", kSiemens, false},
-                           {"TRAORI", kSiemens, false},
-                           {"CALL O", kOkuma, false},
-                           {"VC1=", kOkuma, false},
-                           {"PARTNO", kApt, true},
-                           {"LOADTL/", kApt, false},
-                           {"GOTO/", kApt, false},
-                           {"%FSLA", kGerber, true},
-                           {"METRIC,TZ", kExcellon, true},
-                           {"METRIC,LZ", kExcellon, true},
-                           {"INCH,TZ", kExcellon, true},
-                           {"INCH,LZ", kExcellon, true},
-                           {"IN;", kPlotter, true}};
+constexpr Mark kMarks[] = {{"BEGIN PGM", kHeidenhain, false}, {"TOOL CALL ", kHeidenhain, false},
+                           {"BLK FORM ", kHeidenhain, false}, {"CYCL DEF", kHeidenhain, false},
+                           {"%_N_", kSiemens, true},          {"CYCLE800(", kSiemens, false},
+                           {"CYCLE8", kSiemens, false},       {"MCALL ", kSiemens, false},
+                           {"T=\"", kSiemens, false},         {"CR=", kSiemens, false},
+                           {"=IC(", kSiemens, false},         {"=AC(", kSiemens, false},
+                           {"DEF REAL ", kSiemens, false},    {"DEF INT ", kSiemens, false},
+                           {"MSG(\"", kSiemens, false},       {"WORKPIECE(", kSiemens, false},
+                           {"SUPA ", kSiemens, false},        {"TRAORI", kSiemens, false},
+                           {"GOTOF ", kSiemens, false},       {"GOTOB ", kSiemens, false},
+                           {"STOPRE", kSiemens, false},       {"CALL O", kOkuma, false},
+                           {"VC1=", kOkuma, false},           {"PARTNO", kApt, true},
+                           {"LOADTL/", kApt, false},          {"GOTO/", kApt, false},
+                           {"%FSLA", kGerber, true},          {"METRIC,TZ", kExcellon, true},
+                           {"METRIC,LZ", kExcellon, true},    {"INCH,TZ", kExcellon, true},
+                           {"INCH,LZ", kExcellon, true},      {"IN;", kPlotter, true}};
 
 // CYCLE81( and MSG( open no comment: words of three letters and more stand before the parenthesis.
 bool ends_in_function(const std::string& text) {
@@ -81,6 +68,16 @@ bool is_iso_of_heidenhain(const std::string& text) {
   return last != std::string::npos && text[last] == '*' && text[0] == '%' && text.find(" G7") != std::string::npos;
 }
 
+/// R1=10: Siemens' variables.
+bool assigns_r_parameter(const std::string& text) {
+  for (std::size_t at = text.find('R'); at != std::string::npos; at = text.find('R', at + 1)) {
+    if (at > 0 && text[at - 1] != ' ' && text[at - 1] != '\t') continue;
+    const std::size_t behind = text.find_first_not_of("0123456789", at + 1);
+    if (behind != std::string::npos && behind > at + 1 && text[behind] == '=') return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<ForeignLanguage> find_foreign_language(std::string_view text) {
@@ -90,6 +87,7 @@ std::optional<ForeignLanguage> find_foreign_language(std::string_view text) {
     text.remove_prefix(std::min(length + 1, text.size()));
     if (words.empty() || words.front() == ';') continue;
     if (is_iso_of_heidenhain(words)) return ForeignLanguage{kHeidenhainIso, line, 1};
+    if (assigns_r_parameter(words)) return ForeignLanguage{kSiemens, line, words.find('R') + 1};
     for (const Mark& mark : kMarks) {
       const std::size_t at = words.find(mark.text);
       if (at == std::string::npos || (mark.begins_line && at != 0)) continue;

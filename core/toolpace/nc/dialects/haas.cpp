@@ -37,6 +37,7 @@ std::optional<CodeUse<GGroup>> haas_g_code(Code code) {
 
 std::optional<CodeUse<MGroup>> haas_m_code(int number) {
   if (number == 97) return CodeUse<MGroup>{MGroup::subprogram};
+  if (number == 48 || number == 49) return CodeUse<MGroup>{MGroup::ignored};
   return fanuc_m_code(number);
 }
 
@@ -46,6 +47,7 @@ constinit const DialectRules kHaasRules = [] {
   DialectRules rules = fanuc_kind(Dialect::haas);
   rules.repeats_by_k = rules.repeats_within_p = false;  // L repeats
   rules.scales_in_thousandths = false;
+  rules.pecks_shrink = true;
   rules.g_code = haas_g_code;
   rules.m_code = haas_m_code;
   rules.unfollowed = haas_unfollowed;

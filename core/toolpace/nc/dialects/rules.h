@@ -65,9 +65,10 @@ struct DialectRules {
   bool lathe_words = false;                ///< U V W H are increments of X Y Z C, T0101 is tool 1 with offset 1
   bool scales_in_thousandths = false;      ///< G51 P2000 is twice
   bool scales_by_axis_words = false;       ///< G51 X2 Y2 scales about the zero
-  bool pockets_straight = false;           ///< G12 and G13 reach their circle along X, and not along half a circle
-  bool centres_may_be_absolute = false;    ///< I J K of arcs may be places without G90.1, where they fit as such alone
-  bool integers_may_count = false;         ///< X1000 may be 1000 least increments
+  bool pecks_shrink = false;             ///< G83 I J K: the first peck is I, each one J less than the last, K at least
+  bool pockets_straight = false;         ///< G12 and G13 reach their circle along X, and not along half a circle
+  bool centres_may_be_absolute = false;  ///< I J K of arcs may be places without G90.1, where they fit as such alone
+  bool integers_may_count = false;       ///< X1000 may be 1000 least increments
 
   ArcTolerance arc;
 

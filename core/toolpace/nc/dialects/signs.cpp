@@ -198,6 +198,7 @@ bool SignReader::is_plain(std::string_view line) {
     }
   }
   if (k && i_or_j) return false;
+  turns_in_xz_ = turns_in_xz_ || (k && !y);
   has_x_ = has_x_ || x;
   has_y_ = has_y_ || y;
   has_z_ = has_z_ || z;
@@ -205,8 +206,10 @@ bool SignReader::is_plain(std::string_view line) {
   return true;
 }
 
-const std::vector<Sign>& SignReader::look_at_axes() {
+const std::vector<Sign>& SignReader::look_at_axes(bool may_be_linuxcnc) {
   signs_.clear();
+  if (turns_in_xz_ && !has_plane_ && has_x_ && has_z_ && !has_y_ && !may_be_linuxcnc)
+    add(Dialect::fanuc_lathe, 5, "arcs with K, and nowhere Y or a plane");
   if (has_y_) add(Dialect::fanuc_lathe, -3, "Y");
   if (has_x_ && has_z_ && !has_y_) add(Dialect::fanuc_lathe, 1, "X and Z, and nowhere Y");
   return signs_;
@@ -243,6 +246,9 @@ const std::vector<Sign>& SignReader::look_at(std::string_view line) {
     has_x_ = has_x_ || has('x');
     has_y_ = has_y_ || has('y');
     has_z_ = has_z_ || has('z');
+    has_plane_ = has_plane_ || has('g', "17") || has('g', "18") || has('g', "19");
+    const bool may_turn = has('g', "2") || has('g', "3") || (has('i') && !has('g'));
+    turns_in_xz_ = turns_in_xz_ || (may_turn && has('k') && !has('y') && !has('j'));
     look_at_words();
     look_at_sender_words();
     look_at_lathe_words();

@@ -21,8 +21,8 @@ class SignReader {
   bool is_plain(std::string_view line);
   /// The signs of a line that is not plain; lines are looked at in their order.
   const std::vector<Sign>& look_at(std::string_view line);
-  /// What the axes of all lines together say.
-  const std::vector<Sign>& look_at_axes();
+  /// What the axes of all lines together say. LinuxCNC's lathes may begin in any plane.
+  const std::vector<Sign>& look_at_axes(bool may_be_linuxcnc);
 
  private:
   struct Word {
@@ -46,6 +46,7 @@ class SignReader {
   bool seen_block_ = false;
   bool incremental_ = false;
   bool has_x_ = false, has_y_ = false, has_z_ = false;
+  bool has_plane_ = false, turns_in_xz_ = false;
 };
 
 }  // namespace toolpace::nc

@@ -28,11 +28,21 @@ struct Cycle {
   double initial = 0.0;  // level that the series began at
 };
 
+// I, J and K in place of Q. Without K pecks do not shrink.
+void find_shrinking_peck(Context& context, const Block& block) {
+  CycleMemory& memory = context.state.cycle;
+  memory.peck = std::fabs(length_of(context.state, block, 'i'));
+  memory.k = block.has('k') ? std::fabs(length_of(context.state, block, 'k')) : 0.0;
+  memory.j = block.has('j') && memory.k > 0.0 ? std::fabs(length_of(context.state, block, 'j')) : 0.0;
+}
+
 // Whole numbers that would be deeper than the hole are least increments where they may be.
 bool find_peck(Context& context, const Block& block, const Cycle& cycle) {
   CycleMemory& memory = context.state.cycle;
   const double depth = cycle.hole.retract - cycle.hole.bottom;
+  if (context.rules.pecks_shrink && block.has('i') && !block.has('q')) find_shrinking_peck(context, block);
   if (block.has('q')) {
+    memory.j = memory.k = 0.0;
     memory.peck = length_of(context.state, block, 'q');
     const double counted = increments_of(context.state, block, 'q');
     if (context.rules.integers_may_count && memory.peck > depth && counted != memory.peck) {
@@ -50,7 +60,8 @@ bool find_peck(Context& context, const Block& block, const Cycle& cycle) {
     return fail(context, block, "cycle-peck", code_text('G', memory.code) + " without a positive Q",
                 "give the depth of a peck with Q");
   }
-  if (depth * scale_of(context.state.offsets, cycle.hole.plane.normal) / memory.peck <= kMostPecks) return true;
+  const double least = memory.j > 0.0 ? std::min(memory.k, memory.peck) : memory.peck;
+  if (depth * scale_of(context.state.offsets, cycle.hole.plane.normal) / least <= kMostPecks) return true;
   return fail(context, block, "cycle-peck", fmt::format("more than {:g} pecks in one hole", kMostPecks),
               "give a larger Q");
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "toolpace/nc/motion/cycle_fault.h"
 #include "toolpace/nc/scaling.h"
 
@@ -10,10 +12,12 @@ namespace {
 
 constexpr double kPeckClearance = 0.254;  // [mm] 0.010 in, of G73 and G83
 
-// Pecks are lengths in the machine, whatever the scale.
-void peck(CycleRun& run, const Hole& hole, double scale, double peck, bool full_retract) {
-  const double step = peck / scale;
+// Pecks are lengths in the machine, whatever the scale. They may shrink by J from one to the next, down to K.
+void peck(CycleRun& run, const Hole& hole, double scale, const CycleMemory& memory, bool full_retract) {
+  double step = memory.peck / scale;
+  const double least = std::min(memory.k / scale, step), less = memory.j / scale;
   for (double depth = hole.retract - step; depth > hole.bottom; depth -= step) {
+    if (less > 0.0) step = std::max(least, step - less);
     run.feed(depth);
     if (full_retract) run.rapid(hole.retract);
     run.rapid(depth + kPeckClearance / scale);
@@ -96,9 +100,7 @@ bool drill(Context& context, CycleRun& run, const Block& block, const Hole& hole
   const bool as_linuxcnc = context.rules.linuxcnc_cycles;
   switch (code) {
     case 730:
-    case 830:
-      peck(run, hole, scale_of(context.state.offsets, hole.plane.normal), memory.peck, code == 830);
-      return true;
+    case 830: peck(run, hole, scale_of(context.state.offsets, hole.plane.normal), memory, code == 830); return true;
     case kFineBoring: bore_finely(run, hole, memory); return true;
     case 870: back_bore(run, hole, memory, memory.k + (incremental ? hole.bottom : 0.0)); return true;
     case 880:  // the operator retracts by hand

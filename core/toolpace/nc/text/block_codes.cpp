@@ -9,8 +9,9 @@
 namespace toolpace::nc {
 namespace {
 
-constexpr double kCodeWithin = 1e-3;     // tenths
-constexpr Code kFractionalCode = 30000;  // M codes of printers with a decimal
+constexpr double kCodeWithin = 1e-3;                              // tenths
+constexpr double kFirstLongCode = 1000, kHighestLongCode = 9999;  // G codes that machines of Fanuc's kind define
+constexpr Code kFractionalCode = 30000;                           // M codes of printers with a decimal
 
 // "U3.11.0" is no number.
 bool reads_as_words(Scanner text) {
@@ -38,6 +39,12 @@ bool BlockReader::read_g(double value, std::size_t column, Block& block) {
   const double tenths = std::round(value * 10.0);
   const bool plausible = std::fabs(value * 10.0 - tenths) < kCodeWithin && tenths >= 0.0 && tenths < 10000.0;
   const auto use = plausible ? rules_.g_code(static_cast<Code>(tenths)) : std::nullopt;
+  if (!use && rules_.macro_statements && value >= kFirstLongCode && value <= kHighestLongCode) {
+    faults_.warn("g-code-machine", fmt::format("G{:g} is defined by the machine; it is taken to move nothing", value),
+                 "", column);
+    block.g_groups |= 1u << static_cast<unsigned>(GGroup::machine);
+    return true;
+  }
   if (!use) {
     if (const char* const does = plausible ? rules_.unfollowed(static_cast<Code>(tenths)) : nullptr) {
       return faults_.fail("g-code-unfollowed", fmt::format("G{:g} {}, which is not followed here", value, does),
@@ -129,7 +136,9 @@ bool BlockReader::read_m(double value, std::size_t column, Block& block) {
 
 // M117 and its like carry free text up to the end of the line.
 bool BlockReader::skip_printer_text(Scanner& text, const Block& block) {
-  if (!rules_.texts_without_quotes || !block.has(MGroup::ignored)) return true;
+  if (!rules_.texts_without_quotes) return true;
+  if (block.has(MGroup::stop) && block.code(MGroup::stop) <= 1) text.move_to(text.end());  // M0 Click to continue
+  if (!block.has(MGroup::ignored)) return true;
   const Code code = block.code(MGroup::ignored);
   const bool is_text = code == 117 || code == 118 || code == 23 || code == 28 || code == kFractionalCode;
   if (is_text || text.rest().find('"') != std::string_view::npos || !reads_as_words(text)) text.move_to(text.end());

@@ -107,6 +107,8 @@ bool BlockReader::read(Scanner& text, Block& block) {
       text.take();
     } else if (c == '*' && rules_.line_checksums) {
       text.move_to(text.end());  // a sender's checksum
+    } else if (c == '"' && !rules_.refuses_doubtful && block.m_groups != 0) {
+      text.move_to(text.end());  // M225 #1 "a message"
     } else if (c == '%' && !rules_.refuses_doubtful) {
       text.move_to(text.end());  // M30%
     } else if (c == '<' && (block.has(MGroup::subprogram) || block.has(GGroup::macro)) && rules_.macro_statements) {
@@ -168,8 +170,13 @@ bool BlockReader::read_word(Scanner& text, char letter, Block& block) {
   }
   double value = 0.0;
   const char* const begin = text.position();
+  if (next == '#' && letter == 'p' && block.has(GGroup::macro) && block.has('h')) text.take();  // the variable itself
   if (!expressions_.read_value(text, value)) return false;
   if (!rules_.refuses_doubtful) note_form({begin, static_cast<std::size_t>(text.position() - begin)}, letter, block);
+  if (letter == 's' && rules_.macro_statements && text.peek() == '=') {  // S1=2000: of the spindle of that number
+    text.take();
+    if (!expressions_.read_value(text, value)) return false;
+  }
   if (is_vacant(value)) return true;  // a word with a vacant value is as if it were not there
   if (letter == 'g') return read_g(value, column, block);
   const bool is_argument = block.has(GGroup::macro) && letter != 'n' && letter != 'o';

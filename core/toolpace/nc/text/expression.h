@@ -51,6 +51,8 @@ class ExpressionReader {
   bool read_parameter(Scanner& text, double& value);
   bool read_exists(Scanner& text, double& value);
   bool read_function(Scanner& text, double& value);
+  bool read_pair(Scanner& text, double& x, double& y);
+  bool apply_power(Scanner& text, double& value);
   bool apply_function(std::string_view name, std::size_t column, Scanner& text, double& value);
   bool read_operators(Scanner& text, double& value);
   bool read_operator(Scanner& text, Operator& op);

@@ -18,6 +18,23 @@ constexpr double kDegreesPerRadian = 1.0 / kRadiansPerDegree;
 constexpr std::array<std::string_view, 14> kFunctions = {"abs", "acos", "asin", "atan",  "cos", "exists", "exp",
                                                          "fix", "fup",  "ln",   "round", "sin", "sqrt",   "tan"};
 
+/// Where in "[x,y]…" the comma and the bracket that closes stand; 0 where there is none.
+struct Pair {
+  std::size_t comma = 0, close = 0;
+  bool is_one() const { return comma > 1 && close > comma + 1; }
+};
+
+Pair find_pair(std::string_view text) {
+  Pair pair;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size() && pair.close == 0; ++i) {
+    if (text[i] == '[') ++depth;
+    if (text[i] == ']' && --depth == 0) pair.close = i;
+    if (text[i] == ',' && depth == 1) pair.comma = i;
+  }
+  return pair;
+}
+
 }  // namespace
 
 bool ExpressionReader::read_exists(Scanner& text, double& value) {
@@ -48,7 +65,7 @@ bool ExpressionReader::begins_value(Scanner text) {
   const char c = text.peek();
   if (!is_letter(c)) return is_digit(c) || c == '.' || c == '-' || c == '+' || c == '[' || c == '#';
   const auto begins = [&](std::string_view name) { return Scanner(text).take_word(name); };
-  return std::any_of(kFunctions.begin(), kFunctions.end(), begins) || begins("sqr") || begins("rnd");
+  return std::any_of(kFunctions.begin(), kFunctions.end(), begins) || begins("sqr") || begins("rnd") || begins("pow[");
 }
 
 bool ExpressionReader::read_function(Scanner& text, double& value) {
@@ -58,11 +75,35 @@ bool ExpressionReader::read_function(Scanner& text, double& value) {
     return name == "exists" ? read_exists(text, value) : apply_function(name, column, text, value);
   }
   if (fanuc_) {
+    if (text.take_word("pow")) return apply_power(text, value);
     if (text.take_word("sqr")) return apply_function("sqrt", column, text, value);
     if (text.take_word("rnd")) return apply_function("round", column, text, value);
   }
   return faults_.fail("function-unknown", fmt::format("'{}' begins no function", text.peek()),
                       "functions are ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN", column);
+}
+
+// [x,y] of POW and ATAN.
+bool ExpressionReader::read_pair(Scanner& text, double& x, double& y) {
+  const std::size_t column = text.column();
+  const Pair pair = find_pair(text.rest());
+  const std::string first = fmt::format("[{}]", text.rest().substr(1, pair.comma - 1));
+  const std::string second = fmt::format("[{}]", text.rest().substr(pair.comma + 1, pair.close - pair.comma - 1));
+  text.move_to(text.position() + pair.close + 1);
+  Scanner of_first(first), of_second(second);
+  if (read_bracketed(of_first, x) && read_bracketed(of_second, y)) return true;
+  return faults_.fail("number-expected", "an argument is missing here", "check the argument", column);
+}
+
+bool ExpressionReader::apply_power(Scanner& text, double& value) {
+  double base = 0.0, exponent = 0.0;
+  const std::size_t column = text.column();
+  if (text.peek() != '[' || !find_pair(text.rest()).is_one())
+    return faults_.fail("function-domain", "POW needs two arguments", "check the argument", column);
+  if (!read_pair(text, base, exponent)) return false;
+  value = std::pow(number_or_zero(base), number_or_zero(exponent));
+  return std::isfinite(value) ||
+         faults_.fail("function-domain", "POW has no result here", "check the argument", column);
 }
 
 bool ExpressionReader::apply_function(std::string_view name, std::size_t column, Scanner& text, double& value) {
@@ -71,6 +112,12 @@ bool ExpressionReader::apply_function(std::string_view name, std::size_t column,
                         text.column());
   }
   double x = 0.0;
+  if (fanuc_ && name == "atan" && find_pair(text.rest()).is_one()) {
+    double y = 0.0;
+    if (!read_pair(text, x, y)) return false;
+    value = std::atan2(number_or_zero(x), number_or_zero(y)) * kDegreesPerRadian;
+    return true;
+  }
   if (!read_bracketed(text, x)) return false;
   x = number_or_zero(x);
   const auto domain = [&](const char* what) {
