@@ -1,5 +1,6 @@
 #include "toolpace/pipeline/job_rules.h"
 
+#include <algorithm>
 #include <tuple>
 
 #include "toolpace/law/law_table.h"
@@ -25,6 +26,22 @@ Commands command(const Path& path, const Job& job) {
   options.rapid_override = job.options.rapid_override;
   options.rounding = rounding(job.options.corner);
   return command_path(path, job.program->moves, options);
+}
+
+std::size_t motion_blocks(const Moves& moves) {
+  return static_cast<std::size_t>(std::count_if(moves.kind.begin(), moves.kind.end(), is_motion));
+}
+
+bool sees_all(const Job& job) {
+  const auto& depth = job.options.lookahead;
+  return !depth || (*depth > 0 && job.program && *depth >= motion_blocks(job.program->moves));
+}
+
+std::shared_ptr<const Job> looking_no_deeper(std::shared_ptr<const Job> job) {
+  if (!job->options.lookahead || !sees_all(*job)) return job;
+  auto all = std::make_shared<Job>(*job);
+  all->options.lookahead.reset();
+  return all;
 }
 
 double time_at_feeds(const Path& path, const Commands& commands) {

@@ -18,6 +18,15 @@ Rounding rounding(const CornerOptions& corner);
 /// What is commanded on a path of the job.
 Commands command(const Path& path, const Job& job);
 
+/// The number of blocks of a program that move.
+std::size_t motion_blocks(const Moves& moves);
+
+/// Whether the look-ahead is as deep as the program is long, in blocks that move.
+bool sees_all(const Job& job);
+
+/// The job, or a copy that looks at all blocks where its look-ahead is as deep as the program is long.
+std::shared_ptr<const Job> looking_no_deeper(std::shared_ptr<const Job> job);
+
 /// How long the path takes where every segment is run as fast as it is commanded [s].
 double time_at_feeds(const Path& path, const Commands& commands);
 

@@ -225,13 +225,17 @@ bool is_better(const Outcome& one, const Outcome& other, const Monitor& monitor)
   return one.summary.cycle_time < other.summary.cycle_time && is_proven(one, {monitor.stop, {}});
 }
 
+/// The outcome of a job that stands for another.
+Result<Outcome> outcome_of(std::shared_ptr<const Job> asked, Result<Outcome> made) {
+  if (made) made->job = std::move(asked);
+  return made;
+}
+
 Diagnostic not_smoothed(const std::string& why, const std::string& remedy) {
   return {Severity::warning, "smooth-fell-back", why + ", so corners are blended", remedy, {}, {}};
 }
 
-}  // namespace
-
-Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
+Result<Outcome> run_whole(std::shared_ptr<const Job> job, const Monitor& monitor) {
   const auto rival = rival_of(*job);
   if (!rival) return plan_job(std::move(job), monitor);
   // Where the feed and not the corners decide, curves that end on the exact path can be a little faster.
@@ -253,17 +257,25 @@ Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
   return takes_blended ? blended : smooth;
 }
 
-Result<Outcome> replan(std::shared_ptr<const Job> job, const Outcome& before, const Monitor& monitor) {
+}  // namespace
+
+Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
+  return outcome_of(job, run_whole(looking_no_deeper(job), monitor));
+}
+
+Result<Outcome> replan(std::shared_ptr<const Job> asked, const Outcome& before, const Monitor& monitor) {
+  auto job = looking_no_deeper(asked);
   // A job through the tube may have been given blends, so its path does not tell how it was made.
   const auto stays_on_path = [](const Job& j) { return !is_through_tube(j) && !may_leave_path(j); };
   const bool reusable = before.job && before.path && stays_on_path(*job) && stays_on_path(*before.job);
-  if (!reusable || !has_same_route(*job, *before.job)) return run(std::move(job), monitor);
+  if (!reusable || !has_same_route(*job, *before.job)) return run(std::move(asked), monitor);
   if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
   // Limits of curves were chosen for the law and its ramps.
   const bool same = has_same_limits(*job, *before.job) && before.limits.curved.empty();
   auto speeds = same ? Speeds{before.commands, before.limits} : speeds_on(*before.path, *job, monitor);
   const Strategy& strategy = strategy_of(*job, before.path->size(), false);
-  return plan_along(std::move(job), strategy, {before.path, before.summary.blends}, std::move(speeds), monitor);
+  return outcome_of(std::move(asked), plan_along(std::move(job), strategy, {before.path, before.summary.blends},
+                                                 std::move(speeds), monitor));
 }
 
 }  // namespace toolpace

@@ -84,20 +84,16 @@ bool has_rounded_corners(const Job& job) {
 
 bool has_curves(const Job& job) { return has_rounded_corners(job) || has_programmed_curves(job); }
 
-bool sees_all(const PlanOptions& options, std::size_t segments) {
-  return !options.lookahead || *options.lookahead >= segments;
-}
-
 /// Rounded corners by a quick motion through the tube: as what is timed anew, but of any length.
-bool goes_quickly_through_tube(const Job& job, std::size_t segments) {
+bool goes_quickly_through_tube(const Job& job, std::size_t) {
   const PlanOptions& o = job.options;
-  return job.refined && o.ramps == Ramps::span && sees_all(o, segments) && !o.hold_at && !is_through_tube(job) &&
+  return job.refined && o.ramps == Ramps::span && sees_all(job) && !o.hold_at && !is_through_tube(job) &&
          has_rounded_corners(job) && !law_row(o.law).uses_time;
 }
 
 bool may_be_timed_anew(const Job& job, std::size_t segments) {
   const PlanOptions& o = job.options;
-  return job.refined && o.ramps == Ramps::span && sees_all(o, segments) && !o.hold_at && segments <= kMostRetimed &&
+  return job.refined && o.ramps == Ramps::span && sees_all(job) && !o.hold_at && segments <= kMostRetimed &&
          has_curves(job);
 }
 

@@ -46,9 +46,8 @@ void measure_peaks(const Outcome& o, Summary& summary) {
 }  // namespace
 
 Summary summarise(const Outcome& o) {
-  const auto& kinds = o.job->program->moves.kind;
   Summary s;
-  s.blocks = static_cast<std::size_t>(std::count_if(kinds.begin(), kinds.end(), is_motion));
+  s.blocks = motion_blocks(o.job->program->moves);
   for (std::size_t i = 0; i < o.path->size(); ++i) {
     if (!is_rotary_only(*o.path, i)) s.path_length += o.path->length[i];
   }

@@ -4,6 +4,7 @@
 
 #include "planned_program.h"
 #include "toolpace/law/law_table.h"
+#include "toolpace/nc/reader.h"
 #include "toolpace/pipeline/job_rules.h"
 
 namespace toolpace {
@@ -130,6 +131,32 @@ TEST(Strategy, TheFirstRowThatTakesAJobRunsIt) {
   EXPECT_TRUE(takes_long(*smooth));
   EXPECT_FALSE(takes_long(*servo));
   EXPECT_FALSE(takes_long(*quick_version(*smooth)));
+}
+
+// A spline is one block of the program and many segments of its path.
+TEST(Strategy, ALookAheadOverAllBlocksIsTheSameAsAll) {
+  auto reading = read_text(
+      "G21 G90 G17 G64 P0.02\nG1 X10 Y2 F3000\nG5 I10 J30 P-20 Q20 X40 Y12\nG1 X50 Y0\nG1 X60 Y12\nM2\n", "spline.ngc");
+  ASSERT_TRUE(reading && !reading->refused);
+  const auto program = std::make_shared<const Reading>(std::move(*reading));
+  const std::size_t blocks = motion_blocks(program->moves);
+  for (const CornerRule rule : {CornerRule::servo, CornerRule::blend}) {
+    const auto all = job_of(crooked(), rule, LawKind::seven_phase);
+    all->program = program;
+    all->options.ramps = Ramps::span;
+    const auto far = run(all);
+    ASSERT_TRUE(far);
+    ASSERT_GT(far->path->size(), blocks);
+    for (const std::size_t depth : {blocks, blocks + 1, far->path->size() - 1, far->path->size(), std::size_t{1000}}) {
+      const auto deep = std::make_shared<Job>(*all);
+      deep->options.lookahead = depth;
+      const auto outcome = run(deep);
+      ASSERT_TRUE(outcome);
+      expect_same_motion(*outcome, *far, "look-ahead " + std::to_string(depth));
+      EXPECT_EQ(outcome->job->options.lookahead, depth);
+      EXPECT_FALSE(outcome->ran.lookahead);
+    }
+  }
 }
 
 }  // namespace
