@@ -106,6 +106,8 @@ class Limiter {
         corner.rule == CornerRule::blend && is_inside_spline(path_, i) ? kUnlimited : node_speed(corner, i);
     const double lower = std::min(limits_.block_cap[i - 1], limits_.block_cap[i]);
     const bool feed_decides = lower <= allowed;
+    if (allowed < kUnlimited && !limits_.curved.empty() && limits_.curved.back() + std::size_t{1} >= i)
+      limits_.corners.push_back({static_cast<std::uint32_t>(i), allowed});
     limits_.node_cap.push_back(feed_decides ? lower : allowed);
     limits_.node_cause.push_back(feed_decides                      ? slower_block_cause(i)
                                  : corner.rule == CornerRule::stop ? Cause::stop

@@ -17,19 +17,13 @@ SpeedLimits slice(const SpeedLimits& all, std::size_t begin, std::size_t end) {
     return std::decay_t<decltype(values)>(values.begin() + static_cast<std::ptrdiff_t>(begin),
                                           values.begin() + static_cast<std::ptrdiff_t>(last));
   };
-  SpeedLimits part{cut(all.length, end),
-                   cut(all.block_cap, end),
-                   cut(all.ramp, end),
-                   cut(all.block_cause, end),
-                   cut(all.node_cap, end + 1),
-                   cut(all.node_cause, end + 1),
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   {}};
+  SpeedLimits part;
+  part.length = cut(all.length, end);
+  part.block_cap = cut(all.block_cap, end);
+  part.ramp = cut(all.ramp, end);
+  part.block_cause = cut(all.block_cause, end);
+  part.node_cap = cut(all.node_cap, end + 1);
+  part.node_cause = cut(all.node_cause, end + 1);
   DynamicsTable different;
   for (std::uint32_t& ramp : part.ramp) {
     const Cause cause = all.dynamics_cause.empty() ? Cause::acceleration : all.dynamics_cause[ramp];

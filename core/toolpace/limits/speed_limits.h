@@ -43,6 +43,12 @@ struct SpeedLimits {
   std::vector<CurveBudget> budget;
   std::vector<std::uint16_t> ceiling;  ///< index into along
   std::vector<AlongPath> along;        ///< under each ceiling of the program
+  /// Nodes beside curves, rising, where the corner rule allows no more than a speed [mm/s], whatever the caps of their blocks.
+  struct Corner {
+    std::uint32_t node;
+    double speed;
+  };
+  std::vector<Corner> corners;
 
   std::size_t size() const { return length.size(); }
   const Dynamics& dynamics_of(std::size_t block) const { return dynamics[ramp[block]]; }

@@ -4,7 +4,9 @@
 
 #include "planned_program.h"
 #include "toolpace/law/law_table.h"
+#include "toolpace/limits/limit_speed.h"
 #include "toolpace/pipeline/prove.h"
+#include "toolpace/sample/motion.h"
 
 namespace toolpace {
 namespace {
@@ -52,6 +54,33 @@ TEST(CurvePlan, EveryLawThatKeepsJerkIsNearTheFastestMotionOnAnArc) {
     EXPECT_LE(plan_of(whole, axes_of(1750, 3e4), law.kind, Ramps::span).summary.cycle_time, 0.845);
     EXPECT_LE(plan_of(whole, axes_of(1750, 3e4), law.kind, Ramps::block).summary.cycle_time, 0.975);
   }
+}
+
+// Curves are timed anew without the caps that were chosen for their blocks; the corner rule holds all the same, also where it
+// allows a little more than those caps.
+TEST(CurvePlan, CornersBetweenArcsArePassedNoFasterThanTheirRuleAllows) {
+  constexpr double kRadius = 2;
+  int timed_anew = 0;
+  for (double deflection = 0.02; deflection < 1.5; deflection *= 1.25) {
+    // A quarter of a circle to (2, 2), leaving along +y; the next one leaves there at an angle, about a centre to its left.
+    Program program;
+    program.arc(0, kRadius, std::numbers::pi / 2);
+    program.arc(kRadius - kRadius * std::cos(deflection), kRadius - kRadius * std::sin(deflection), 2.0);
+    toolpace::Setup setup = default_setup();
+    setup.machine = axes_of(1000, 3e4);
+    setup.options.law = LawKind::seven_phase;
+    setup.options.ramps = Ramps::span;
+    setup.options.corner.rule = CornerRule::junction;
+    const Outcome outcome = planned(program, setup);
+    timed_anew += outcome.ran.law == LawKind::time_optimal;
+    const double allowed = corner_speed(setup.options.corner, end_direction(*outcome.path, 0),
+                                        start_direction(*outcome.path, 1), setup.machine);
+    Motion motion(*outcome.path, outcome.plan);
+    EXPECT_LE(motion.at(outcome.node_time[1]).along().speed, allowed * (1 + 1e-9)) << deflection;
+    const auto report = prove(outcome);
+    EXPECT_TRUE(report && report->passes()) << deflection << broken(*report);
+  }
+  EXPECT_GT(timed_anew, 0);
 }
 
 TEST(CurvePlan, AHigherFeedIsNeverSlowerOnAnArc) {

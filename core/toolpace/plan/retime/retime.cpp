@@ -45,6 +45,7 @@ class PlanRetimer {
       if (limits_.node_cap[i] < std::min(limits_.block_cap[i - 1], limits_.block_cap[i]))
         corner_[i] = limits_.node_cap[i];
     }
+    for (const SpeedLimits::Corner& corner : limits_.corners) corner_[corner.node] = corner.speed;
   }
 
   std::optional<MotionPlan> run(const ForEach& for_each, const Monitor& monitor) {
