@@ -14,8 +14,16 @@ Allowance CornerExemption::explain(const RowStream& stream, std::size_t local, s
                    [&](const CornerEvent& event) { take(event, sum); });
     return sum;
   }
+  const CornerSight sight{limit_, period_, noise};
+  bool has_curve =
+      false;  // the runs around one leave no room for another, and a corner near a row could be in two intervals
   for (std::size_t k = 0; k < intervals; ++k) {
-    take(corner_between_straights(stream, local + k, {limit_, period_, noise}), sum);
+    CornerEvent event = corner_between_straights(stream, local + k, sight);
+    if (is_none(event) && !has_curve) {
+      event = corner_beside_curve(stream, local + k, sight);
+      has_curve = !is_none(event);
+    }
+    take(event, sum);
   }
   return sum;
 }

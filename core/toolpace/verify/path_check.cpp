@@ -180,13 +180,14 @@ bool PathCheck::is_passed_exactly(std::size_t left) const {
   return vertices_.rule(left).is_exact || vertices_.rule(left + 1).is_exact;
 }
 
-/// The rule of the corner behind a segment where it names a step of its own; none where directions of the blocks alone tell
-/// how fast a corner may be, which a motion that rounds or merges blocks beside it does not pass in just these.
+/// The rule of the corner behind a segment; none where it is not known, or where a motion may smooth or merge blocks beside the
+/// corner, and so not pass it in their directions.
 std::optional<CornerOptions> PathCheck::rule_behind(std::size_t left) const {
   if (!corner_limit_.rule()) return std::nullopt;
   const CornerOptions rule = corner_between(*corner_limit_.rule(), control_of(moves_, path_.move[left]),
                                             control_of(moves_, path_.move[left + 1]));
-  return rule.step ? std::optional(rule) : std::nullopt;
+  const bool is_exact = vertices_.rule(left).is_exact && vertices_.rule(left + 1).is_exact;
+  return rule.step || is_exact ? std::optional(rule) : std::nullopt;
 }
 
 CornerEvent PathCheck::step_at(const CornerRun& run, const Joint& joint) const {
@@ -199,11 +200,17 @@ CornerEvent PathCheck::step_at(const CornerRun& run, const Joint& joint) const {
   return event;
 }
 
+bool PathCheck::lies_on_line(std::size_t segment, const AxisVector& point) const {
+  return path_.kind[segment] == SegmentKind::line &&
+         distance_to_line(point, weighted(path_.node[segment]), weighted(path_.node[segment + 1])) <= kOnPath;
+}
+
 void PathCheck::log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt) {
   const std::size_t left = node.segment, right = left + 1;
   const Frame in = frame_at(path_, left, path_.length[left]), out = frame_at(path_, right, 0.0);
   const Chord before = chord_to(stream, local - 1), here = chord_to(stream, local), after = chord_to(stream, local + 1);
   CornerRun run{in.first, out.first, before.length(), after.length()};
+  run.is_straight = lies_on_line(left, point_of(stream, local - 2)) && lies_on_line(right, point_of(stream, local + 1));
   const double longest = std::max({run.before, run.after, here.length()});
   (run.before < run.after ? run.after : run.before) = longest;
   const Joint joint{left, (out.second - in.second).cwiseAbs()};

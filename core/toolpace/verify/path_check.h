@@ -21,9 +21,9 @@ namespace toolpace {
 /// - measures the distance of each setpoint to the exact curve that it is matched to;
 /// - measures how far the path is from the straight lines between setpoints (chord error);
 /// - logs each node that is passed on the path, as each next to G61 or G61.1 is, with a step of direction or curvature:
-///   V·|Δu| and V²·|Δκ| of each axis, V at a turn back at most what a corner
-///   rule lets pass. On a side where corners may be smoothed the
-///   motion arrives or leaves as its setpoints say, which may be another direction than that of the block;
+///   V·|Δu| and V²·|Δκ| of each axis, V at most what the corner rule lets pass where both sides are exact, elsewhere at a turn
+///   back what one would. On a side where corners may be smoothed the motion arrives or leaves as its setpoints say, which may
+///   be another direction than that of the block;
 /// - compares the line column with the lines of the path under the setpoint.
 /// Setpoints that cut a corner, as smoothing does, are off the path there and get no such exemption.
 class PathCheck {
@@ -66,6 +66,7 @@ class PathCheck {
   };
   std::optional<CornerOptions> rule_behind(std::size_t left) const;
   CornerEvent step_at(const CornerRun& run, const Joint& joint) const;
+  bool lies_on_line(std::size_t segment, const AxisVector& point) const;
   void log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt);
   void take_line(const RowStream& stream, std::size_t local);
   double exact_distance(const AxisVector& point);

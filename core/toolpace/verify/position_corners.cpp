@@ -6,6 +6,7 @@
 
 #include "toolpace/base/metric.h"
 #include "toolpace/verify/chord.h"
+#include "toolpace/verify/curve_corners.h"
 
 namespace toolpace {
 namespace {
@@ -86,10 +87,29 @@ CornerEvent corner_between_straights(const RowStream& stream, std::size_t local,
   return event;
 }
 
-double detour_between_straights(const RowStream& stream, std::size_t local, double noise) {
+bool is_none(const CornerEvent& event) { return event.speed_step.isZero(0.0) && event.acceleration_step.isZero(0.0); }
+
+CornerEvent corner_beside_curve(const RowStream& stream, std::size_t local, const CornerSight& sight) {
+  CornerEvent event;
+  event.interval = event.corner = stream.row(local);
+  const auto corner = corner_between_curves(stream, local, sight.noise);
+  if (!corner) return event;
+  const CornerRun run{corner->arriving, corner->leaving, chord_to(stream, local - 1).length(),
+                      chord_to(stream, local + 1).length(), true};
+  const CornerPassage passage = sight.limit.passage(run, sight.period, sight.limit.rule());
+  const AxisVector turn = (corner->leaving - corner->arriving).cwiseAbs();
+  event.speed_step = passage.speed * turn;
+  event.acceleration_step = passage.acceleration * turn + passage.speed * passage.speed * corner->bend;
+  return event;
+}
+
+double detour_round_corner(const RowStream& stream, std::size_t local, double noise) {
   if (!has_surroundings(stream, local)) return 0.0;
   const auto [before, here, after, are_straight] = around(stream, local, noise);
-  if (!are_straight) return 0.0;
+  if (!are_straight) {
+    const auto corner = corner_between_curves(stream, local, noise);
+    return corner ? std::max(0.0, corner->before + corner->after - length_of(here)) : 0.0;
+  }
   const auto cut = cut_of(before, here, after, noise);
   if (!cut) return 0.0;
   const double way = cut->alpha * length_of(before.normalized()) + cut->beta * length_of(after.normalized());

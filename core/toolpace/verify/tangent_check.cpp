@@ -64,7 +64,7 @@ class Judge {
     const std::size_t i = local_ + k;
     if (chord_to(stream_, i - 1).way.dot(chord_to(stream_, i + 1).way) < 0) return detour_of_return(i);
     if (length_[k] == 0) return 0.0;
-    const double round_corner = detour_between_straights(stream_, i, noise_);
+    const double round_corner = detour_round_corner(stream_, i, noise_);
     if (round_corner > 0) return round_corner;
     const auto before = turn_to(i), after = turn_to(i + 1);
     const double one = before.value_or(after.value_or(0)), other = after.value_or(one);

@@ -204,9 +204,7 @@ class TextSetpoints final : public SetpointFile {
   static bool put(SetpointRows& rows, const Column& column, double value) {
     switch (column.meaning) {
       case Meaning::time: rows.time.push_back(value); break;
-      case Meaning::position:
-        rows.position[column.axis].push_back(value * axis_unit(column.axis).size);
-        break;
+      case Meaning::position: rows.position[column.axis].push_back(value * axis_unit(column.axis).size); break;
       case Meaning::speed: rows.speed.push_back(value); break;
       case Meaning::acceleration: rows.acceleration.push_back(value); break;
       case Meaning::jerk: rows.jerk.push_back(value); break;

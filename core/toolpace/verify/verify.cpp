@@ -295,7 +295,8 @@ Result<VerifyReport> verify(SetpointFile& file, const Machine& machine, const Pr
   }
   if (program == nullptr && has_broken_steps(*report)) {
     report->notes.push_back(
-        "without the program only corners between straight lines are known and exempt: with it those of arcs are, too");
+        "without the program corners are known and exempt between lines and even curves of a few rows alone: with it "
+        "all are");
   }
   if (!corner_rule(file, options, program != nullptr) && has_broken_steps(*report)) {
     report->notes.push_back("the corner rule is not known: a reversal is exempt by what the servo rule lets pass");

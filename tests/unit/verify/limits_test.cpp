@@ -207,6 +207,38 @@ TEST(Limits, ExemptAReversalByTheStepThatTheJobAllows) {
   EXPECT_FALSE(judged({.rule = CornerRule::stop}).passes());
 }
 
+// From a line onto an arc, from that onto another, which turns the other way, and back onto a line, each at an angle, at a speed
+// step of 20 mm/s: a rule that lets that pass explains it, ones that let 2 mm/s pass, or none, do not.
+TEST(Limits, ExemptCornersOfCurvesByTheStepThatTheJobAllows) {
+  Program program;
+  program.line(30, 0).arc(25, 20, 1.5).arc(70, 5, -0.8, 2.0).line(75, 40, 4);
+  for (const LawKind law : {LawKind::trapezoid, LawKind::quintic}) {
+    const TemporaryDirectory dir;
+    toolpace::Setup setup = axis_limited_setup();
+    setup.options.law = law;
+    setup.options.corner.step = 20;
+    if (law == LawKind::trapezoid) setup.machine = without_jerk(setup.machine);
+    write_setpoints(planned(program, setup), dir / "a.csv");
+    const auto judged = [&](const CornerOptions& corner) {
+      auto file = open_setpoint_file(dir / "a.csv");
+      VerifyOptions options;
+      options.corner = corner;
+      return verify(**file, setup.machine, nullptr, options).value();
+    };
+    const VerifyReport as_planned = judged({.step = 20.0});
+    EXPECT_TRUE(as_planned.passes()) << broken(as_planned);
+    EXPECT_GE(as_planned.exempt_corners, 3);
+    for (const CornerOptions& stricter : {CornerOptions{.step = 10.0}, CornerOptions{.rule = CornerRule::servo},
+                                          CornerOptions{.rule = CornerRule::stop}}) {
+      const VerifyReport report = judged(stricter);
+      const auto is_broken = [&](std::size_t axis) {
+        return check_of(report, CheckKind::axis_acceleration, axis).broken;
+      };
+      EXPECT_TRUE(is_broken(0) && is_broken(1)) << static_cast<int>(stricter.rule);
+    }
+  }
+}
+
 // Around a corner at 60 mm/s, 10 mm/s behind it: the turn explains a step across, not one of the speed along the path.
 TEST(Limits, DoNotExemptAStepOfSpeedAtACorner) {
   const Machine axes = without_jerk(axis_limited_setup().machine);
