@@ -10,9 +10,10 @@ constexpr double kTopShare = 0.999;  // of the speed at which nothing is left
 constexpr double kRounding = 1e-9;   // of a third derivative that is all against the direction
 /// Share of the jerk, as an angle's sine, that the turning part 3κva takes at most where a ramp may do anything at its cap.
 constexpr double kTurningShare = 0.7;
-/// Speeds as shares of the cap where a ramp is looked at: with a = √(2j(cap − v)) the turning part v·a peaks at 2/3. Between
-/// two of these places its square is no more than so much larger than at the nearer one.
-constexpr double kPlaces[] = {1.0, 0.88, 0.79, 0.71, 0.64, 0.57, 0.5};
+/// Speeds x as shares of the cap where a ramp is looked at: with a = √(2j(cap − v)) the turning part v·a peaks at 2/3. Between
+/// two of these places, h apart, its square ∝ (1 − x)·x² rises above its chord by |2 − 6x|·h²/8, no more than by so much of its
+/// own; the part along the path is convex, and below its chord.
+constexpr double kPlaces[] = {1.0, 0.985, 0.965, 0.94, 0.91, 0.88, 0.835, 0.79, 0.75, 0.71, 0.64, 0.57, 0.5};
 constexpr double kBetweenPlaces = 1.012;
 /// A rectangle inside another one beats the ellipse where its sides are at most this much shorter.
 constexpr double kMuchApart = 1.3;

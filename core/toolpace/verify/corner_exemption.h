@@ -29,6 +29,11 @@ class CornerExemption {
   /// @param noise  [mm] rounding of a position
   Allowance explain(const RowStream& stream, std::size_t local, std::size_t intervals, double noise);
 
+  /// How much longer than its chord the program says that the row interval `local` is [mm]; 0 where it is not known.
+  double detour(const RowStream& stream, std::size_t local) const {
+    return log_ != nullptr ? log_->detour(stream.row(local)) : 0.0;
+  }
+
   void report(VerifyReport& report) const;
 
  private:

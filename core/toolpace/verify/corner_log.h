@@ -17,12 +17,26 @@ struct CornerEvent {
   AxisVector acceleration_step = AxisVector::Zero();  ///< [mm/s², rad/s²]
 };
 
+/// How much longer than the straight line between two rows the program's way is where it crosses nodes.
+struct Detour {
+  std::int64_t interval;
+  double length;  ///< [mm]
+};
+
 /// Events in the order of time; old ones are forgotten.
 class CornerLog {
  public:
   void add(const CornerEvent& event) { events_.push_back(event); }
   void forget_before(std::int64_t interval) {
     while (!events_.empty() && events_.front().interval < interval) events_.pop_front();
+    while (!detours_.empty() && detours_.front().interval < interval) detours_.pop_front();
+  }
+  void add(const Detour& detour) { detours_.push_back(detour); }
+  /// Of a row interval [mm]; 0 where it crosses no node.
+  double detour(std::int64_t interval) const {
+    const auto at = std::lower_bound(detours_.begin(), detours_.end(), interval,
+                                     [](const Detour& d, std::int64_t i) { return d.interval < i; });
+    return at != detours_.end() && at->interval == interval ? at->length : 0.0;
   }
   /// Calls take(event) for those of the intervals first … last.
   template <class Take>
@@ -34,6 +48,7 @@ class CornerLog {
 
  private:
   std::deque<CornerEvent> events_;
+  std::deque<Detour> detours_;
 };
 
 }  // namespace toolpace

@@ -172,6 +172,22 @@ void PathCheck::take_crossings(const RowStream& stream, std::size_t local, const
     if (on_path || is_passed_exactly(vertex.segment)) log_corner(stream, local, vertex, doubt);
   }
   if (chord_.would_take(off, 0.0)) chord_.take(off, 0.0, stream, local);
+  if (on_path && match.cell > before.cell) log_detour(stream, local, to, {before.cell + 1, match.cell});
+}
+
+/// By the chords between the vertices that are crossed.
+void PathCheck::log_detour(const RowStream& stream, std::size_t local, const AxisVector& to,
+                           std::pair<std::size_t, std::size_t> crossed) {
+  AxisVector from = last_;
+  double way = 0.0;
+  for (std::size_t v = crossed.first; v <= crossed.second; ++v) {
+    const AxisVector at = vertices_.at(v)->point;
+    way += (at - from).head<3>().norm();
+    from = at;
+  }
+  way += (to - from).head<3>().norm();
+  const double detour = way - (to - last_).head<3>().norm();
+  if (detour > 0) corners_.add(Detour{stream.row(local), detour});
 }
 
 /// Nothing smooths a corner at which G61 or G61.1 or a rule that stays on the path begins or ends, however near beside it a

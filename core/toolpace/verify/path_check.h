@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "toolpace/limits/machine.h"
 #include "toolpace/verify/corner_limit.h"
@@ -58,6 +59,8 @@ class PathCheck {
   bool take_row(const RowStream& stream, std::size_t local);
   void take_crossings(const RowStream& stream, std::size_t local, const AxisVector& to, const PathMatch& before,
                       bool on_path);
+  void log_detour(const RowStream& stream, std::size_t local, const AxisVector& to,
+                  std::pair<std::size_t, std::size_t> crossed);
   bool is_passed_exactly(std::size_t left) const;
   /// A node, and by how much each axis' curvature changes there.
   struct Joint {

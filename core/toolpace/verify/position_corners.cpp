@@ -103,17 +103,19 @@ CornerEvent corner_beside_curve(const RowStream& stream, std::size_t local, cons
   return event;
 }
 
-double detour_round_corner(const RowStream& stream, std::size_t local, double noise) {
+double detour_between_straights(const RowStream& stream, std::size_t local, double noise) {
   if (!has_surroundings(stream, local)) return 0.0;
   const auto [before, here, after, are_straight] = around(stream, local, noise);
-  if (!are_straight) {
-    const auto corner = corner_between_curves(stream, local, noise);
-    return corner ? std::max(0.0, corner->before + corner->after - length_of(here)) : 0.0;
-  }
+  if (!are_straight) return 0.0;
   const auto cut = cut_of(before, here, after, noise);
   if (!cut) return 0.0;
   const double way = cut->alpha * length_of(before.normalized()) + cut->beta * length_of(after.normalized());
   return std::max(0.0, way - length_of(here));
+}
+
+double detour_beside_curve(const RowStream& stream, std::size_t local, double noise) {
+  const auto corner = corner_between_curves(stream, local, noise);
+  return corner ? std::max(0.0, corner->before + corner->after - length_of(chord_to(stream, local).way)) : 0.0;
 }
 
 }  // namespace toolpace

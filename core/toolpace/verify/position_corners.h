@@ -24,8 +24,11 @@ bool is_none(const CornerEvent& event);
 /// The same where a curve meets a line or another curve, at a corner as corner_between_curves() sees it.
 CornerEvent corner_beside_curve(const RowStream& stream, std::size_t local, const CornerSight& sight);
 
-/// How much longer than its chord the way of the row interval `local` is, where that cuts the corner between two
-/// runs, straight or even curves [mm; deg where only rotary axes move]; 0 where the rows show anything else.
-double detour_round_corner(const RowStream& stream, std::size_t local, double noise);
+/// How much longer than its chord the way of the row interval `local` is, where that cuts the corner between two straight
+/// runs [mm; deg where only rotary axes move]; 0 where the rows show anything else.
+double detour_between_straights(const RowStream& stream, std::size_t local, double noise);
+
+/// The same at a corner as corner_between_curves() sees it, but for what the curves themselves bulge.
+double detour_beside_curve(const RowStream& stream, std::size_t local, double noise);
 
 }  // namespace toolpace

@@ -64,13 +64,19 @@ class Judge {
     const std::size_t i = local_ + k;
     if (chord_to(stream_, i - 1).way.dot(chord_to(stream_, i + 1).way) < 0) return detour_of_return(i);
     if (length_[k] == 0) return 0.0;
-    const double round_corner = detour_round_corner(stream_, i, noise_);
-    if (round_corner > 0) return round_corner;
-    const auto before = turn_to(i), after = turn_to(i + 1);
+    const double programmed = corners_.detour(stream_, i);  // there may be several corners in a period
+    const double round_corner = detour_between_straights(stream_, i, noise_);
+    if (round_corner > 0) return std::max(round_corner, programmed);
+    return std::max({detour_of_curve(i, length_[k]), detour_beside_curve(stream_, i, noise_), programmed});
+  }
+
+  /// By how the chords around it turn.
+  double detour_of_curve(std::size_t interval, double length) const {
+    const auto before = turn_to(interval), after = turn_to(interval + 1);
     const double one = before.value_or(after.value_or(0)), other = after.value_or(one);
-    if (std::min(one, other) <= kStraightTurn + rounding() / length_[k]) return 0.0;
+    if (std::min(one, other) <= kStraightTurn + rounding() / length) return 0.0;
     const double angle = one + other;
-    return angle > kSharpTurn ? kNever : kDetour * length_[k] * angle * angle / 8;
+    return angle > kSharpTurn ? kNever : kDetour * length * angle * angle / 8;
   }
 
   /// Where the way turns back: as far as the step that a corner explains carries in a period, or a curve that is turned within
