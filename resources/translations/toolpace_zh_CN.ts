@@ -179,6 +179,10 @@
             <translation>减速加加速度</translation>
         </message>
         <message>
+            <source>Acceleration of the path, most accurate</source>
+            <translation>路径加速度（最高精度）</translation>
+        </message>
+        <message>
             <source>Acceleration time, shorter</source>
             <translation>加速时间（缩短）</translation>
         </message>
@@ -1287,6 +1291,10 @@
         <message>
             <source>sub-program-missing</source>
             <translation>缺少子程序</translation>
+        </message>
+        <message>
+            <source>accuracy-level</source>
+            <translation>没有这个精度等级</translation>
         </message>
         <message>
             <source>corner-limit-without-effect</source>
@@ -2698,6 +2706,14 @@
         <message>
             <source>give one above 0</source>
             <translation>请给出大于 0 的值</translation>
+        </message>
+        <message>
+            <source>give fine_acceleration_mm_s2 in [path]</source>
+            <translation>请在 [path] 中给出 fine_acceleration_mm_s2</translation>
+        </message>
+        <message>
+            <source>levels go from 1 to %1</source>
+            <translation>等级从 1 到 %1</translation>
         </message>
         <message>
             <source>name the variable with P, such as P#100</source>

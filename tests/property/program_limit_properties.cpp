@@ -35,6 +35,7 @@ MotionCeiling random_ceiling(Random& random, const Machine& machine) {
   }
   if (one_in(random, 2)) ceiling.path_speed = machine.path.speed * spread(random, 0.1, 2);
   if (one_in(random, 2)) ceiling.path_acceleration = machine.path.acceleration * spread(random, 0.1, 2);
+  if (one_in(random, 4)) ceiling.accuracy = between(random, 0, 1);
   if (one_in(random, 4)) ceiling.corner_speed = spread(random, 0.1, 20);
   if (one_in(random, 4)) ceiling.junction_deviation = spread(random, 1e-4, 0.1);
   return ceiling;
@@ -61,6 +62,7 @@ toolpace::Setup random_setup(Random& random) {
   const double speed = spread(random, 50, 300), acceleration = spread(random, 500, 5000);
   const double jerk = acceleration * spread(random, 20, 300);
   setup.machine.path = {speed, acceleration, acceleration, jerk, jerk};
+  setup.machine.path.fine_acceleration = acceleration * spread(random, 0.2, 2);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     setup.machine.axes[axis].speed = speed * spread(random, 0.5, 2);
     setup.machine.axes[axis].acceleration = acceleration * spread(random, 0.5, 2);

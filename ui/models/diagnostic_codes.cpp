@@ -7,7 +7,8 @@ namespace toolpace::ui {
 namespace {
 
 // Listed for the translators; looked up by code.
-constexpr std::array kCodes = {QT_TRANSLATE_NOOP("codes", "arc-centre-absolute"),
+constexpr std::array kCodes = {QT_TRANSLATE_NOOP("codes", "accuracy-level"),
+                               QT_TRANSLATE_NOOP("codes", "arc-centre-absolute"),
                                QT_TRANSLATE_NOOP("codes", "arc-centre-incomplete"),
                                QT_TRANSLATE_NOOP("codes", "arc-centre-off-plane"),
                                QT_TRANSLATE_NOOP("codes", "arc-incomplete"),

@@ -39,6 +39,8 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "--corner servo follows it"),
     QT_TRANSLATE_NOOP("remedies", "check Q and R"),
     QT_TRANSLATE_NOOP("remedies", "give one above 0"),
+    QT_TRANSLATE_NOOP("remedies", "give fine_acceleration_mm_s2 in [path]"),
+    QT_TRANSLATE_NOOP("remedies", "levels go from 1 to %1"),
     QT_TRANSLATE_NOOP("remedies", "name the variable with P, such as P#100"),
     QT_TRANSLATE_NOOP("remedies", "add rows"),
     QT_TRANSLATE_NOOP("remedies", "an O word stands first in its line"),

@@ -19,6 +19,17 @@ MotionCeiling combined(const Commands& commands, std::size_t begin, std::size_t 
 
 }  // namespace
 
+namespace {
+
+/// In between, controllers go from one to the other in proportion (Fanuc: AI contour control, levels 1 to 10).
+double finer(double own, double fine, double accuracy) {
+  if (!(accuracy > 0) || !(fine < own)) return own;
+  if (!(own < kUnlimited)) return accuracy < 1 ? own : fine;
+  return own + accuracy * (fine - own);
+}
+
+}  // namespace
+
 Machine under(const Machine& machine, const MotionCeiling& ceiling) {
   Machine lowered = machine;
   for (std::size_t k = 0; k < kAxisCount; ++k) {
@@ -27,8 +38,11 @@ Machine under(const Machine& machine, const MotionCeiling& ceiling) {
     lowered.axes[k].acceleration = std::min(machine.axes[k].acceleration, ceiling.acceleration[i]);
   }
   lowered.path.speed = std::min(machine.path.speed, ceiling.path_speed);
-  lowered.path.acceleration = std::min(machine.path.acceleration, ceiling.path_acceleration);
-  lowered.path.deceleration = std::min(machine.path.deceleration, ceiling.path_acceleration);
+  PathLimits& path = lowered.path;
+  path.acceleration = finer(path.acceleration, path.fine_acceleration, ceiling.accuracy);
+  path.deceleration = finer(path.deceleration, path.fine_acceleration, ceiling.accuracy);
+  path.acceleration = std::min(path.acceleration, ceiling.path_acceleration);
+  path.deceleration = std::min(path.deceleration, ceiling.path_acceleration);
   return lowered;
 }
 

@@ -28,6 +28,8 @@ struct PathLimits {
   double deceleration = kUnlimited;       ///< [mm/s²]
   double jerk = kUnlimited;               ///< [mm/s³]
   double jerk_deceleration = kUnlimited;  ///< [mm/s³] while slowing down
+  /// [mm/s²] where a program asks for all the accuracy that it can (MotionCeiling::accuracy); speeding up and slowing down
+  double fine_acceleration = kUnlimited;
 };
 
 struct Machine {

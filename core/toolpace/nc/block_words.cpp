@@ -15,7 +15,8 @@ constexpr bool takes_axes(Code code) {
 
 // Settings that do.
 bool keeps_axes(const Block& block) {
-  return block.has(GGroup::macro) || block.has(GGroup::turn_plane) || block.has(GGroup::mirror) ||
+  const bool names_axes = block.code(GGroup::path_control) == kContourControl;  // G5.1 Q2 X0 Y0 Z0
+  return names_axes || block.has(GGroup::macro) || block.has(GGroup::turn_plane) || block.has(GGroup::mirror) ||
          block.has(GGroup::kept) || block.has(GGroup::machine) || block.code(GGroup::scale) == 510 ||
          block.code(GGroup::tool_length) == 431 || block.code(GGroup::tool_length) == 432;
 }
@@ -70,6 +71,7 @@ std::uint32_t words_of_settings(const Block& block) {
   if (block.has(GGroup::tool_length)) words |= word_bit('h');
   if (block.has(GGroup::path_control)) words |= word_bit('p') | word_bit('q');
   if (block.code(GGroup::path_control) == kSmoothness) words |= word_bit('e');
+  if (block.code(GGroup::path_control) == kContourControl) words |= word_bit('r');
   if (block.has(GGroup::spindle_mode)) words |= word_bit('d') | kSpindleBit;
   if (block.has('s')) words |= kSpindleBit;
   if (block.code(GGroup::system) == 541) words |= word_bit('p');

@@ -39,7 +39,8 @@ bool MoveWriter::ModeOrder::operator()(const MoveMode& a, const MoveMode& b) con
 
 bool MoveWriter::CeilingOrder::operator()(const MotionCeiling& a, const MotionCeiling& b) const {
   const auto key = [](const MotionCeiling& c) {
-    return std::tuple(c.path_speed, c.path_acceleration, c.corner_speed, c.junction_deviation, c.holds_overrides);
+    return std::tuple(c.path_speed, c.path_acceleration, c.corner_speed, c.junction_deviation, c.accuracy,
+                      c.holds_overrides);
   };
   if (key(a) != key(b)) return key(a) < key(b);
   for (const auto values : {&MotionCeiling::speed, &MotionCeiling::acceleration, &MotionCeiling::corner_step}) {

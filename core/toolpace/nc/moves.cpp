@@ -28,12 +28,14 @@ bool MotionCeiling::limits_corners() const {
 
 MotionCeiling lower_of(const MotionCeiling& a, const MotionCeiling& b) {
   MotionCeiling c = chosen(a, b, [](double x, double y) { return std::min(x, y); });
+  c.accuracy = std::max(a.accuracy, b.accuracy);
   c.holds_overrides = a.holds_overrides || b.holds_overrides;
   return c;
 }
 
 MotionCeiling higher_of(const MotionCeiling& a, const MotionCeiling& b) {
   MotionCeiling c = chosen(a, b, [](double x, double y) { return std::max(x, y); });
+  c.accuracy = std::min(a.accuracy, b.accuracy);
   c.holds_overrides = a.holds_overrides && b.holds_overrides;
   return c;
 }

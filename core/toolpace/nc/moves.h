@@ -65,7 +65,10 @@ struct MotionCeiling {
   AxisVector corner_step = AxisVector::Constant(kNone);  ///< of each axis' speed [mm/s, rad/s] ≥ 0
   double corner_speed = kNone;                           ///< [mm/s] ≥ 0 at a right angle
   double junction_deviation = kNone;                     ///< [mm] ≥ 0
-  bool holds_overrides = false;                          ///< overrides of feed and rapid do not count
+  /// 0 … 1: how much accuracy is asked for at the cost of acceleration; what that means, the machine knows
+  /// (PathLimits::fine_acceleration).
+  double accuracy = 0.0;
+  bool holds_overrides = false;  ///< overrides of feed and rapid do not count
   bool operator==(const MotionCeiling&) const = default;
 
   bool limits_corners() const;

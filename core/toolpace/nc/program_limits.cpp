@@ -129,6 +129,11 @@ void set_program_limits(Context& context, const Block& block) {
   apply(context);
 }
 
+void set_accuracy(Context& context, double accuracy) {
+  context.state.limits.ceiling.accuracy = accuracy;
+  apply(context);
+}
+
 bool run_velocity_limit(Context& context, Scanner text) {
   if (!text.take_word("set_velocity_limit")) return false;
   while (const auto setting = take_setting(text)) set_velocity(context, *setting);

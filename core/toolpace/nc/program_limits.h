@@ -14,6 +14,9 @@ void set_overrides(Context& context, const Block& block);
 /// them: mm/s² and mm/s.
 void set_program_limits(Context& context, const Block& block);
 
+/// G187 P and G5.1 Q1 R: 0 … 1, see MotionCeiling::accuracy.
+void set_accuracy(Context& context, double accuracy);
+
 /// SET_VELOCITY_LIMIT of Klipper. @return whether the line is one
 bool run_velocity_limit(Context& context, Scanner text);
 

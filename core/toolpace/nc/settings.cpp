@@ -8,6 +8,7 @@
 #include "toolpace/nc/coordinates.h"
 #include "toolpace/nc/motion/compensation.h"
 #include "toolpace/nc/motion/motion.h"
+#include "toolpace/nc/program_limits.h"
 #include "toolpace/nc/scaling.h"
 #include "toolpace/nc/text/whole_number.h"
 #include "toolpace/nc/tool_table.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kHighestFeed = 1e9;  // [units/min]
 constexpr int kHighestSpindle = 7;
+constexpr int kRoughToFinish = 3, kFastestToFinest = 10;  // levels of G187 P and of G5.1 R
 
 bool set_plane(Context& context, const Block& block) {
   const Code code = block.code(GGroup::plane);
@@ -34,23 +36,41 @@ bool set_units(Context& context, const Block& block) {
   return true;
 }
 
-// G187 of Haas: E is how far corners may be rounded; what its levels P are, only the machine's maker knows.
-void set_smoothness(Context& context, const Block& block) {
+/// A level from the fastest one to the most accurate one, as a share of the way.
+bool set_level(Context& context, const Block& block, char letter, int most) {
+  if (!block.has(letter)) {
+    set_accuracy(context, 0.0);
+    return true;
+  }
+  const auto level = whole_number(block.of(letter), 1, most);
+  if (!level) {
+    return context.faults.fail("accuracy-level", fmt::format("there is no level {:g}", block.of(letter)),
+                               fmt::format("levels go from 1 to {}", most), block.column_of(letter));
+  }
+  set_accuracy(context, (*level - 1.0) / (most - 1.0));
+  return true;
+}
+
+// G187 of Haas: E is how far corners may be rounded, P goes from rough over medium to finish.
+bool set_smoothness(Context& context, const Block& block) {
   Modal& modal = context.state.modal;
   modal.tolerance_given = block.has('e') && block.of('e') > 0.0;
   modal.path_tolerance = modal.tolerance_given ? length_of(context.state, block, 'e') : 0.0;
   modal.naive_tolerance = 0.0;
-  if (block.has('p') && !std::exchange(context.state.limits.unused_told, true)) {
-    context.faults.warn("limit-without-effect", "P of G187 has no effect on plans here", "", block.column_of('p'));
-  }
+  return set_level(context, block, 'p', kRoughToFinish);
+}
+
+// G5.1 of Fanuc: Q1 looks ahead, R goes from the fastest level to the most accurate one; Q0 ends it.
+bool set_contour_control(Context& context, const Block& block) {
+  if (block.of('q', 1.0) != 0.0) return set_level(context, block, 'r', kFastestToFinest);
+  set_accuracy(context, 0.0);
+  return true;
 }
 
 bool set_path_control(Context& context, const Block& block) {
   Modal& modal = context.state.modal;
-  if (block.code(GGroup::path_control) == kSmoothness) {
-    set_smoothness(context, block);
-    return true;
-  }
+  if (block.code(GGroup::path_control) == kSmoothness) return set_smoothness(context, block);
+  if (block.code(GGroup::path_control) == kContourControl) return set_contour_control(context, block);
   modal.path_control = block.code(GGroup::path_control);
   if (modal.path_control != 640) return true;
   const bool has_p = block.has('p');

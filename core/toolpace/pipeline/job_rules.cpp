@@ -69,7 +69,7 @@ bool has_same_route(const Job& a, const Job& b) {
 
 bool has_same_limits(const Job& a, const Job& b) {
   const auto of_path = [](const PathLimits& p) {
-    return std::tie(p.speed, p.acceleration, p.deceleration, p.jerk, p.jerk_deceleration);
+    return std::tie(p.speed, p.acceleration, p.deceleration, p.jerk, p.jerk_deceleration, p.fine_acceleration);
   };
   const auto of_axis = [](const AxisLimits& x) { return std::tie(x.speed, x.acceleration, x.jerk); };
   for (std::size_t k = 0; k < kAxisCount; ++k) {

@@ -76,6 +76,14 @@ Diagnostics check_ceilings(const Outcome& o, bool took_lowest) {
          "corners are rounded here: what the program says of their speed counts only where one is not",
          "--corner servo follows it");
   }
+  const bool asks_for_accuracy =
+      std::any_of(ceilings.begin(), ceilings.end(), [](const MotionCeiling& c) { return c.accuracy > 0; });
+  if (asks_for_accuracy && !(o.job->machine.path.fine_acceleration < kUnlimited)) {
+    warn("limit-without-effect",
+         "the program asks for accuracy at the cost of acceleration (G187 P, G5.1 R), but the machine does not say how "
+         "much",
+         "give fine_acceleration_mm_s2 in [path]");
+  }
   return warnings;
 }
 

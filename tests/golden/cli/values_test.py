@@ -10,7 +10,8 @@ from command_line import BAD_INPUT, BAD_USAGE, FINE, CommandLineTest
 PROGRAM = "G21 G90 G94\nG1 X10 F3000\nG3 X15 Y5 J5\nG4 P0.5\nG1 A90 F3600\nG0 Z5\nM6 T1\nM2\n"
 SECTIONS = {
     "machine": ["name", "period_ms", "tool_change_s"],
-    "path": ["max_speed_mm_s", "max_acceleration_mm_s2", "max_deceleration_mm_s2", "max_jerk_mm_s3", "max_jerk_deceleration_mm_s3"],
+    "path": ["max_speed_mm_s", "max_acceleration_mm_s2", "max_deceleration_mm_s2", "max_jerk_mm_s3", "max_jerk_deceleration_mm_s3",
+             "fine_acceleration_mm_s2"],
     "axes.X": ["max_speed_mm_s", "max_acceleration_mm_s2", "max_jerk_mm_s3", "travel_mm", "steps_per_mm"],
     "axes.A": ["max_speed_deg_s", "max_acceleration_deg_s2", "max_jerk_deg_s3", "travel_deg", "steps_per_deg"],
     "law": ["kind", "tacc_ms", "tdec_ms"],

@@ -51,6 +51,39 @@ TEST(Ceilings, LowerTheMachineAndNeverRaiseIt) {
   EXPECT_EQ(low.path.speed, 100);
 }
 
+// Levels go from the machine's acceleration to its fine one in proportion; a machine that has none stays as it is.
+TEST(Ceilings, OfAccuracyCostAcceleration) {
+  Machine machine;
+  machine.path = {100, 3000, 2000, 1e6, 1e6, 1000};
+  MotionCeiling half, most;
+  half.accuracy = 0.5;
+  most.accuracy = 1;
+  EXPECT_EQ(under(machine, half).path.acceleration, 2000);
+  EXPECT_EQ(under(machine, half).path.deceleration, 1500);
+  EXPECT_EQ(under(machine, most).path.acceleration, 1000);
+  EXPECT_EQ(under(machine, lower_of(half, most)).path.acceleration, 1000);
+  EXPECT_EQ(under(machine, higher_of(half, most)).path.acceleration, 2000);
+  machine.path.fine_acceleration = 9000;
+  EXPECT_EQ(under(machine, most).path.acceleration, 3000);
+  machine.path.fine_acceleration = kUnlimited;
+  EXPECT_EQ(under(machine, most).path.acceleration, 3000);
+}
+
+TEST(ProgramLimitsInPlans, LevelsOfAccuracyCountWhereTheMachineKnowsThem) {
+  auto job = job_of("G21 G90 G94\nG5.1 Q1 R10\nG1 X100. F6000\nM30\n", Dialect::fanuc);
+  const auto unknown = run(job);
+  ASSERT_TRUE(unknown);
+  ASSERT_EQ(unknown->warnings.size(), 1u);
+  EXPECT_EQ(unknown->warnings[0].code, "limit-without-effect");
+  auto known_job = std::make_shared<Job>(*job);
+  known_job->machine.path.fine_acceleration = 100;
+  const auto known = run(known_job);
+  ASSERT_TRUE(known);
+  EXPECT_TRUE(known->warnings.empty());
+  EXPECT_GE(known->summary.cycle_time, 2 * (1 - 1e-9));
+  EXPECT_LT(unknown->summary.cycle_time, 1.2);
+}
+
 TEST(Ceilings, LowerAndHigherAreByKind) {
   MotionCeiling a, b;
   a.path_speed = 5;

@@ -82,7 +82,23 @@ TEST(Smoothness, OfHaasRoundsCornersByE) {
   EXPECT_EQ(modes[reading.moves.mode[0]].control, PathControl::blend);
   EXPECT_EQ(modes[reading.moves.mode[0]].tolerance, 0.02);
   EXPECT_EQ(modes[reading.moves.mode[1]].control, PathControl::job_default);
-  EXPECT_EQ(codes(reading), (Codes{"limit-without-effect@2:6"}));
+  EXPECT_EQ(ceiling_of(reading, 0).accuracy, 1);
+  EXPECT_EQ(ceiling_of(reading, 1).accuracy, 0);
+  EXPECT_TRUE(codes(reading).empty());
+  const auto medium = read_as(Dialect::haas, "G21 G90 G94\nG187 P2\nG1 X1. F600.\nM30\n");
+  EXPECT_EQ(ceiling_of(medium, 0).accuracy, 0.5);
+  EXPECT_EQ(medium.moves.modes[medium.moves.mode[0]].control, PathControl::job_default);
+  EXPECT_EQ(codes(read_as(Dialect::haas, "G187 P4\nM30\n")), (Codes{"accuracy-level@1:6"}));
+}
+
+TEST(Smoothness, OfFanucHasLevelsAndItsAxisWordsMoveNothing) {
+  const auto reading = read_as(Dialect::fanuc,
+                               "G21 G90 G94\nG0 X5.\nG5.1 Q1 R10\nG1 X1. F600\nG5.1 Q1 R1\nX2.\nG5.1 Q2 X0 Y0 Z0 R4\n"
+                               "X3.\nG5.1 Q0\nX4.\nM30\n");
+  EXPECT_EQ(ends(reading), (Values{5, 1, 2, 3, 4}));
+  Values accuracies;
+  for (std::size_t row = 0; row < 5; ++row) accuracies.push_back(ceiling_of(reading, row).accuracy);
+  EXPECT_EQ(accuracies, (Values{0, 1, 0, 3.0 / 9, 0}));
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ std::optional<CodeUse<GGroup>> fanuc_g_code(Code code) {
     case 541: return CodeUse<GGroup>{GGroup::system};
     case 1540: return CodeUse<GGroup>{GGroup::system, true, 541};  // Haas: G154 P is G54.1 P
     case 1030: return CodeUse<GGroup>{GGroup::ignored};            // look-ahead
+    case 51: return CodeUse<GGroup>{GGroup::path_control, true, kContourControl};
     case kSmoothness: return CodeUse<GGroup>{GGroup::path_control};
     default: break;
   }
@@ -34,7 +35,7 @@ std::optional<CodeUse<GGroup>> fanuc_g_code(Code code) {
   if (is_listed(code, {500, 510})) return CodeUse<GGroup>{GGroup::scale};
   if (is_listed(code, {501, 511})) return CodeUse<GGroup>{GGroup::mirror};
   // Smoothing, data entry, exact stops and cutting modes, single-direction positioning, and ends of what has not begun.
-  if (is_listed(code, {50,  51,  54,  80,  90,  106, 110, 131, 230, 390, 401, 502, 542, 544,
+  if (is_listed(code, {50,  54,  80,  90,  106, 110, 131, 230, 390, 401, 502, 542, 544,
                        600, 611, 612, 620, 630, 641, 691, 801, 961, 962, 963, 964, 1130})) {
     return CodeUse<GGroup>{GGroup::ignored};
   }

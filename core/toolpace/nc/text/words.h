@@ -36,6 +36,7 @@ inline constexpr Code kBackBoring = kMillCodes + 870;     ///< G87
 inline constexpr Code kHolesOnCircle = kMillCodes + 700;  ///< G70 of Haas
 inline constexpr Code kHolesOnArc = kMillCodes + 710;     ///< G71 of Haas
 inline constexpr Code kHolesOnLine = kMillCodes + 720;    ///< G72 of Haas
+inline constexpr Code kContourControl = kMillCodes + 51;  ///< G5.1 of Fanuc
 inline constexpr Code kSmoothness = 1870;                 ///< G187 of Haas
 inline constexpr Code kToReference = kMillCodes + 270;    ///< G27
 inline constexpr Code kFromReference = kMillCodes + 290;  ///< G29
