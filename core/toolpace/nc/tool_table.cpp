@@ -172,9 +172,10 @@ bool change_tool(Context& context, const Block& block) {
   }
   Tool tool;
   if (!find_tool(context, number, column, tool)) return false;
+  const bool has_turned = context.rules.lathe_words && state.loaded.number == number;  // T has changed it
   state.loaded = tool;
   if (!declared && context.rules.refuses_doubtful) state.modal.spindle_direction = 0;  // the change stops it
-  if (!declared) context.out.note(MoveKind::tool, fmt::format("T{}", number));
+  if (!declared && !has_turned) context.out.note(MoveKind::tool, fmt::format("T{}", number));
   return true;
 }
 

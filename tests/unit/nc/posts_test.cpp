@@ -135,6 +135,18 @@ TEST(Printers, CallMacrosByNameAndStopWithAText) {
   const auto reading = read_as(Dialect::marlin, "M98 P\"/macros/prime.g\"\nG1 X1 F600\nM0 Click to continue\nG1 X2\n");
   EXPECT_FALSE(reading.refused);
   EXPECT_EQ(ends(reading), (Values{1, 2}));
+  EXPECT_FALSE(read_as(Dialect::marlin, "G1 X1 E1.5e-05 F600\n").refused);
+}
+
+TEST(Lathes, ChangeToolsOnceWhereM6StandsBesideT) {
+  const auto reading = read_as(Dialect::fanuc_lathe, "G21\nT0101 M6\nT0202\nM6\nG0 X10.\nM30\n");
+  EXPECT_EQ(std::count(reading.moves.kind.begin(), reading.moves.kind.end(), MoveKind::tool), 2);
+}
+
+TEST(Texts, InVariablesAndBehindMCodesMoveNothing) {
+  const auto reading = read_as(Dialect::fanuc, "O1\nN10 #301 = \"Plate v13\" ; name\nM200 \"Load X9\"\nG0 X1.\nM30\n");
+  EXPECT_FALSE(reading.refused);
+  EXPECT_EQ(ends(reading), (Values{1}));
 }
 
 TEST(Dwells, WithoutATimeArePassedOverOutsideOfLinuxcnc) {

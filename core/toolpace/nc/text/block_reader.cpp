@@ -40,6 +40,14 @@ bool follows_digit(const Scanner& text, std::size_t column) {
   return column >= 2 && (is_digit(text.line()[column - 2]) || text.line()[column - 2] == '.');
 }
 
+bool assigns_text(Scanner text) {
+  text.take();
+  double number = 0.0;
+  if (text.take_number(number) != NumberStatus::ok || text.peek() != '=') return false;
+  text.take();
+  return text.peek() == '"';
+}
+
 bool follows_bracket(const Scanner& text) {
   const std::size_t column = text.column();
   return column >= 2 && text.line()[column - 2] == ']';
@@ -90,6 +98,8 @@ bool BlockReader::read(Scanner& text, Block& block) {
       if (!read_word(text, c, block)) return false;
     } else if (c == '(' || c == ';') {
       if (!skip_comments(text, message)) return false;
+    } else if (c == '#' && !rules_.refuses_doubtful && assigns_text(text)) {
+      text.move_to(text.end());  // #301 = "name": texts move nothing
     } else if (c == '#') {
       if (!assignments_.read(text)) return false;
     } else if (c == '@' || c == '^' || c == '$') {
@@ -210,6 +220,7 @@ bool BlockReader::store_word(std::size_t index, double value, std::size_t column
   if (block.has(GGroup::macro) && index < kRadiusWord)
     block.arguments.push_back({static_cast<char>('a' + index), value});
   const std::uint32_t bit = 1u << index;
+  if ((block.words & bit) != 0 && rules_.extruder && index == word_index('e')) return true;  // E1.5e-05
   if ((block.words & bit) != 0 && !block.has(GGroup::macro)) {
     if (rules_.last_code_wins) {
       faults_.warn("word-twice", fmt::format("word {} stands twice in this block; the last counts", word_text(index)),
