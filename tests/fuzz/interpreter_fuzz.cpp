@@ -32,6 +32,15 @@ void check(const Moves& m) {
     if (m.kind[i] == MoveKind::dwell && m.detail[i] >= m.dwells.size()) std::abort();
     if (!is_motion(m.kind[i]) && m.kind[i] != MoveKind::dwell && m.detail[i] >= m.notes.size()) std::abort();
   }
+  for (const MoveMode& mode : m.modes) {
+    if (mode.ceiling >= m.ceilings.size()) std::abort();
+  }
+  for (const MotionCeiling& c : m.ceilings) {
+    const bool moves = c.speed.minCoeff() > 0.0 && c.acceleration.minCoeff() > 0.0 && c.path_speed > 0.0 &&
+                       c.path_acceleration > 0.0 && c.accuracy >= 0.0 && c.accuracy <= 1.0;
+    if (!moves || !(c.corner_speed >= 0.0) || !(c.junction_deviation >= 0.0) || !(c.corner_step.minCoeff() >= 0.0))
+      std::abort();
+  }
   for (const auto& arc : m.arcs) {
     if (!arc.centre.allFinite() || !Eigen::Vector3d(arc.normal).allFinite() || !std::isfinite(arc.sweep)) std::abort();
   }
