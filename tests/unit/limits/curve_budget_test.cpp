@@ -117,6 +117,24 @@ TEST(CurveBudget, AxesKeepTheirLimitsOnRandomArcsAnywhere) {
   }
 }
 
+// By hand: a ramp with jerk j rests at its cap, so a = √(2j(cap − v)) below it, and on a circle (j + v³/r²)² + (3va/r)² ≤ J²
+// everywhere on the way there. Near 0.873 of the top speed the jerk at the cap and that a tenth below it are equal.
+TEST(CurveBudget, RampsOnACircleKeepTheJerkAllTheWayToTheirCap) {
+  constexpr double kRadius = 2, kJerk = 30000;
+  const auto path = build_path(one_arc(kRadius, 2 * std::numbers::pi, 0, 1000), 0);
+  ASSERT_TRUE(path);
+  const CurveBudget budget = curve_budget(curve_bounds(*path, 0), axes_with(1000, 1e6, kJerk));
+  for (double part = 0.3; part <= 1.0; part += 0.0003) {
+    const double cap = part * budget.top_speed();
+    const CurveShare share = budget.at(cap, AtCap::rests);
+    for (double v = 0.5 * cap; v <= cap; v += 0.002 * cap) {
+      const double a = std::min(share.acceleration, std::sqrt(2 * share.jerk * (cap - v)));
+      const double along = share.jerk + v * v * v / (kRadius * kRadius), across = 3 * v * a / kRadius;
+      ASSERT_LE(std::hypot(along, across), kJerk * (1 + 1e-9)) << part << ", " << v / cap;
+    }
+  }
+}
+
 /// Largest derivatives by dense sampling, against the bound: never above it, and the bound not far above them. Axes that
 /// have little of the whole are judged by a part of it.
 void expect_tight(const Path& path, std::size_t i, const char* what) {
