@@ -113,10 +113,17 @@ Result<VerifyReport> prove(const Outcome& outcome, const Monitor& monitor) {
   return judge(setpoints, outcome, true, monitor);
 }
 
-bool is_proven(const Outcome& outcome, const Monitor& monitor) {
+Result<std::vector<Check>> broken_checks(const Outcome& outcome, const Monitor& monitor) {
   SampledSetpoints setpoints(outcome);
-  const auto report = judge(setpoints, outcome, false, monitor);
-  return report && report->passes();
+  auto report = judge(setpoints, outcome, false, monitor);
+  if (!report) return tl::unexpected(report.error());
+  std::erase_if(report->checks, [](const Check& c) { return !c.broken; });
+  return std::move(report->checks);
+}
+
+bool is_proven(const Outcome& outcome, const Monitor& monitor) {
+  const auto broken = broken_checks(outcome, monitor);
+  return broken && broken->empty();
 }
 
 }  // namespace toolpace

@@ -28,7 +28,10 @@ Result<VerifyReport> prove(const std::filesystem::path& setpoints, const Outcome
 /// The same for the setpoints themselves, without a file.
 Result<VerifyReport> prove(const Outcome& outcome, const Monitor& monitor = {});
 
-/// Whether they pass, which is known sooner than by how much.
+/// The checks that they do not pass, which is known sooner than by how much. Errors: of verify().
+Result<std::vector<Check>> broken_checks(const Outcome& outcome, const Monitor& monitor = {});
+
+/// Whether there are none.
 bool is_proven(const Outcome& outcome, const Monitor& monitor = {});
 
 }  // namespace toolpace

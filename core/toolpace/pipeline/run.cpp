@@ -243,6 +243,24 @@ Diagnostic not_smoothed(const std::string& why, const std::string& remedy) {
   return {Severity::warning, "smooth-fell-back", why + ", so corners are blended", remedy, {}, {}};
 }
 
+/// Why the motion through the tube was not taken, and what that costs.
+Diagnostic not_proven(const Outcome& smooth, const Outcome& blended, const Result<std::vector<Check>>& broken) {
+  const std::string cost =
+      fmt::format("{:.4g} s instead of {:.4g} s", blended.summary.cycle_time, smooth.summary.cycle_time);
+  if (!broken || broken->empty())
+    return not_smoothed("setpoints of the motion through the tube could not be judged (" + cost + ")", "");
+  const Check& check = broken->front();
+  const CheckUnit unit = check_unit(check);
+  const std::string excess = fmt::format("{} would be {:.6g} {} where {:.6g} is allowed", check_title(check),
+                                         check.value / unit.size, unit.symbol, check.limit / unit.size);
+  Diagnostic warning = not_smoothed(
+      fmt::format("through the tube {}, at {:.3f} s, line {} ({})", excess, check.time, check.line, cost), "");
+  warning.where.line = check.line;
+  const auto& files = smooth.job->program->moves.files;
+  if (!files.empty()) warning.where.file = files.front();
+  return warning;
+}
+
 Result<Outcome> run_whole(std::shared_ptr<const Job> job, const Monitor& monitor) {
   const auto rival = rival_of(*job);
   if (!rival) return plan_job(std::move(job), monitor);
@@ -256,9 +274,12 @@ Result<Outcome> run_whole(std::shared_ptr<const Job> job, const Monitor& monitor
   if (unbounded) blended->warnings.push_back(not_smoothed(smooth.error().message, smooth.error().remedy));
   bool takes_blended = unbounded || is_better(*blended, *smooth, monitor);
   // The tube is held at some places of each step; where a dwell is no whole number of periods, setpoints fall between them.
-  if (!takes_blended && !is_proven(*smooth, {monitor.stop, {}}) && is_proven(*blended, {monitor.stop, {}})) {
-    takes_blended = true;
-    blended->warnings.push_back(not_smoothed("setpoints of the motion through the tube do not pass every check", ""));
+  if (!takes_blended) {
+    const auto broken = broken_checks(*smooth, {monitor.stop, {}});
+    if ((!broken || !broken->empty()) && is_proven(*blended, {monitor.stop, {}})) {
+      takes_blended = true;
+      blended->warnings.push_back(not_proven(*smooth, *blended, broken));
+    }
   }
   if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
   monitor.report(1.0);
