@@ -69,7 +69,8 @@ struct Outcome {
 /// Plans a job. Same job, same bytes, whatever the threads. With CornerRule::smooth the plan is the faster one of the motion
 /// through the tube and, where its setpoints prove it, of blended corners; an axis that nothing bounds, and setpoints in the
 /// tube that do not pass every check, leave the latter with the warning "smooth-fell-back", which
-/// names the check, the place and the cost. Errors: of check_setup, build_path, limit_speed, plan_motion; input (motion-too-long: more than 1e9 setpoints).
+/// names the check, the place and the cost. Errors: of check_setup, build_path, limit_speed, plan_motion; input
+/// (motion-too-long: more than 1e9 setpoints).
 Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor = {});
 
 }  // namespace toolpace
