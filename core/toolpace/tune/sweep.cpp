@@ -27,6 +27,7 @@ Result<LookaheadSweep> sweep_lookahead(const Job& job, const Monitor& monitor) {
   const auto plan_at = [&](std::size_t i, const Monitor& quiet) -> Result<SweepPoint> {
     auto at_depth = std::make_shared<Job>(job);
     at_depth->options.lookahead = depths[i];
+    at_depth->refined = false;  // only a whole program is timed anew
     auto outcome = run(at_depth, quiet);
     if (!outcome) return tl::unexpected(outcome.error());
     return SweepPoint{depths[i], outcome->summary.cycle_time};
