@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "models/presets.h"
 #include "theme/icons.h"
 
 namespace toolpace::studio {
@@ -25,6 +26,7 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   save_machine = add("saveMachineAction", "", {QKeySequence("Ctrl+Shift+M")});
   save_machine_as = add("saveMachineAsAction", "");
   default_machine = add("defaultMachineAction", "");
+  import_machine = add("importMachineAction", "");
   undo = add("undoAction", "undo", {QKeySequence("Ctrl+Z")});
   redo = add("redoAction", "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   find = add("findAction", "search", {QKeySequence::Find});
@@ -48,6 +50,8 @@ void Actions::addPlan() {
   cancel = add("cancelAction", "cancel", {QKeySequence("Ctrl+.")});
   next_problem = add("nextProblemAction", "warning", {QKeySequence("F8")});
   slowest_place = add("slowestPlaceAction", "", {QKeySequence("F9")});
+  for (const auto& preset : ui::plan_presets())
+    presets.push_back(add(("preset_" + std::string(preset.id) + "Action").c_str(), ""));
   pin = add("pinAction", "pin", {QKeySequence("Ctrl+B")});
   unpin = add("unpinAction", "", {QKeySequence("Ctrl+Shift+B")});
   swap = add("swapAction", "swap", {QKeySequence("Ctrl+T")});
@@ -62,6 +66,7 @@ void Actions::addView() {
   view_xy = add("viewXyAction", "", {QKeySequence(Qt::Key_Z)});
   view_xz = add("viewXzAction", "", {QKeySequence(Qt::Key_Y)});
   view_yz = add("viewYzAction", "", {QKeySequence(Qt::Key_X)});
+  view_zx = add("viewZxAction", "", {QKeySequence(Qt::Key_L)});
   view_iso = add("viewIsoAction", "", {QKeySequence(Qt::Key_I)});
   dark = addToggle("darkAction", "theme", {QKeySequence("Ctrl+D")});
   touch = addToggle("touchAction", "");
@@ -118,6 +123,7 @@ void Actions::retranslate() {
   save_machine->setText(tr("&Save machine"));
   save_machine_as->setText(tr("Save machine &as…"));
   default_machine->setText(tr("&Default limits"));
+  import_machine->setText(tr("&Import machine…"));
   undo->setText(tr("&Undo"));
   redo->setText(tr("&Redo"));
   find->setText(tr("&Find in program"));
@@ -144,6 +150,7 @@ void Actions::retranslate() {
   view_xy->setText(tr("View along &Z (XY)"));
   view_xz->setText(tr("View along &Y (XZ)"));
   view_yz->setText(tr("View along &X (YZ)"));
+  view_zx->setText(tr("View as at a &lathe (ZX)"));
   view_iso->setText(tr("&Isometric view"));
   dark->setText(tr("&Dark theme"));
   touch->setText(tr("&Touch mode"));
@@ -157,6 +164,10 @@ void Actions::retranslate() {
     QString tip = action->text().remove('&').remove("…");
     if (!action->shortcut().isEmpty()) tip += "  (" + action->shortcut().toString(QKeySequence::NativeText) + ")";
     action->setToolTip(tip);
+  }
+  for (std::size_t i = 0; i < presets.size(); ++i) {
+    presets[i]->setText(ui::plan_presets()[i].title());
+    presets[i]->setToolTip(ui::plan_presets()[i].tip());
   }
 }
 

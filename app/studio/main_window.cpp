@@ -13,12 +13,15 @@
 #include <QSlider>
 #include <algorithm>
 
+#include "jobs/regular_file.h"
 #include "models/block_name.h"
 #include "panels/circle_panel.h"
 #include "panels/dock_title.h"
+#include "panels/drives_page.h"
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
 #include "panels/problems_panel.h"
+#include "panels/reading_page.h"
 #include "panels/results_panel.h"
 #include "panels/sweep_panel.h"
 #include "panels/transport_bar.h"
@@ -26,11 +29,27 @@
 #include "panels/what_if_panel.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
+#include "toolpace/machine/read_machine.h"
 
 namespace toolpace::studio {
 namespace {
 
 constexpr QSize kFirstSize = {1280, 800};
+
+/// A list that is open: letters choose in it. Elsewhere they are the window's.
+bool pops_up(const QObject* object) {
+  const auto* widget = qobject_cast<const QWidget*>(object);
+  return widget && widget->window()->windowType() == Qt::Popup;
+}
+
+/// Of machines: by the name, or, where that says nothing, by what stands in the file.
+bool is_machine_file(const QString& path) {
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  if (suffix == "toml" || suffix == "ini") return true;
+  if (suffix != "txt" && suffix != "cfg" && suffix != "log" && !suffix.isEmpty()) return false;
+  const auto text = ui::read_regular_file(path);
+  return text && machine_format(path.toStdString(), text->bytes.toStdString()) != MachineFormat::toml;
+}
 
 }  // namespace
 
@@ -45,6 +64,7 @@ MainWindow::MainWindow(bool remember)
   connectWorkspace();
   connectPanels();
   connectActions();
+  connectMenus();
   connectExporter();
   qApp->installEventFilter(this);
   qApp->installEventFilter(&wheel_guard_);
@@ -56,7 +76,7 @@ MainWindow::MainWindow(bool remember)
   if (const auto map = ui::colour_map_named(preferences_.colour_map)) contour_->setColourMap(*map);
   resize(kFirstSize);
   if (!preferences_.geometry.isEmpty()) restoreGeometry(preferences_.geometry);
-  if (!preferences_.layout.isEmpty()) restorePanels(preferences_.layout);
+  if (!preferences_.layout.isEmpty()) restoreState(preferences_.layout);
   showProblems();
   nc_->view().setFocus();
 }
@@ -73,14 +93,25 @@ bool MainWindow::isAtRest() const { return isSettled() && !contour_->canvas().is
 void MainWindow::showDocument(bool another) {
   const auto& document = workspace_.document();
   nc_->view().setDocument(document, another);
+  if (another) contour_->setView(ui::View::xy);  // to begin with; its first picture may suit another one better
   nc_->setHintVisible(document->path.isEmpty());
   tuning_->setRotaryAxes(document->turned);
+  transport_->setRotaryAxes(document->turned);
+  reading_->setFolder(QFileInfo(document->path).absolutePath());
+  showRotaryAxes();
+  showWelcome();
   showWholeTuning();
   rememberProgram();
   next_problem_ = next_slow_ = 0;
   if (!document->edited_state) transport_->setMessage({});
   showTitle();
   emit openedOrFailed();
+}
+
+void MainWindow::showRotaryAxes() {
+  const auto& document = workspace_.document();
+  const std::array<bool, 3> turned = document ? document->turned : std::array<bool, 3>{};
+  drives_->setRotaryAxes(ui::rotary_axes(workspace_.tuning().value().machine, turned));
 }
 
 void MainWindow::showPlan() {
@@ -158,20 +189,6 @@ void MainWindow::holdAt(std::optional<double> time) {
   workspace_.tuning().edit(tr("Feed hold"), "hold", [time](ui::Tuning& t) { t.options.hold_at = time; });
 }
 
-void MainWindow::showPlotMenu(const QPoint& at) {
-  const auto time = profile_->timeAt(at);
-  if (!time) return;
-  QMenu menu(this);
-  menu.setObjectName("plotMenu");
-  menu.addAction(tr("Feed hold here, at %1").arg(ui::duration_text(*time)), this, [this, time] { holdAt(time); })
-      ->setObjectName("holdHereAction");
-  menu.addActions({actions_->no_hold});
-  menu.addSeparator();
-  menu.addAction(tr("Cursor here"), this, [this, time] { workspace_.setCursorTime(*time); });
-  menu.addActions({actions_->fit, actions_->export_plots});
-  menu.exec(profile_->mapToGlobal(at));
-}
-
 void MainWindow::showTitle() {
   const auto& program = workspace_.program();
   setWindowTitle(program.name() + "[*]");
@@ -231,7 +248,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = event->mimeData()->urls().constFirst().toLocalFile();
   event->acceptProposedAction();
-  const bool is_machine = path.endsWith(".toml", Qt::CaseInsensitive) || path.endsWith(".ini", Qt::CaseInsensitive);
+  const bool is_machine = is_machine_file(path);
   const auto open = [this, path, is_machine] { is_machine ? chooseMachine(path) : openProgram(path); };
   const bool asks = is_machine ? machine_.isModified() : workspace_.program().isModified();
   if (!asks) return open();
@@ -240,6 +257,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 // Keys without modifiers are shortcuts of the window, but a control that has the focus and uses the key comes first.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == this && event->type() == QEvent::MouseButtonPress) at_press_ = sharedSizes();
+  if (watched == this && event->type() == QEvent::MouseButtonRelease && at_press_ != sharedSizes()) rememberShares();
   if (event->type() != QEvent::ShortcutOverride) return QMainWindow::eventFilter(watched, event);
   const auto* key = static_cast<QKeyEvent*>(event);
   const bool arrows = key->key() == Qt::Key_Left || key->key() == Qt::Key_Right || key->key() == Qt::Key_Home ||
@@ -247,11 +266,11 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   const bool space = key->key() == Qt::Key_Space;
   const bool letters = key->key() >= Qt::Key_A && key->key() <= Qt::Key_Z;
   const auto is = [watched](auto* type) { return qobject_cast<decltype(type)>(watched) != nullptr; };
-  const bool used = (is(static_cast<QSlider*>(nullptr)) && arrows) ||
-                    (is(static_cast<QAbstractButton*>(nullptr)) && space) ||
-                    (is(static_cast<QComboBox*>(nullptr)) && (space || letters)) ||
-                    (is(static_cast<QAbstractItemView*>(nullptr)) && (arrows || letters || space)) ||
-                    (watched == &nc_->view() && (key->key() == Qt::Key_Home || key->key() == Qt::Key_End));
+  const bool used =
+      (is(static_cast<QSlider*>(nullptr)) && arrows) || (is(static_cast<QAbstractButton*>(nullptr)) && space) ||
+      (is(static_cast<QComboBox*>(nullptr)) && space) ||
+      (is(static_cast<QAbstractItemView*>(nullptr)) && (arrows || space || (letters && pops_up(watched)))) ||
+      (watched == &nc_->view() && (key->key() == Qt::Key_Home || key->key() == Qt::Key_End));
   if (used && key->modifiers() == Qt::NoModifier) {
     event->accept();
     return true;

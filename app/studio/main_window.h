@@ -17,7 +17,9 @@
 #include "jobs/export_service.h"
 #include "jobs/workspace.h"
 #include "machine_file.h"
+#include "models/problem_action.h"
 #include "models/units.h"
+#include "panels/welcome_bar.h"
 #include "panels/wheel_guard.h"
 #include "preferences.h"
 #include "theme/theme.h"
@@ -30,10 +32,12 @@ class CirclePanel;
 class ChangeBar;
 class ContourView;
 class DockTitle;
+class DrivesPage;
 class LossPanel;
 class NcPanel;
 class ProblemsPanel;
 class ProfileView;
+class ReadingPage;
 class ResultsPanel;
 class SingleMovePage;
 class StepperPage;
@@ -119,8 +123,11 @@ class MainWindow : public QMainWindow {
   void addTool(const char* name, QWidget* page, const QSize& size);
   void arrange();
   void showWholeTuning();
-  void restorePanels(const QByteArray& state);
+  void resetLayout();
   void shareRoom();
+  void giveShares();
+  void rememberShares();
+  QSize sharedSizes() const;
   void buildToolBar();
   void buildMenus();
   void fillRecent();
@@ -138,6 +145,7 @@ class MainWindow : public QMainWindow {
   // main_window_machine.cpp
   void connectMachine();
   void askMachine();
+  void importMachine();
   void chooseMachine(const QString& path);
   void chooseDefaultMachine();
   void takeMachine();
@@ -163,7 +171,19 @@ class MainWindow : public QMainWindow {
   void showAbout();
   // main_window.cpp
   void holdAt(std::optional<double> time);  ///< [s]; nothing = no feed hold
+  // main_window_menus.cpp
+  void connectMenus();
   void showPlotMenu(const QPoint& at);
+  void showProgramMenu(const QPoint& at);
+  void showPreviewMenu(const QPoint& at);
+  void showResultMenu(const QPoint& global);
+  // main_window.cpp
+  void showRotaryAxes();
+  // main_window_help.cpp
+  void remedy(ui::ProblemAction action);
+  void tryOut(ui::WelcomeBar::Try what);
+  void usePreset(std::size_t index);
+  void showWelcome();
 
   bool remember_;
   Preferences preferences_;
@@ -176,7 +196,6 @@ class MainWindow : public QMainWindow {
   ui::Theme theme_ = ui::light_theme();
   ui::WheelGuard wheel_guard_;
   QTranslator translator_, qt_translator_;
-  QByteArray first_layout_;
 
   ui::NcPanel* nc_ = nullptr;
   ui::ContourView* contour_ = nullptr;
@@ -191,15 +210,22 @@ class MainWindow : public QMainWindow {
   ui::ProblemsPanel* problems_ = nullptr;
   ui::SingleMovePage* single_move_ = nullptr;
   ui::StepperPage* stepper_ = nullptr;
+  ui::DrivesPage* drives_ = nullptr;
+  ui::ReadingPage* reading_ = nullptr;
+  ui::WelcomeBar* welcome_ = nullptr;
   ui::TransportBar* transport_ = nullptr;
   std::vector<ui::PlanView*> plan_views_;  // all of them that show a plan
+  QByteArray first_layout_;
   std::map<QString, QDockWidget*> docks_;
   std::map<QString, ui::DockTitle*> titles_;
   QToolBar* tool_bar_ = nullptr;
   QMenuBar* menu_bar_ = nullptr;  // in the tool bar: one row of chrome instead of two
   QMenu *file_menu_, *edit_menu_, *plan_menu_, *view_menu_, *help_menu_, *recent_menu_, *machine_menu_, *export_menu_,
-      *setpoint_menu_, *panels_menu_, *language_menu_;
+      *setpoint_menu_, *panels_menu_, *preset_menu_, *language_menu_;
   QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *unit_button_ = nullptr, *export_button_ = nullptr;
+  std::optional<double> program_share_;  // of the window's width, as a person has it
+  QSize at_press_;                       // of program and plots, when a mouse button went down
+  double plot_share_ = 0.5;              // of the height between the bars
   bool had_errors_ = false;
   bool following_ = true;  // the program scrolls along with the cursor
   std::size_t next_problem_ = 0, next_slow_ = 0;

@@ -156,7 +156,7 @@ Result<void> MainWindow::savePicture(Picture picture, const QString& path) {
 
 void MainWindow::exportReport() {
   if (!workspace_.timeline()) return;
-  const QString path = askFile(tr("Save the report"), "-report.html", {tr("Web page (*.html)")});
+  const QString path = askFile(tr("Save the report"), "-report.html", {tr("Web page (*.html)"), tr("PDF (*.pdf)")});
   if (!path.isEmpty()) saveReport(path);
 }
 
@@ -176,7 +176,9 @@ bool MainWindow::saveReport(const QString& path) {
                     png(contour_->grab()),
                     png(profile_->grab()),
                     preferences_.inch ? ui::LengthUnit::inch : ui::LengthUnit::mm};
-  const auto written = write_whole_file(path.toStdString(), report_html(parts).toStdString());
+  const bool pages = path.endsWith(".pdf", Qt::CaseInsensitive);
+  const QByteArray bytes = pages ? report_pdf(parts) : report_html(parts).toUtf8();
+  const auto written = write_whole_file(path.toStdString(), bytes.toStdString());
   if (written) {
     transport_->setMessage(tr("saved %1").arg(QFileInfo(path).fileName()));
   } else {

@@ -1,14 +1,19 @@
 /// What is wrong and what is slow, one after the other; keys, and what this is.
 
 #include <QCoreApplication>
+#include <QDockWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QRegularExpression>
 
 #include "main_window.h"
+#include "models/presets.h"
 #include "panels/nc_panel.h"
+#include "panels/number_field.h"
 #include "panels/problems_panel.h"
+#include "panels/reading_page.h"
 #include "panels/transport_bar.h"
+#include "panels/tuning_panel.h"
 
 namespace toolpace::studio {
 namespace {
@@ -103,6 +108,46 @@ void MainWindow::showAbout() {
                   QMessageBox::Close, this);
   box.setObjectName("aboutBox");
   box.exec();
+}
+
+/// What the window can do about a problem, as far as a person agrees.
+void MainWindow::remedy(ui::ProblemAction action) {
+  using ui::ProblemAction;
+  if (action == ProblemAction::none) return;
+  if (action == ProblemAction::machine) return askMachine();
+  docks_["readingDock"]->show();
+  docks_["readingDock"]->raise();
+  switch (action) {
+    case ProblemAction::tool_table: return reading_->chooseTools();
+    case ProblemAction::parameters: return reading_->chooseParameters();
+    case ProblemAction::sub_folder: return reading_->chooseFolder();
+    default: return reading_->focusArcTolerance();
+  }
+}
+
+void MainWindow::usePreset(std::size_t index) {
+  const ui::PlanPreset& preset = ui::plan_presets().at(index);
+  workspace_.tuning().edit(preset.title(), "preset", [&](ui::Tuning& t) { preset.apply(t.options); });
+}
+
+/// The example says that it is one, until somebody has enough of that, and where there is room for it.
+void MainWindow::showWelcome() {
+  constexpr int kRoom = 740, kTouchRoom = 960;
+  const auto& document = workspace_.document();
+  const bool has_room = height() >= (preferences_.touch ? kTouchRoom : kRoom);
+  welcome_->setVisible(has_room && document && document->path.isEmpty() && !preferences_.welcomed);
+}
+
+void MainWindow::tryOut(ui::WelcomeBar::Try what) {
+  using Try = ui::WelcomeBar::Try;
+  if (what == Try::open) return askProgram();
+  if (what == Try::jerk) {
+    auto* field = tuning_->findChild<ui::NumberField*>("jmEdit");
+    tuning_->ensureWidgetVisible(field);
+    return field->setFocus(Qt::OtherFocusReason);
+  }
+  workspace_.pin();
+  usePreset(ui::plan_presets().size() - 1);
 }
 
 }  // namespace toolpace::studio

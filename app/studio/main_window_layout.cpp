@@ -10,10 +10,13 @@
 #include "main_window.h"
 #include "panels/change_bar.h"
 #include "panels/circle_panel.h"
+#include "panels/dock.h"
 #include "panels/dock_title.h"
+#include "panels/drives_page.h"
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
 #include "panels/problems_panel.h"
+#include "panels/reading_page.h"
 #include "panels/results_panel.h"
 #include "panels/single_move_page.h"
 #include "panels/stepper_page.h"
@@ -27,7 +30,7 @@
 namespace toolpace::studio {
 namespace {
 
-constexpr int kProgramWidth = 240, kWidestProgram = 380, kRightWidth = 360, kTuningHeight = 384;
+constexpr int kProgramWidth = 240, kWidestProgram = 380, kRightWidth = 360, kTuningHeight = 396;
 constexpr double kProgramShare = 0.16;  // of the width
 constexpr double kPlotShare = 0.52;     // of the height below the tool bar
 constexpr int kChrome = 80;             // tool bar and transport bar
@@ -47,7 +50,7 @@ void stack(std::initializer_list<QWidget*> widgets, QWidget* page) {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  for (QWidget* widget : widgets) column->addWidget(widget);
+  for (QWidget* widget : widgets) column->addWidget(widget, widget == widgets.end()[-1] ? 1 : 0);
 }
 
 }  // namespace
@@ -60,7 +63,10 @@ void MainWindow::buildPanels() {
 
   contour_ = new ui::ContourView(this);
   if (contour_->objectName().isEmpty()) contour_->setObjectName("contourView");
-  setCentralWidget(contour_);
+  welcome_ = new ui::WelcomeBar(this);
+  auto* middle = new QWidget(this);
+  stack({welcome_, contour_}, middle);
+  setCentralWidget(middle);
   nc_ = new ui::NcPanel(this);
   profile_ = new ui::ProfileView(this);
   auto* tuning_page = new QWidget(this);
@@ -87,6 +93,10 @@ void MainWindow::buildPanels() {
   stepper_->setOutputCheck([this](const QString& file) { return checkOutput(file, Output::exported); });
   addTool("singleMoveDock", single_move_, {900, 560});
   addTool("stepperDock", stepper_, {900, 560});
+  drives_ = new ui::DrivesPage(workspace_.tuning(), this);
+  reading_ = new ui::ReadingPage(this);
+  addTool("drivesDock", drives_, {640, 340});
+  addTool("readingDock", reading_, {520, 420});
   arrange();
   first_layout_ = saveState();
 
@@ -94,20 +104,15 @@ void MainWindow::buildPanels() {
   statusBar()->setSizeGripEnabled(false);
   statusBar()->setContentsMargins(0, 0, 0, 0);
   statusBar()->addWidget(transport_, 1);
-  plan_views_ = {nc_, contour_, profile_, tuning_, results_, what_if_, loss_, sweep_, circle_, transport_};
+  plan_views_ = {nc_, contour_, profile_, tuning_, results_, what_if_, loss_, sweep_, circle_, drives_, transport_};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, QWidget* content, Qt::DockWidgetArea area, bool titled) {
-  auto* dock = new QDockWidget(this);
+  auto* dock = new ui::Dock(this);
   dock->setObjectName(name);
   dock->setWidget(content);
-  if (titled) {
-    auto* title = new ui::DockTitle(dock);
-    dock->setTitleBarWidget(title);
-    titles_[name] = title;
-  } else {
-    dock->setTitleBarWidget(new QWidget(dock));  // its tab or its own controls say what it is
-  }
+  titles_[name] = new ui::DockTitle(dock, titled);
+  dock->setTitleBarWidget(titles_[name]);
   addDockWidget(area, dock);
   docks_[name] = dock;
   return dock;
@@ -129,25 +134,45 @@ void MainWindow::arrange() {
   shareRoom();
 }
 
-// At its end restoreState() shows each tab bar of a list. The first that it shows activates the layout, which makes that list anew while it
-// is being read, so the process dies now and then; a layout that rests until all is done leaves the list alone.
-void MainWindow::restorePanels(const QByteArray& state) {
+// As at first. restoreState() shows each tab bar of a list at its end; the first that it shows activates the layout, which makes that list anew
+// while it is being read. A layout that rests until all is done leaves the list alone.
+void MainWindow::resetLayout() {
   layout()->setEnabled(false);
-  restoreState(state);
+  restoreState(first_layout_);
   layout()->setEnabled(true);
   layout()->activate();
+  shareRoom();
 }
 
-// Plots and preview share the height of the window, and the tuning gets what it needs; until somebody drags a border,
-// this holds at every size.
+// Plots and preview share the height of the window, and the tuning gets what it needs.
 void MainWindow::shareRoom() {
-  const int program = std::clamp(static_cast<int>(width() * kProgramShare), kProgramWidth, kWidestProgram);
-  resizeDocks({docks_["programDock"], docks_["tuningDock"]}, {program, kRightWidth}, Qt::Horizontal);
+  program_share_.reset();
+  plot_share_ = kPlotShare;
+  resizeDocks({docks_["tuningDock"]}, {kRightWidth}, Qt::Horizontal);
   const int whole = std::max(height() - kChrome, 1);
-  const int plots = static_cast<int>(whole * kPlotShare);
   const int tuning = std::min(kTuningHeight * (preferences_.touch ? 2 : 1), whole * 3 / 5);
   resizeDocks({docks_["tuningDock"], docks_["resultsDock"]}, {tuning, whole - tuning}, Qt::Vertical);
-  resizeDocks({docks_["plotsDock"]}, {plots}, Qt::Vertical);
+  giveShares();
+}
+
+/// What is made smaller together with the window grows with it again.
+void MainWindow::giveShares() {
+  const int usual = std::clamp(static_cast<int>(width() * kProgramShare), kProgramWidth, kWidestProgram);
+  const int program = program_share_ ? static_cast<int>(width() * *program_share_) : usual;
+  if (!docks_["programDock"]->isFloating()) resizeDocks({docks_["programDock"]}, {program}, Qt::Horizontal);
+  const int plots = static_cast<int>(std::max(height() - kChrome, 1) * plot_share_);
+  if (!docks_["plotsDock"]->isFloating()) resizeDocks({docks_["plotsDock"]}, {plots}, Qt::Vertical);
+}
+
+/// Width of the program, height of the plots.
+QSize MainWindow::sharedSizes() const { return {docks_.at("programDock")->width(), docks_.at("plotsDock")->height()}; }
+
+/// After a border was dragged, and of a layout that was kept.
+void MainWindow::rememberShares() {
+  const QDockWidget &program = *docks_["programDock"], &plots = *docks_["plotsDock"];
+  if (program.isVisible() && !program.isFloating()) program_share_ = static_cast<double>(program.width()) / width();
+  if (plots.isVisible() && !plots.isFloating() && height() > kChrome)
+    plot_share_ = static_cast<double>(plots.height()) / (height() - kChrome);
 }
 
 // Rows of rotary axes need more room than the tuning was given; where there is some, the results below it give it.
@@ -161,12 +186,10 @@ void MainWindow::showWholeTuning() {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  const int before = event->oldSize().height() - kChrome, after = event->size().height() - kChrome;
-  if (event->oldSize().height() <= 0) {
-    if (preferences_.layout.isEmpty()) shareRoom();
-  } else if (before > 0 && after > 0 && before != after && !docks_["plotsDock"]->isFloating()) {
-    resizeDocks({docks_["plotsDock"]}, {docks_["plotsDock"]->height() * after / before}, Qt::Vertical);
-  }
+  showWelcome();
+  if (event->oldSize().height() > 0) return giveShares();
+  if (preferences_.layout.isEmpty()) return shareRoom();
+  QMetaObject::invokeMethod(this, &MainWindow::rememberShares, Qt::QueuedConnection);
 }
 
 void MainWindow::buildMenus() {
@@ -182,6 +205,9 @@ void MainWindow::buildMenus() {
   recent_menu_ = new QMenu(this);
   machine_menu_ = new QMenu(this);
   export_menu_ = new QMenu(this);
+  preset_menu_ = new QMenu(this);
+  for (QAction* preset : a.presets) preset_menu_->addAction(preset);
+  preset_menu_->setToolTipsVisible(true);
   language_menu_ = new QMenu(this);
   panels_menu_ = new QMenu(this);
   setpoint_menu_ = new QMenu(this);
@@ -204,6 +230,7 @@ void MainWindow::buildMenus() {
   file_menu_->addActions({a.save_program, a.save_program_as, a.reload});
   file_menu_->addSeparator();
   file_menu_->addMenu(machine_menu_);
+  file_menu_->addActions({a.import_machine, docks_["readingDock"]->toggleViewAction()});
   file_menu_->addMenu(export_menu_);
   file_menu_->addSeparator();
   file_menu_->addAction(a.close_window);
@@ -216,15 +243,17 @@ void MainWindow::buildMenus() {
   plan_menu_->addSeparator();
   plan_menu_->addActions({a.next_problem, a.slowest_place});
   plan_menu_->addSeparator();
+  plan_menu_->addMenu(preset_menu_);
   plan_menu_->addActions({a.pin, a.swap, a.unpin});
   plan_menu_->addSeparator();
   plan_menu_->addActions({a.hold, a.no_hold});
   plan_menu_->addSeparator();
   plan_menu_->addActions({a.sweep, a.what_if, a.cancel});
   plan_menu_->addSeparator();
-  plan_menu_->addActions({docks_["singleMoveDock"]->toggleViewAction(), docks_["stepperDock"]->toggleViewAction()});
+  plan_menu_->addActions({docks_["singleMoveDock"]->toggleViewAction(), docks_["stepperDock"]->toggleViewAction(),
+                          docks_["drivesDock"]->toggleViewAction()});
   view_menu_ = menu("viewMenu");
-  view_menu_->addActions({a.fit, a.view_xy, a.view_xz, a.view_yz, a.view_iso});
+  view_menu_->addActions({a.fit, a.view_xy, a.view_xz, a.view_yz, a.view_zx, a.view_iso});
   view_menu_->addSeparator();
   view_menu_->addActions({a.dark, a.touch, a.inch});
   view_menu_->addMenu(language_menu_);

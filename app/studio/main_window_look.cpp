@@ -11,6 +11,7 @@
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
 #include "panels/problems_panel.h"
+#include "panels/reading_page.h"
 #include "panels/results_panel.h"
 #include "panels/single_move_page.h"
 #include "panels/stepper_page.h"
@@ -37,6 +38,7 @@ void MainWindow::setTouch(bool touch) {
   preferences_.touch = touch;
   actions_->touch->setChecked(touch);
   applyAppearance();
+  showWelcome();
 }
 
 void MainWindow::dressApplication() {
@@ -51,7 +53,9 @@ void MainWindow::applyAppearance() {
     button->setIcon(ui::icon(button == machine_button_ ? "machine" : "export", theme_));
   }
   for (ui::PlanView* view : plan_views_) view->setTheme(theme_);
+  for (const auto& [name, title] : titles_) title->setTheme(theme_);
   problems_->setTheme(theme_);
+  welcome_->setTheme(theme_);
   single_move_->setTheme(theme_);
   stepper_->setTheme(theme_);
   constexpr int kRow = 20, kTouchRow = 48;
@@ -65,6 +69,7 @@ void MainWindow::setInch(bool inch) {
   actions_->inch->setChecked(inch);
   const auto unit = inch ? ui::LengthUnit::inch : ui::LengthUnit::mm;
   for (ui::PlanView* view : plan_views_) view->setLengthUnit(unit);
+  reading_->setLengthUnit(unit);
   unit_button_->setText(inch ? "in" : "mm");
 }
 
@@ -85,10 +90,7 @@ void MainWindow::setLanguage(const QString& language) {
 
 void MainWindow::retranslate() {
   actions_->retranslate();
-  const auto title = [this](const char* dock, const QString& text) {
-    docks_[dock]->setWindowTitle(text);
-    if (const auto found = titles_.find(dock); found != titles_.end()) found->second->setTitle(text);
-  };
+  const auto title = [this](const char* dock, const QString& text) { docks_[dock]->setWindowTitle(text); };
   title("programDock", tr("NC program"));
   title("plotsDock", tr("Motion along the path"));
   title("tuningDock", tr("Tuning"));
@@ -99,11 +101,13 @@ void MainWindow::retranslate() {
   title("circleDock", tr("Circle"));
   title("singleMoveDock", tr("Single move"));
   title("stepperDock", tr("Stepper pulses"));
+  title("drivesDock", tr("Drives"));
+  title("readingDock", tr("Reading options"));
   const std::pair<QMenu*, QString> menus[] = {
-      {file_menu_, tr("&File")},       {edit_menu_, tr("&Edit")},        {plan_menu_, tr("&Plan")},
-      {view_menu_, tr("&View")},       {help_menu_, tr("&Help")},        {recent_menu_, tr("Open re&cent")},
-      {machine_menu_, tr("&Machine")}, {export_menu_, tr("&Export")},    {setpoint_menu_, tr("Setpoints &as")},
-      {panels_menu_, tr("&Panels")},   {language_menu_, tr("&Language")}};
+      {file_menu_, tr("&File")},       {edit_menu_, tr("&Edit")},      {plan_menu_, tr("&Plan")},
+      {view_menu_, tr("&View")},       {help_menu_, tr("&Help")},      {recent_menu_, tr("Open re&cent")},
+      {machine_menu_, tr("&Machine")}, {export_menu_, tr("&Export")},  {setpoint_menu_, tr("Setpoints &as")},
+      {panels_menu_, tr("&Panels")},   {preset_menu_, tr("Prese&ts")}, {language_menu_, tr("&Language")}};
   for (const auto& [menu, text] : menus) menu->setTitle(text);
   export_button_->setText(tr("Export"));
   export_button_->setToolTip(tr("Save setpoints and pictures"));

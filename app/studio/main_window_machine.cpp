@@ -4,9 +4,11 @@
 #include <QFileInfo>
 
 #include "ask.h"
+#include "import_dialog.h"
 #include "main_window.h"
 #include "panels/change_bar.h"
 #include "panels/transport_bar.h"
+#include "toolpace/machine/read_machine.h"
 
 namespace toolpace::studio {
 
@@ -39,6 +41,16 @@ void MainWindow::askMachine() {
                                                     tr("Machine files (*.toml);;LinuxCNC configuration (*.ini);;grbl "
                                                        "settings, as $$ lists them (*.txt);;All files (*)"));
   if (!path.isEmpty()) chooseMachine(path);
+}
+
+/// Shows what would be taken before it is.
+void MainWindow::importMachine() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Import the settings of a controller"), {},
+                                                    tr("Settings (*.ini *.txt *.cfg *.nc);;All files (*)"));
+  if (path.isEmpty()) return;
+  const auto setup = read_machine(path.toStdString());
+  if (!setup) return showFailure(setup.error(), path);
+  if (ImportDialog(fileName(path), *setup, this).exec() == QDialog::Accepted) chooseMachine(path);
 }
 
 void MainWindow::chooseMachine(const QString& path) {

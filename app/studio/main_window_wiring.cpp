@@ -7,6 +7,7 @@
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
 #include "panels/problems_panel.h"
+#include "panels/reading_page.h"
 #include "panels/results_panel.h"
 #include "panels/sweep_panel.h"
 #include "panels/transport_bar.h"
@@ -53,6 +54,14 @@ void MainWindow::connectPanels() {
   connect(nc_, &ui::NcPanel::lineRequested, this, show_line);
   connect(nc_, &ui::NcPanel::timeRequested, &workspace_, &ui::Workspace::setCursorTime);
   connect(problems_, &ui::ProblemsPanel::lineRequested, this, show_line);
+  connect(problems_, &ui::ProblemsPanel::actionRequested, this, &MainWindow::remedy);
+  connect(reading_, &ui::ReadingPage::optionsChanged, this, [this] { workspace_.setReadOptions(reading_->options()); });
+  connect(welcome_, &ui::WelcomeBar::tried, this, &MainWindow::tryOut);
+  connect(welcome_, &ui::WelcomeBar::dismissed, this, [this] {
+    preferences_.welcomed = true;
+    showWelcome();
+  });
+  connect(&workspace_.tuning(), &ui::TuningModel::changed, this, &MainWindow::showRotaryAxes);
   connect(loss_, &ui::LossPanel::lineRequested, this, show_line);
   connect(contour_, &ui::ContourView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
   connect(contour_, &ui::ContourView::colourByChanged, &workspace_, &ui::Workspace::setShown);
@@ -64,10 +73,11 @@ void MainWindow::connectPanels() {
   connect(profile_, &ui::ProfileView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
   connect(profile_, &ui::ProfileView::axesShown, &workspace_, &ui::Workspace::setShownAxes);
   connect(&workspace_, &ui::Workspace::axesReady, profile_, &ui::ProfileView::showReadyAxes);
-  profile_->setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(profile_, &QWidget::customContextMenuRequested, this, &MainWindow::showPlotMenu);
   connect(results_, &ui::ResultsPanel::pinRequested, &workspace_, &ui::Workspace::pin);
   connect(results_, &ui::ResultsPanel::unpinRequested, &workspace_, &ui::Workspace::unpin);
+  connect(results_, &ui::ResultsPanel::checkRequested, &workspace_, &ui::Workspace::checkNow);
+  connect(results_, &ui::ResultsPanel::stopCheckRequested, &workspace_, &ui::Workspace::stopChecking);
+  connect(&workspace_, &ui::Workspace::proofStateChanged, results_, &ui::ResultsPanel::showProofState);
   connect(results_, &ui::ResultsPanel::swapRequested, &workspace_, &ui::Workspace::swap);
   connect(sweep_, &ui::SweepPanel::depthRequested, this, [this](std::optional<std::size_t> depth) {
     workspace_.tuning().edit(tr("Look-ahead"), "lookahead", [depth](ui::Tuning& t) { t.options.lookahead = depth; });
@@ -104,6 +114,8 @@ void MainWindow::connectActions() {
   on(a.open_machine, [this] { askMachine(); });
   on(a.save_machine, [this] { saveMachine(false); });
   on(a.save_machine_as, [this] { saveMachine(true); });
+  on(a.import_machine, [this] { importMachine(); });
+  for (std::size_t i = 0; i < a.presets.size(); ++i) on(a.presets[i], [this, i] { usePreset(i); });
   on(a.default_machine, [this] { chooseDefaultMachine(); });
   auto& undo = workspace_.undoStack();
   on(a.undo, [&undo] { undo.undo(); });
@@ -144,16 +156,14 @@ void MainWindow::connectActions() {
   on(a.view_xy, [this] { contour_->setView(ui::View::xy); });
   on(a.view_xz, [this] { contour_->setView(ui::View::xz); });
   on(a.view_yz, [this] { contour_->setView(ui::View::yz); });
+  on(a.view_zx, [this] { contour_->setView(ui::View::zx); });
   on(a.view_iso, [this] { contour_->setView(ui::View::iso); });
   on(a.dark, [this](bool dark) { setDark(dark); });
   on(a.touch, [this](bool touch) { setTouch(touch); });
   on(a.inch, [this](bool inch) { setInch(inch); });
   on(a.english, [this] { setLanguage("en"); });
   on(a.chinese, [this] { setLanguage("zh_CN"); });
-  on(a.reset_layout, [this] {
-    restorePanels(first_layout_);
-    shareRoom();
-  });
+  on(a.reset_layout, [this] { resetLayout(); });
   on(a.show_keys, [this] { showKeys(); });
   on(a.about, [this] { showAbout(); });
 }

@@ -18,6 +18,7 @@ Preferences load_preferences() {
   p.dark = s.value("window/dark", false).toBool();
   p.touch = s.value("window/touch", false).toBool();
   p.inch = s.value("window/inch", false).toBool();
+  p.welcomed = s.value("window/welcomed", false).toBool();
   p.language = s.value("window/language").toString();
   p.colour_map = s.value("window/colour_map", "cividis").toString();
   p.timer_hz = s.value("export/timer_hz", p.timer_hz).toDouble();
@@ -39,6 +40,7 @@ void save_preferences(const Preferences& p) {
   s.setValue("window/dark", p.dark);
   s.setValue("window/touch", p.touch);
   s.setValue("window/inch", p.inch);
+  s.setValue("window/welcomed", p.welcomed);
   s.setValue("window/language", p.language);
   s.setValue("window/colour_map", p.colour_map);
   s.setValue("export/timer_hz", p.timer_hz);

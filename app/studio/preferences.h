@@ -11,6 +11,7 @@ struct Preferences {
   bool dark = false;
   bool touch = false;
   bool inch = false;
+  bool welcomed = false;                                 ///< the example need not say that it is one
   QString language;                                      ///< "en", "zh_CN"; empty = that of the system
   QString colour_map;                                    ///< "cividis", "viridis", "turbo"
   double timer_hz = 1e6;                                 ///< of the step pulses' timer

@@ -1,6 +1,9 @@
 #include "report.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
+#include <QPdfWriter>
+#include <QTextDocument>
 
 #include "panels/result_model.h"
 #include "toolpace/machine/setup.h"
@@ -70,6 +73,23 @@ QString report_html(const ReportParts& parts) {
          picture(QCoreApplication::translate("toolpace::studio::Report", "Motion"), parts.plots_png) + "<h2>" +
          QCoreApplication::translate("toolpace::studio::Report", "Machine and options") + "</h2><pre>" +
          setup.toHtmlEscaped() + "</pre></body></html>\n";
+}
+
+QByteArray report_pdf(const ReportParts& parts) {
+  constexpr int kMargin = 15;  // mm
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter pdf(&buffer);
+    pdf.setPageSize(QPageSize(QPageSize::A4));
+    pdf.setPageMargins(QMarginsF(kMargin, kMargin, kMargin, kMargin), QPageLayout::Millimeter);
+    QTextDocument document;
+    // A text document knows no share of the page as a width: what there is between the margins, at 96 a inch.
+    document.setHtml(report_html(parts).replace("<img ", "<img width='640' "));
+    document.print(&pdf);
+  }
+  return bytes;
 }
 
 }  // namespace toolpace::studio

@@ -18,4 +18,7 @@ struct ReportParts {
 /// One HTML page with its pictures inside, in the language of the window. Precondition: there is a plan.
 QString report_html(const ReportParts& parts);
 
+/// The same on pages of A4.
+QByteArray report_pdf(const ReportParts& parts);
+
 }  // namespace toolpace::studio

@@ -216,13 +216,6 @@
         </message>
     </context>
     <context>
-        <name>QObject</name>
-        <message>
-            <source>is a folder</source>
-            <translation>是文件夹</translation>
-        </message>
-    </context>
-    <context>
         <name>codes</name>
         <message>
             <source>file-changed</source>
@@ -2954,6 +2947,14 @@
             <source>&amp;Delete the lines chosen</source>
             <translation>删除所选行(&amp;D)</translation>
         </message>
+        <message>
+            <source>&amp;Import machine…</source>
+            <translation>导入机床(&amp;I)…</translation>
+        </message>
+        <message>
+            <source>View as at a &amp;lathe (ZX)</source>
+            <translation>车床视图 (ZX)(&amp;L)</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::MainWindow</name>
@@ -3241,6 +3242,34 @@
             <source>The machine “%1” has changes that are not saved.</source>
             <translation>机床“%1”有尚未保存的更改。</translation>
         </message>
+        <message>
+            <source>Drives</source>
+            <translation>驱动</translation>
+        </message>
+        <message>
+            <source>Reading options</source>
+            <translation>读取选项</translation>
+        </message>
+        <message>
+            <source>Prese&amp;ts</source>
+            <translation>预设(&amp;T)</translation>
+        </message>
+        <message>
+            <source>Import the settings of a controller</source>
+            <translation>导入控制器的设置</translation>
+        </message>
+        <message>
+            <source>Settings (*.ini *.txt *.cfg *.nc);;All files (*)</source>
+            <translation>设置 (*.ini *.txt *.cfg *.nc);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Copy the lines</source>
+            <translation>复制所选行</translation>
+        </message>
+        <message>
+            <source>Copy the results</source>
+            <translation>复制结果</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::Report</name>
@@ -3420,6 +3449,14 @@
             <source>Programmed path, tolerance band, and the plan inside it; off: the simulated drives</source>
             <translation>编程路径、公差带及其中的规划路径；关闭时显示仿真驱动</translation>
         </message>
+        <message>
+            <source>ZX</source>
+            <translation>ZX</translation>
+        </message>
+        <message>
+            <source>As at a lathe: Z to the right, X upwards (L)</source>
+            <translation>车床视图：Z 向右，X 向上 (L)</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::LimitRibbon</name>
@@ -3434,10 +3471,6 @@
         <message>
             <source>%1 %2 %</source>
             <translation>%1 %2 %</translation>
-        </message>
-        <message>
-            <source>What holds the speed down</source>
-            <translation>速度受限原因</translation>
         </message>
     </context>
     <context>
@@ -3588,6 +3621,10 @@
         <message>
             <source>Text of line %1</source>
             <translation>第 %1 行文本</translation>
+        </message>
+        <message>
+            <source>rests for %1 s</source>
+            <translation>停留 %1 s</translation>
         </message>
     </context>
     <context>
@@ -3802,6 +3839,102 @@
             <source>Off the path</source>
             <translation>偏离路径</translation>
         </message>
+        <message>
+            <source>From the first move to the last, dwells and tool changes included</source>
+            <translation>从第一个到最后一个移动，含暂停与换刀</translation>
+        </message>
+        <message>
+            <source>Time in moves with a feed: G1, G2, G3, splines</source>
+            <translation>有进给的移动所用时间：G1、G2、G3、样条</translation>
+        </message>
+        <message>
+            <source>Time in rapid moves: G0</source>
+            <translation>快移所用时间：G0</translation>
+        </message>
+        <message>
+            <source>Time at rest: G4, tool changes</source>
+            <translation>静止时间：G4、换刀</translation>
+        </message>
+        <message>
+            <source>No plan that keeps these limits and this tolerance is faster than this</source>
+            <translation>遵守这些限制和公差的规划都不会比这更快</translation>
+        </message>
+        <message>
+            <source>Cycle time / lower bound − 1: what a better plan could save at most</source>
+            <translation>循环时间 / 下界 − 1：更好的规划最多能省多少</translation>
+        </message>
+        <message>
+            <source>Where A, B or C move alone</source>
+            <translation>仅 A、B 或 C 移动处</translation>
+        </message>
+        <message>
+            <source>Largest v = ds/dt along the path</source>
+            <translation>沿路径最大 v = ds/dt</translation>
+        </message>
+        <message>
+            <source>Largest |a| = |dv/dt| along the path</source>
+            <translation>沿路径最大 |a| = |dv/dt|</translation>
+        </message>
+        <message>
+            <source>Largest |j| = |da/dt| along the path</source>
+            <translation>沿路径最大 |j| = |da/dt|</translation>
+        </message>
+        <message>
+            <source>Limits that the setpoints break, found by an independent check of them</source>
+            <translation>独立检查发现的设定点超限</translation>
+        </message>
+        <message>
+            <source>Cutting: largest distance of the simulated drives from the commanded path, being late left out</source>
+            <translation>切削时：仿真驱动偏离指令路径的最大距离，不计滞后</translation>
+        </message>
+        <message>
+            <source>· in rapids</source>
+            <translation>· 快移时</translation>
+        </message>
+        <message>
+            <source>The same while the tool does not cut</source>
+            <translation>不切削时的同一数值</translation>
+        </message>
+        <message>
+            <source>How far the straight lines between setpoints cut off the planned motion, about (v·Ts)²/8r on an arc</source>
+            <translation>设定点之间的直线偏离规划运动多少，圆弧上约 (v·Ts)²/8r</translation>
+        </message>
+        <message>
+            <source>Largest distance of the setpoints from the programmed path, as the check measures it</source>
+            <translation>检查测得的设定点与编程路径的最大距离</translation>
+        </message>
+        <message>
+            <source>Path length / cycle time</source>
+            <translation>路径长度 / 循环时间</translation>
+        </message>
+        <message>
+            <source>As it is run, rapids included</source>
+            <translation>实际走过的长度，含快移</translation>
+        </message>
+        <message>
+            <source>Motion blocks of the program</source>
+            <translation>程序的运动段数</translation>
+        </message>
+        <message>
+            <source>Not checked before it was pinned</source>
+            <translation>固定之前没有检查</translation>
+        </message>
+        <message>
+            <source>Still being computed</source>
+            <translation>仍在计算</translation>
+        </message>
+        <message>
+            <source>More than %1 setpoints: only where you ask for it</source>
+            <translation>超过 %1 个设定点：仅在要求时计算</translation>
+        </message>
+        <message>
+            <source>The check was stopped</source>
+            <translation>检查已停止</translation>
+        </message>
+        <message>
+            <source>There is no such figure for this plan</source>
+            <translation>此规划没有这个数值</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::ResultsPanel</name>
@@ -3824,6 +3957,34 @@
         <message>
             <source>Cycle time of plan A</source>
             <translation>规划 A 的循环时间</translation>
+        </message>
+        <message>
+            <source>checking…</source>
+            <translation>检查中…</translation>
+        </message>
+        <message>
+            <source>Not checked: more than %1 setpoints</source>
+            <translation>未检查：超过 %1 个设定点</translation>
+        </message>
+        <message>
+            <source>Not checked</source>
+            <translation>未检查</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>停止</translation>
+        </message>
+        <message>
+            <source>Check now</source>
+            <translation>立即检查</translation>
+        </message>
+        <message>
+            <source>Leave the plan unchecked</source>
+            <translation>不检查此规划</translation>
+        </message>
+        <message>
+            <source>Check every limit at the setpoints, and simulate the drives</source>
+            <translation>在设定点检查每个限制，并仿真驱动</translation>
         </message>
     </context>
     <context>
@@ -4367,6 +4528,10 @@
             <source>Tuning</source>
             <translation>调试</translation>
         </message>
+        <message>
+            <source>This law has no use for it</source>
+            <translation>此规律不使用它</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::WhatIfPanel</name>
@@ -4791,6 +4956,351 @@
         <message>
             <source>Time-optimal</source>
             <translation>时间最优</translation>
+        </message>
+    </context>
+    <context>
+        <name>PlanPresets</name>
+        <message>
+            <source>Zheng 2014</source>
+            <translation>Zheng 2014</translation>
+        </message>
+        <message>
+            <source>Five-phase ramps of fixed times inside their blocks</source>
+            <translation>固定时间的五段加减速，在程序段内完成</translation>
+        </message>
+        <message>
+            <source>Ning 2014, N = 8</source>
+            <translation>Ning 2014，N = 8</translation>
+        </message>
+        <message>
+            <source>Quintic ramps inside their blocks, look-ahead over eight of them</source>
+            <translation>五次多项式加减速，在程序段内完成，前瞻八段</translation>
+        </message>
+        <message>
+            <source>Fastest on the path</source>
+            <translation>路径上最快</translation>
+        </message>
+        <message>
+            <source>Time-optimal ramps across blocks; every corner stays as it is</source>
+            <translation>时间最优、跨程序段加减速；拐角保持原样</translation>
+        </message>
+        <message>
+            <source>Fastest inside the tolerance</source>
+            <translation>公差内最快</translation>
+        </message>
+        <message>
+            <source>The fastest motion that stays within the tolerance of the path</source>
+            <translation>不超出路径公差的最快运动</translation>
+        </message>
+    </context>
+    <context>
+        <name>ProblemAction</name>
+        <message>
+            <source>Tool table…</source>
+            <translation>刀具表…</translation>
+        </message>
+        <message>
+            <source>Parameters…</source>
+            <translation>参数…</translation>
+        </message>
+        <message>
+            <source>Folder…</source>
+            <translation>文件夹…</translation>
+        </message>
+        <message>
+            <source>Arc tolerance…</source>
+            <translation>圆弧公差…</translation>
+        </message>
+        <message>
+            <source>Machine…</source>
+            <translation>机床…</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::studio::ImportDialog</name>
+        <message>
+            <source>Setting</source>
+            <translation>设置</translation>
+        </message>
+        <message>
+            <source>Taken</source>
+            <translation>采用值</translation>
+        </message>
+        <message>
+            <source>What is taken</source>
+            <translation>采用的内容</translation>
+        </message>
+        <message>
+            <source>not there: no limit</source>
+            <translation>没有：不限制</translation>
+        </message>
+        <message>
+            <source>Import machine</source>
+            <translation>导入机床</translation>
+        </message>
+        <message>
+            <source>What Toolpace takes from %1:</source>
+            <translation>Toolpace 从 %1 采用：</translation>
+        </message>
+        <message>
+            <source>Nothing in it was doubtful.</source>
+            <translation>其中没有疑问。</translation>
+        </message>
+        <message>
+            <source>Use this machine</source>
+            <translation>使用此机床</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::DockTitle</name>
+        <message>
+            <source>Put the panel back into the window</source>
+            <translation>把面板放回窗口</translation>
+        </message>
+        <message>
+            <source>Close the panel</source>
+            <translation>关闭面板</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::DrivesPage</name>
+        <message>
+            <source>Kv</source>
+            <translation>Kv</translation>
+        </message>
+        <message>
+            <source>Gain of the position loop: the lag is about v / Kv</source>
+            <translation>位置环增益：滞后约为 v / Kv</translation>
+        </message>
+        <message>
+            <source>Velocity feed-forward</source>
+            <translation>速度前馈</translation>
+        </message>
+        <message>
+            <source>Share of the commanded speed that is passed on: the lag is (1 − kv) v / Kv</source>
+            <translation>指令速度直接传给驱动的比例：滞后为 (1 − kv) v / Kv</translation>
+        </message>
+        <message>
+            <source>Acceleration feed-forward</source>
+            <translation>加速度前馈</translation>
+        </message>
+        <message>
+            <source>Share of the drive&apos;s lag at constant acceleration that is made up</source>
+            <translation>恒加速时驱动滞后被补偿的比例</translation>
+        </message>
+        <message>
+            <source>Bandwidth</source>
+            <translation>带宽</translation>
+        </message>
+        <message>
+            <source>Natural frequency of the velocity loop</source>
+            <translation>速度环的固有频率</translation>
+        </message>
+        <message>
+            <source>Damping</source>
+            <translation>阻尼</translation>
+        </message>
+        <message>
+            <source>Of the velocity loop; 0.7 overshoots hardly at all</source>
+            <translation>速度环阻尼；0.7 时几乎无超调</translation>
+        </message>
+        <message>
+            <source>Backlash</source>
+            <translation>反向间隙</translation>
+        </message>
+        <message>
+            <source>Full play between motor and slide</source>
+            <translation>电机与滑台之间的全部间隙</translation>
+        </message>
+        <message>
+            <source>Resonance</source>
+            <translation>谐振</translation>
+        </message>
+        <message>
+            <source>First natural frequency of the slide on its drive; 0 = stiff</source>
+            <translation>滑台在驱动上的一阶固有频率；0 = 刚性</translation>
+        </message>
+        <message>
+            <source>Its damping</source>
+            <translation>谐振阻尼</translation>
+        </message>
+        <message>
+            <source>Damping of the resonance; 0.05 is usual for steel</source>
+            <translation>谐振的阻尼；钢结构通常为 0.05</translation>
+        </message>
+        <message>
+            <source>Drive</source>
+            <translation>驱动</translation>
+        </message>
+        <message>
+            <source>Contour error: …</source>
+            <translation>轮廓误差：…</translation>
+        </message>
+        <message>
+            <source>No plan</source>
+            <translation>没有规划</translation>
+        </message>
+        <message>
+            <source>Contour error: %1 cutting, %2 in rapids</source>
+            <translation>轮廓误差：切削 %1，快移 %2</translation>
+        </message>
+        <message>
+            <source>Drives</source>
+            <translation>驱动</translation>
+        </message>
+        <message>
+            <source>Drive of %1, %2</source>
+            <translation>%1 轴驱动，%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::ReadingPage</name>
+        <message>
+            <source>Choose the tool table</source>
+            <translation>选择刀具表</translation>
+        </message>
+        <message>
+            <source>Choose the parameter file</source>
+            <translation>选择参数文件</translation>
+        </message>
+        <message>
+            <source>Choose a folder with sub-programs</source>
+            <translation>选择子程序文件夹</translation>
+        </message>
+        <message>
+            <source>Reading the program</source>
+            <translation>读取程序</translation>
+        </message>
+        <message>
+            <source>Dialect</source>
+            <translation>方言</translation>
+        </message>
+        <message>
+            <source>Whose way of writing programs this is</source>
+            <translation>程序按哪种控制器的写法</translation>
+        </message>
+        <message>
+            <source>as the text suggests</source>
+            <translation>按文本判断</translation>
+        </message>
+        <message>
+            <source>Without a point</source>
+            <translation>无小数点</translation>
+        </message>
+        <message>
+            <source>What X100 means on controllers of Fanuc&apos;s kind</source>
+            <translation>在 Fanuc 类控制器上 X100 的含义</translation>
+        </message>
+        <message>
+            <source>X100 is 100 mm</source>
+            <translation>X100 为 100 mm</translation>
+        </message>
+        <message>
+            <source>X100 is 0.1 mm</source>
+            <translation>X100 为 0.1 mm</translation>
+        </message>
+        <message>
+            <source>Arc tolerance</source>
+            <translation>圆弧公差</translation>
+        </message>
+        <message>
+            <source>How far an arc may end off its radius; empty = as the dialect has it</source>
+            <translation>圆弧终点允许偏离半径多少；空 = 按方言</translation>
+        </message>
+        <message>
+            <source>dialect</source>
+            <translation>方言</translation>
+        </message>
+        <message>
+            <source>Tool table</source>
+            <translation>刀具表</translation>
+        </message>
+        <message>
+            <source>As LinuxCNC writes it; empty = none</source>
+            <translation>LinuxCNC 格式；空 = 无</translation>
+        </message>
+        <message>
+            <source>Parameters</source>
+            <translation>参数</translation>
+        </message>
+        <message>
+            <source>Numbered parameters, as LinuxCNC writes them</source>
+            <translation>编号参数，LinuxCNC 格式</translation>
+        </message>
+        <message>
+            <source>Choose: %1</source>
+            <translation>选择：%1</translation>
+        </message>
+        <message>
+            <source>Sub-programs</source>
+            <translation>子程序</translation>
+        </message>
+        <message>
+            <source>Folders that are searched besides the program&apos;s own</source>
+            <translation>除程序所在文件夹外还要查找的文件夹</translation>
+        </message>
+        <message>
+            <source>Add a folder…</source>
+            <translation>添加文件夹…</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
+        </message>
+        <message>
+            <source>Remove the folder</source>
+            <translation>移除文件夹</translation>
+        </message>
+        <message>
+            <source>Skip lines that begin with /</source>
+            <translation>跳过以 / 开头的行</translation>
+        </message>
+        <message>
+            <source>Take every warning for an error</source>
+            <translation>把警告都当作错误</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::WelcomeBar</name>
+        <message>
+            <source>An example. Try:</source>
+            <translation>这是示例。试试：</translation>
+        </message>
+        <message>
+            <source>Less jerk</source>
+            <translation>减小加加速度</translation>
+        </message>
+        <message>
+            <source>Put the cursor into the jerk limit: the arrow keys change it, and all follows</source>
+            <translation>把光标放进加加速度限制：用方向键改变它，一切随之更新</translation>
+        </message>
+        <message>
+            <source>Rounded corners</source>
+            <translation>圆滑拐角</translation>
+        </message>
+        <message>
+            <source>Pin this plan as B, and plan the fastest motion inside the tolerance</source>
+            <translation>把此规划固定为 B，并规划公差内最快的运动</translation>
+        </message>
+        <message>
+            <source>Your program…</source>
+            <translation>您的程序…</translation>
+        </message>
+        <message>
+            <source>Open a program of your own; it can be dropped here as well</source>
+            <translation>打开您自己的程序；也可以拖放到这里</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>关闭</translation>
+        </message>
+        <message>
+            <source>Do not show this again</source>
+            <translation>不再显示</translation>
         </message>
     </context>
 </TS>

@@ -1,13 +1,17 @@
 /// What the window writes: setpoints, pulses, pictures, reports, and never over what is open.
 
+#include <QPainter>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSvgRenderer>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "main_window.h"
 #include "panels/stepper_page.h"
+#include "plots/profile_plot.h"
 #include "preferences.h"
 #include "preview/contour_view.h"
 #include "screenshot.h"
@@ -128,6 +132,63 @@ class ExportTest : public QObject {
     }
     QVERIFY(window.savePicture(Picture::window, in("window.png")));
     QVERIFY(!window.savePicture(Picture::window, in("no/such/folder.png")));
+  }
+
+  void vector_graphics_have_one_scale() {
+    MainWindow window(false);
+    window.show();
+    window.openExample();
+    settle(window);
+    QVERIFY(window.savePicture(MainWindow::Picture::plots, in("scale.svg")));
+    QSvgRenderer svg(in("scale.svg"));
+    QImage image(svg.viewBox().size(), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    svg.render(&painter);
+    const auto& plot = *window.findChild<ui::ProfilePlot*>("profilePlot");
+    QCOMPARE(image.width(), plot.width());
+    // Left and right end of what is drawn in a row of pixels.
+    const auto ends = [&](int y) {
+      int left = image.width(), right = -1;
+      for (int x = 0; x < image.width(); ++x) {
+        if (qGray(image.pixel(x, y)) > 250) continue;
+        left = std::min(left, x);
+        right = std::max(right, x);
+      }
+      return std::pair(left, right);
+    };
+    const auto [left, right] = ends(plot.height() + 9);  // the ribbon: from the begin of the plan to its end
+    const double end = window.workspace().timeline()->duration();
+    QVERIFY2(std::abs(left - plot.xOf(0)) <= 2, qPrintable(QString("%1, not %2").arg(left).arg(plot.xOf(0))));
+    QVERIFY2(std::abs(right - plot.xOf(end)) <= 2, qPrintable(QString("%1, not %2").arg(right).arg(plot.xOf(end))));
+    const int middle = plot.axisRects().front()->rect().center().y();
+    const int frame = ends(middle).second;
+    QVERIFY2(std::abs(frame - plot.edges().second) <= 2,
+             qPrintable(QString("%1, not %2").arg(frame).arg(plot.edges().second)));
+  }
+
+  void an_exported_preview_has_its_title_and_its_legend() {
+    MainWindow window(false);
+    window.show();
+    window.openExample();
+    settle(window);
+    QVERIFY(window.savePicture(MainWindow::Picture::contour, in("whole.png")));
+    const QImage image(in("whole.png"));
+    const auto& canvas = *window.findChild<QWidget*>("contourCanvas");
+    const auto& legend = *window.findChild<QWidget*>("contourLegend");
+    QCOMPARE(image.width(), 2 * canvas.width());
+    QVERIFY(image.height() > 2 * (canvas.height() + legend.height()));
+  }
+
+  void a_report_as_pdf_is_one() {
+    MainWindow window(false);
+    window.show();
+    window.openExample();
+    settle(window);
+    QVERIFY(window.saveReport(in("report.pdf")));
+    QFile file(in("report.pdf"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.read(5) == "%PDF-" && file.size() > 20'000);
   }
 
   void a_report_holds_the_figures_and_the_pictures() {

@@ -109,6 +109,28 @@ class ModelsTest : public QObject {
     QVERIFY(b.lines()[3].begin > 2.0);
   }
 
+  void a_rest_belongs_to_the_line_that_asks_for_it() {
+    // Lines 1, 3 and 5 move, 2 and 4 rest, the last one at the end.
+    const auto outcome = planned(Program().feed(10, 0, 0, 50).dwell(2).feed(0, 0, 0, 50).dwell(3));
+    const Timeline timeline(outcome);
+    const auto& lines = timeline.lines();
+    const std::uint32_t first = timeline.at(0).line;
+    QCOMPARE(lines[first + 1].rest, 2.0);
+    QCOMPARE(lines[first + 1].begin, outcome->node_time[1]);
+    QVERIFY(std::abs(lines[first + 2].begin - outcome->node_time[1] - 2) < 1e-9);
+    QCOMPARE(timeline.at(outcome->node_time[1] + 1).line, first + 1);
+    QCOMPARE(timeline.at(outcome->node_time[1] + 2.001).line, first + 2);
+    QCOMPARE(timeline.at(timeline.duration() - 1).line, first + 3);
+    QCOMPARE(timeline.time_of_line(first + 3), std::optional(outcome->node_time[2]));
+    // Stepping stands at each of them.
+    std::vector<std::uint32_t> on, back;
+    double time = 0;
+    for (int i = 0; i < 3; ++i) on.push_back(timeline.at(time = timeline.next_line(time)).line);
+    QCOMPARE(on, (std::vector<std::uint32_t>{first + 1, first + 2, first + 3}));
+    for (int i = 0; i < 3; ++i) back.push_back(timeline.at(time = timeline.previous_line(time)).line);
+    QCOMPARE(back, (std::vector<std::uint32_t>{first + 2, first + 1, first}));
+  }
+
   void the_worst_lines_come_first_and_the_sums_agree() {
     Program program;
     for (int i = 1; i <= 40; ++i) program.feed(i % 2 ? i * 3.0 : 0.0, i * 0.5, 0, 80);

@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QTextDocument>
 #include <QToolBar>
+#include <cmath>
 
 #include "opened.h"
 #include "support/screenshot.h"
@@ -58,6 +59,13 @@ class TextCheck {
       Qt::mightBeRichText(label.text()) ? text.setHtml(label.text()) : text.setPlainText(label.text());
       return need(label, label.text() + " (height)", static_cast<int>(text.size().height()),
                   label.contentsRect().height());
+    }
+    if (label.textFormat() == Qt::RichText) {
+      QTextDocument text;
+      text.setDefaultFont(label.font());
+      text.setDocumentMargin(0);
+      text.setHtml(label.text());
+      return need(label, text.toPlainText(), static_cast<int>(std::ceil(text.idealWidth())), room.width());
     }
     for (const QString& line : label.text().split('\n')) {
       need(label, line, label.fontMetrics().horizontalAdvance(line), room.width());
@@ -138,26 +146,35 @@ class TextTest : public QObject {
   void no_text_is_cut_off_in_any_language_theme_and_size_data() {
     QTest::addColumn<QString>("language");
     QTest::addColumn<bool>("dark");
+    QTest::addColumn<bool>("touch");
+    QTest::addColumn<bool>("inch");
     QTest::addColumn<QSize>("size");
-    const QSize least(1280, 800), large(2560, 1440);
+    const QSize small(1024, 700), least(1280, 800), large(3840, 2160);
     for (const char* language : {"en", "zh_CN"}) {
-      const auto add = [&](bool dark, const QSize& size) {
-        const QString name = QString("%1 %2 %3").arg(language, dark ? "dark" : "light").arg(size.width());
-        QTest::newRow(qPrintable(name)) << language << dark << size;
+      const auto add = [&](const char* what, bool dark, bool touch, bool inch, const QSize& size) {
+        const QString name = QString("%1 %2 %3").arg(language, what).arg(size.width());
+        QTest::newRow(qPrintable(name)) << language << dark << touch << inch << size;
       };
-      add(false, least);
-      add(true, least);
-      if (qApp->devicePixelRatio() == 1) add(false, large);  // all that scales is in the least size, too
+      add("inch", false, false, true, small);
+      add("mm", false, false, false, least);
+      if (qApp->devicePixelRatio() > 1) continue;  // all that scales is in these
+      add("dark", true, false, false, least);
+      add("touch", false, true, true, small);
+      add("mm", false, false, false, large);
     }
   }
 
   void no_text_is_cut_off_in_any_language_theme_and_size() {
     QFETCH(QString, language);
     QFETCH(bool, dark);
+    QFETCH(bool, touch);
+    QFETCH(bool, inch);
     QFETCH(QSize, size);
     Opened window(size);
     window.setLanguage(language);
     window.setDark(dark);
+    window.setTouch(touch);
+    window.setInch(inch);
     window.openButterfly();
     window.waitForProof();
     window.workspace().pin();
@@ -174,8 +191,10 @@ class TextTest : public QObject {
       }
     }
     const double scale = window.devicePixelRatioF();
-    const QString name =
-        QString("text-%1-%2-%3x%4").arg(language, dark ? "dark" : "light").arg(size.width()).arg(scale);
+    const QString name = QString("text-%1-%2%3-%4x%5")
+                             .arg(language, dark ? "dark" : "light", touch ? "-touch" : "")
+                             .arg(size.width())
+                             .arg(scale);
     window.the<QDockWidget>("resultsDock").raise();
     screenshot(window, name);
     QVERIFY2(troubles.isEmpty(), qPrintable(troubles.join('\n')));

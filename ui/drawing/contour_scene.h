@@ -16,6 +16,7 @@ struct ContourScene {
   std::shared_ptr<const Outcome> outcome;
   std::shared_ptr<const ErrorTrace> trace;  ///< null = not simulated
   std::optional<Box> travel;                ///< [mm], only where X, Y and Z are all bounded
+  std::optional<double> tolerance;          ///< [mm] within which all moves may be left; none = not the same for all
   std::shared_ptr<const SceneGeometry> geometry = std::make_shared<SceneGeometry>();
   std::unique_ptr<const SceneColours> colours;  ///< null where there is no plan
 
@@ -31,6 +32,9 @@ struct ContourScene {
 std::shared_ptr<const ContourScene> make_contour_scene(std::shared_ptr<const Outcome> outcome,
                                                        std::shared_ptr<const ErrorTrace> trace = nullptr,
                                                        std::shared_ptr<const SceneGeometry> known = nullptr);
+
+/// The view to begin with: of programs for lathes theirs, else suited_view().
+View opening_view(const ContourScene& scene, View wanted);
 
 /// First and last moment of an NC line of the main program [s]; nothing where the line does not move. Of the passes of a
 /// loop the one at `time` is meant, or the first if it is none of them.

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "drawing/contour_scene.h"
+#include "drawing/motion_figures.h"
 #include "drawing/profile_series.h"
 #include "drawing/tube_trace.h"
 #include "models/timeline.h"
@@ -16,7 +17,8 @@ namespace toolpace::ui {
 struct Proof {
   std::shared_ptr<const Outcome> outcome;
   VerifyReport report;                        ///< of the setpoints, written to a file and read back
-  ServoSummary servo;                         ///< of the machine's drives
+  ContourErrors contour;                      ///< of the machine's drives
+  double chord_error = 0;                     ///< of the motion, wherever rounded corners led it [mm]
   double bound = 0;                           ///< no plan of the job is faster [s]
   std::shared_ptr<const ContourScene> scene;  ///< the preview with the contour errors in it, along the same geometry
   std::shared_ptr<const TubeTrace> tube;      ///< null for plans that stay on the programmed path

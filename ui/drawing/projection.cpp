@@ -39,6 +39,10 @@ Projection named_view(View view) {
       p.right = Eigen::Vector3d::UnitY();
       p.up = Eigen::Vector3d::UnitZ();
       break;
+    case View::zx:
+      p.right = Eigen::Vector3d::UnitZ();
+      p.up = Eigen::Vector3d::UnitX();
+      break;
     case View::iso:
       p.right = Eigen::Vector3d(1, 1, 0).normalized();
       p.up = Eigen::Vector3d(-1, 1, 2).normalized();

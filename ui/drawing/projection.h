@@ -8,7 +8,7 @@
 
 namespace toolpace::ui {
 
-enum class View : std::uint8_t { xy, xz, yz, iso };
+enum class View : std::uint8_t { xy, xz, yz, iso, zx };  ///< zx: as at a lathe, Z to the right, X upwards
 
 /// Axis-aligned box [mm]. Empty until something is added.
 struct Box {

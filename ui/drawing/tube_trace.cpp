@@ -11,8 +11,8 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr double kReach = 1.5;         // of the tolerance: where setpoints are looked for
-constexpr double kSagitta = 1.0 / 64;  // of the tolerance: how far a chord of the programmed path may be from its curve
+constexpr double kReach = 1.5;           // of the tolerance: where setpoints are looked for
+constexpr double kSagitta = 1.0 / 1024;  // of it: how far a chord of the programmed path may be from its curve
 
 bool rounds(const CornerOptions& corner) {
   return !corner.step && (corner.rule == CornerRule::blend || corner.rule == CornerRule::smooth);

@@ -30,7 +30,7 @@ Eigen::Vector3f offset_of(const ServoTrace& trace, const Setpoints& commanded, s
   return offset;
 }
 
-Result<ServoSummary> simulated(const Outcome& outcome, ErrorTrace& errors, const Monitor& monitor) {
+Result<void> simulate(const Outcome& outcome, ErrorTrace& errors, const Monitor& monitor) {
   auto simulation = ServoSimulation::create(outcome.job->machine.servo, outcome.job->machine.period);
   if (!simulation) return tl::unexpected(simulation.error());
   Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
@@ -47,9 +47,9 @@ Result<ServoSummary> simulated(const Outcome& outcome, ErrorTrace& errors, const
                                     static_cast<float>(chunk.position[2][i]));
     }
   }
-  const ServoSummary summary = simulation->finish(trace);
+  (void)simulation->finish(trace);
   errors.error.assign(trace.contour_error.begin(), trace.contour_error.end());
-  return summary;
+  return {};
 }
 
 Result<std::shared_ptr<const Proof>> proof_of(const ContourScene& scene, const Monitor& monitor) {
@@ -57,12 +57,12 @@ Result<std::shared_ptr<const Proof>> proof_of(const ContourScene& scene, const M
   auto report = verified(*outcome, monitor);
   if (!report) return tl::unexpected(report.error());
   auto errors = std::make_shared<ErrorTrace>();
-  auto servo = simulated(*outcome, *errors, monitor);
-  if (!servo) return tl::unexpected(servo.error());
+  if (auto done = simulate(*outcome, *errors, monitor); !done) return tl::unexpected(done.error());
   auto proof = std::make_shared<Proof>();
   proof->outcome = outcome;
   proof->report = std::move(*report);
-  proof->servo = *servo;
+  proof->contour = contour_errors(*outcome, *errors);
+  proof->chord_error = chord_error(*outcome, monitor);
   auto bound = lower_bound(*outcome, {monitor.stop, {}});
   if (!bound) return tl::unexpected(bound.error());
   proof->bound = *bound;
@@ -112,21 +112,50 @@ ProofService::ProofService(QObject* parent) : QObject(parent) {
   connect(&delay_, &QTimer::timeout, this, &ProofService::start);
   connect(&worker_, &Background::finished, this, [this] {
     if (wanted_ && !delay_.isActive()) start();
-    if (!isRunning()) emit finished();
+    if (isRunning()) return;
+    if (state_ == State::running) setState(State::idle);
+    emit finished();
   });
 }
 
 void ProofService::request(std::shared_ptr<const ContourScene> scene) {
   wanted_ = std::move(scene);
+  asked_ = false;
   worker_.cancel();
   wanted_ ? delay_.start() : delay_.stop();
+  setState(wanted_ ? State::running : State::idle);
+}
+
+void ProofService::requestNow(std::shared_ptr<const ContourScene> scene) {
+  request(std::move(scene));
+  asked_ = true;
+  delay_.stop();
+  start();
+}
+
+void ProofService::stop() {
+  if (state_ != State::running) return;
+  request(nullptr);
+  setState(State::stopped);
+}
+
+void ProofService::setState(State state) {
+  if (state == state_) return;
+  state_ = state;
+  emit stateChanged(state);
+}
+
+void ProofService::fail(const Error& error) {
+  if (!wanted_) setState(State::stopped);
+  emit failed(error);
 }
 
 void ProofService::start() {
   if (worker_.isBusy() || !wanted_) return;
   const double rows = wanted_->outcome->plan.cycle_time() / wanted_->outcome->job->machine.period;
-  if (rows > static_cast<double>(kProvenUnasked)) {
+  if (!asked_ && rows > static_cast<double>(kProvenUnasked)) {
     wanted_ = nullptr;
+    setState(State::too_long);
     return emit finished();
   }
   const auto prove = [this, scene = std::exchange(wanted_, nullptr)](const Monitor& monitor) {
@@ -135,11 +164,11 @@ void ProofService::start() {
       if (proof) {
         emit proven(*proof);
       } else if (proof.error().kind != ErrorKind::cancelled) {
-        emit failed(proof.error());
+        fail(proof.error());
       }
     };
   };
-  worker_.start(prove, [this](const Error& error) { emit failed(error); });
+  worker_.start(prove, [this](const Error& error) { fail(error); });
 }
 
 }  // namespace toolpace::ui

@@ -26,13 +26,13 @@ ReaderService::ReaderService(QObject* parent) : QObject(parent) {
   });
 }
 
-Result<ReaderService::Found> ReaderService::understand(const ProgramSource& source, const Monitor& monitor) {
+Result<ReaderService::Found> ReaderService::understand(const ProgramSource& source, ReadOptions options,
+                                                       const Monitor& monitor) {
   auto document = std::make_shared<Document>();
   document->path = source.path;
   document->name = source.name;
   document->text = source.text;
   document->edited_state = source.edited_state;
-  ReadOptions options;
   if (!source.path.isEmpty()) options.sub_paths.push_back(QFileInfo(source.path).absolutePath().toStdString());
   const QByteArray bytes = source.text.bytes();
   const std::string_view view(bytes.constData(), static_cast<std::size_t>(bytes.size()));
@@ -45,25 +45,29 @@ Result<ReaderService::Found> ReaderService::understand(const ProgramSource& sour
   return Found{document, {}};
 }
 
-Result<ReaderService::Found> ReaderService::load(const QString& path, const Monitor& monitor) {
+Result<ReaderService::Found> ReaderService::load(const QString& path, const ReadOptions& options,
+                                                 const Monitor& monitor) {
   auto content = read_regular_file(path, monitor);
   if (!content) return tl::unexpected(content.error());
   const QString name = QFileInfo(path).fileName();
-  auto found = understand({path, name, ProgramText(std::move(content->bytes))}, monitor);
+  auto found = understand({path, name, ProgramText(std::move(content->bytes))}, options, monitor);
   if (found) found->stamp = content->stamp;
   return found;
 }
 
 void ReaderService::readFile(const QString& path) {
-  submit(path, [path](const Monitor& monitor) { return load(path, monitor); });
+  submit(path, [path, options = options_](const Monitor& monitor) { return load(path, options, monitor); });
 }
 
 void ReaderService::readText(const QByteArray& text, const QString& name) {
-  submit({}, [text, name](const Monitor& monitor) { return understand({{}, name, ProgramText(text)}, monitor); });
+  submit({}, [text, name, options = options_](const Monitor& monitor) {
+    return understand({{}, name, ProgramText(text)}, options, monitor);
+  });
 }
 
 void ReaderService::readEdited(const ProgramSource& source) {
-  submit(source.path, [source](const Monitor& monitor) { return understand(source, monitor); });
+  submit(source.path,
+         [source, options = options_](const Monitor& monitor) { return understand(source, options, monitor); });
 }
 
 void ReaderService::cancel() {

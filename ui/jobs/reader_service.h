@@ -11,6 +11,7 @@
 #include "jobs/regular_file.h"
 #include "models/document.h"
 #include "toolpace/base/result.h"
+#include "toolpace/nc/read_options.h"
 
 namespace toolpace::ui {
 
@@ -36,6 +37,8 @@ class ReaderService : public QObject {
   void readEdited(const ProgramSource& source);
   void cancel();
   bool isBusy() const { return worker_.isBusy(); }
+  /// How all that is asked for from now on is read. The program's own folder is searched in any case.
+  void setOptions(const ReadOptions& options) { options_ = options; }
 
  signals:
   /// @param stamp  of the file that was read; none for texts
@@ -51,11 +54,12 @@ class ReaderService : public QObject {
   };
   using Read = std::function<Result<Found>(const Monitor&)>;
 
-  static Result<Found> load(const QString& path, const Monitor& monitor);
-  static Result<Found> understand(const ProgramSource& source, const Monitor& monitor);
+  static Result<Found> load(const QString& path, const ReadOptions& options, const Monitor& monitor);
+  static Result<Found> understand(const ProgramSource& source, ReadOptions options, const Monitor& monitor);
   void submit(const QString& path, Read read);
 
   Background worker_;
+  ReadOptions options_;
   std::function<void()> pending_;
   quint64 latest_ = 0;
 };

@@ -21,6 +21,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
   connect(&planner_, &PlannerService::progressed, this, &Workspace::progressed);
   connect(&proof_service_, &ProofService::proven, this, &Workspace::takeProof);
   connect(&proof_service_, &ProofService::failed, this, &Workspace::addProblem);
+  connect(&proof_service_, &ProofService::stateChanged, this, &Workspace::proofStateChanged);
   connect(&refiner_, &Refiner::refined, this, &Workspace::takeRefined);
   connect(&refiner_, &Refiner::failed, this, [this](const Error& error) { collectProblems({as_diagnostic(error)}); });
   connect(&refiner_, &Refiner::progressed, this, &Workspace::progressed);
@@ -50,6 +51,12 @@ void Workspace::cancel() {
   planner_.cancel();
   refiner_.giveUp();
 }
+
+void Workspace::checkNow() {
+  if (plan_ && !plan_.proof) proof_service_.requestNow(plan_.scene);
+}
+
+void Workspace::stopChecking() { proof_service_.stop(); }
 
 void Workspace::replan() {
   const auto next = job();
@@ -106,6 +113,10 @@ void Workspace::makeAxes() {
 }
 
 void Workspace::takeProof(std::shared_ptr<const Proof> proof) {
+  if (pinned_ && proof->outcome == pinned_.timeline->outcome()) {
+    pinned_.proof = proof;
+    emit pinnedChanged();
+  }
   if (!plan_ || proof->outcome != plan_.timeline->outcome()) return;
   plan_.proof = std::move(proof);
   Diagnostics problems = plan_.timeline->outcome()->warnings;
@@ -152,11 +163,11 @@ void Workspace::unpin() {
 void Workspace::swap() {
   if (!pinned_ || !plan_) return;
   std::swap(pinned_, plan_);
-  const auto& job = *plan_.timeline->outcome()->job;
+  const auto job = plan_.timeline->outcome()->job;  // whoever is told may show another plan
   emit pinnedChanged();
   emit planChanged();
   makeAxes();
-  tuning_.replace(tr("Swap A and B"), {job.machine, job.options});
+  tuning_.replace(tr("Swap A and B"), {job->machine, job->options});
 }
 
 void Workspace::setCursorTime(double time) {

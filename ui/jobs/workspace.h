@@ -47,11 +47,16 @@ class Workspace : public QObject {
   bool isRefining() const { return refiner_.state() == Refiner::State::running; }
   Refiner::State refinement() const { return refiner_.state(); }
   bool isProving() const { return proof_service_.isRunning(); }
+  ProofService::State proofState() const { return proof_service_.state(); }
+  void checkNow();      ///< proves the plan shown, however long it takes
+  void stopChecking();  ///< leaves it without a proof
   /// The job as it stands; null without a program.
   std::shared_ptr<const Job> job() const;
 
   void openFile(const QString& path);
   void openText(const QByteArray& text, const QString& name);
+  /// How programs are read; the one that is open is read again at once.
+  void setReadOptions(const ReadOptions& options);
   /// Reads the file again, or the text where there is no file; with edits, asks first (conflict).
   void reload();
   Conflict conflict() const { return conflict_; }
@@ -85,6 +90,7 @@ class Workspace : public QObject {
   void planChanged();
   void pinnedChanged();
   void proofChanged();
+  void proofStateChanged(toolpace::ui::ProofService::State state);
   void axesReady();
   void problemsChanged();
   void cursorChanged(double time);

@@ -55,6 +55,11 @@ void Workspace::readText() {
   reader_.readEdited({program_.path(), program_.name(), program_.text(), program_.state()});
 }
 
+void Workspace::setReadOptions(const ReadOptions& options) {
+  reader_.setOptions(options);
+  if (document_) readText();
+}
+
 void Workspace::reload() {
   if (!document_) return;
   emit editsWanted();

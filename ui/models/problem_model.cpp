@@ -58,6 +58,7 @@ QVariant ProblemModel::data(const QModelIndex& index, int role) const {
     return remedy.isEmpty() ? message : message + "\n" + remedy;
   }
   if (role != Qt::DisplayRole) return {};
+  if (index.column() == kAction) return {};
   if (index.column() == kMessage) return message;
   if (problem.where.line == 0) return "–";
   return problem.where.column == 0 ? QString::number(problem.where.line)
@@ -68,7 +69,7 @@ QVariant ProblemModel::headerData(int section, Qt::Orientation orientation, int 
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  return section == kPlace ? tr("Line") : tr("Message");
+  return section == kPlace ? tr("Line") : section == kMessage ? tr("Message") : QString();
 }
 
 }  // namespace toolpace::ui

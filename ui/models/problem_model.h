@@ -15,7 +15,7 @@ class ProblemModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kPlace, kMessage, kColumns };
+  enum Column { kPlace, kMessage, kAction, kColumns };  ///< the last is for buttons
 
   static constexpr int kRemedyRole = Qt::UserRole;  ///< what to do about it, may be empty
 

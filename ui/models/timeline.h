@@ -16,7 +16,8 @@ struct LineStats {
   double length = 0;      ///< [mm; deg where only rotary axes move]
   double time = 0;        ///< as planned, without dwells [s]
   double asked_time = 0;  ///< at the programmed feed all along [s]; equals `time` where no feed was programmed
-  double begin = -1;      ///< when the line begins [s]; < 0: no motion
+  double rest = 0;        ///< stands still for it: dwell, tool change [s]
+  double begin = -1;      ///< when the line begins [s]; < 0: it neither moves nor rests
 
   double loss() const { return time - asked_time; }
   double mean_speed() const { return time > 0 ? length / time : 0; }
@@ -32,9 +33,9 @@ class Timeline {
   double duration() const { return outcome_->plan.cycle_time(); }
 
   Instant at(double time) const { return instant_at(*outcome_, time).value_or(Instant{}); }
-  /// When the motion of a line begins, or of the next line that moves; nothing after the last.
+  /// When a line begins to move or to rest, or the next line that does; nothing after the last.
   std::optional<double> time_of_line(std::uint32_t line) const;
-  /// Begin of the next (or previous) NC line that moves, as seen from `time`.
+  /// Begin of the next (or previous) NC line that moves or rests, as seen from `time`.
   double next_line(double time) const;
   double previous_line(double time) const;
 
@@ -49,7 +50,13 @@ class Timeline {
   const std::vector<std::uint32_t>& worst_lines() const;
 
  private:
-  std::uint32_t line_of_block(std::size_t block) const;
+  struct Begin {
+    double time;
+    std::uint32_t line;
+  };
+  std::uint32_t line_of_row(std::uint32_t row) const;
+  std::vector<Begin> begins_at(std::size_t node) const;
+  void collect_rests();
   void collect_lines();
   void sum_losses();
 

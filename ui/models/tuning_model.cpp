@@ -36,6 +36,17 @@ class TuningCommand : public QUndoCommand {
   quint64 state_before_, state_after_;
 };
 
+std::array<bool, 3> rotary_axes(const Machine& machine, const std::array<bool, 3>& turned) {
+  std::array<bool, 3> there = turned;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    const AxisLimits &limits = machine.axes[3 + i], nothing;
+    there[i] = there[i] || limits.speed != nothing.speed || limits.acceleration != nothing.acceleration ||
+               limits.jerk != nothing.jerk || limits.travel_min != nothing.travel_min ||
+               limits.travel_max != nothing.travel_max || limits.steps_per_unit != nothing.steps_per_unit;
+  }
+  return there;
+}
+
 TuningModel::TuningModel(QUndoStack& undo_stack, QObject* parent) : QObject(parent), undo_stack_(undo_stack) {}
 
 void TuningModel::edit(const QString& title, const QString& key, const std::function<void(Tuning&)>& change) {

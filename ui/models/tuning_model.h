@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QUndoStack>
+#include <array>
 #include <functional>
 
 #include "models/edit_state.h"
@@ -11,6 +12,9 @@
 namespace toolpace::ui {
 
 using Tuning = Setup;
+
+/// Which of A, B, C a machine says anything of, or a program turns.
+std::array<bool, 3> rotary_axes(const Machine& machine, const std::array<bool, 3>& turned);
 
 /// The one place where parameters change. Every edit is an undo step; edits of one key between beginGesture and
 /// endGesture (a slider drag, a wheel turn) are one step together.

@@ -40,6 +40,10 @@ DisplayUnit display_unit(Quantity quantity, LengthUnit unit) {
   return {1.0, "s"};
 }
 
+DisplayUnit error_unit(LengthUnit unit) {
+  return unit == LengthUnit::inch ? DisplayUnit{1e3 / kMmPerInch, "mil"} : DisplayUnit{1e3, "µm"};
+}
+
 Quantity rotary(Quantity quantity) {
   switch (quantity) {
     case Quantity::length: return Quantity::angle;

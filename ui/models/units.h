@@ -26,6 +26,9 @@ struct DisplayUnit {
 };
 DisplayUnit display_unit(Quantity quantity, LengthUnit unit);
 
+/// Of errors of a motion: µm, or thousandths of an inch.
+DisplayUnit error_unit(LengthUnit unit);
+
 /// The same quantity of a rotary axis.
 Quantity rotary(Quantity quantity);
 

@@ -71,7 +71,6 @@ AxesGrid::AxesGrid(QWidget* parent) : QWidget(parent) {
       const QString name = QString("axis%1%2").arg(QLatin1Char(kAxisNames[axis])).arg(kIds[i]);
       const Quantity quantity = is_rotary(axis) ? rotary(kQuantities[i]) : kQuantities[i];
       auto* field = new NumberField(name, {}, quantity, range_of(axis, limit), this);
-      field->setMinimumWidth(56);
       fields_[axis][i] = field;
       grid->addWidget(field, row, limit + 1);
       connect(field, &NumberField::edited, this,

@@ -4,7 +4,8 @@ namespace toolpace::ui {
 namespace {
 
 constexpr int kColumnsPerSide = 4;  // label, field, unit, space
-constexpr int kFieldWidth = 56, kPairLabel = 36, kUnitWidth = 42, kWideLabel = 72, kSpacing = 4;
+constexpr int kRowSpacing = 3;
+constexpr int kPairLabel = 36, kUnitWidth = 42, kWideLabel = 72, kSpacing = 4;
 
 }  // namespace
 
@@ -16,7 +17,7 @@ QLabel* secondary_label(const QString& text, QWidget* parent) {
 
 FormGrid::FormGrid(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
   column_->setContentsMargins(0, 0, 0, 0);
-  column_->setSpacing(kSpacing);
+  column_->setSpacing(kRowSpacing);
 }
 
 QGridLayout* FormGrid::grid(bool wide) {
@@ -25,7 +26,7 @@ QGridLayout* FormGrid::grid(bool wide) {
   if (current) return current;
   current = new QGridLayout;
   current->setHorizontalSpacing(kSpacing);
-  current->setVerticalSpacing(kSpacing);
+  current->setVerticalSpacing(kRowSpacing);
   column_->addLayout(current);
   if (wide) {
     current->setColumnMinimumWidth(0, kWideLabel);
@@ -47,7 +48,6 @@ QLabel* FormGrid::add(int row, int side, NumberField* field) {
   label->setBuddy(field);
   auto* unit = secondary_label(field->unitText(), this);
   connect(field, &NumberField::unitChanged, unit, [field, unit] { unit->setText(field->unitText()); });
-  field->setMinimumWidth(kFieldWidth);
   QGridLayout* pairs = grid(false);
   pairs->addWidget(label, row, column);
   pairs->addWidget(field, row, column + 1);
@@ -64,6 +64,15 @@ QLabel* FormGrid::addWide(int row, QWidget* widget) {
   rows->addWidget(widget, row, 1);
   parts_.push_back({widget, {label}});
   return label;
+}
+
+void FormGrid::setRowUseless(QWidget* field, const QString& reason) {
+  for (auto& parts : parts_) {
+    if (parts.field != field) continue;
+    field->setEnabled(reason.isEmpty());
+    if (!reason.isEmpty()) field->setToolTip(reason);
+    for (auto* other : parts.others) other->setEnabled(reason.isEmpty());
+  }
 }
 
 void FormGrid::setRowVisible(QWidget* field, bool visible) {

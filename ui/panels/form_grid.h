@@ -24,6 +24,8 @@ class FormGrid : public QWidget {
   /// Adds a label and a widget that fills the rest of the row.
   QLabel* addWide(int row, QWidget* widget);
   void setRowVisible(QWidget* field, bool visible);
+  /// What is of no use stays where it is, so that nothing else moves. @param reason  why it is of none; empty: it is of use
+  void setRowUseless(QWidget* field, const QString& reason);
 
  private:
   struct Parts {

@@ -30,7 +30,7 @@ LookaheadField::LookaheadField(QWidget* parent)
   slider_->setRange(0, kSteps);
   slider_->setPageStep(kSteps / 20);
   field_->setUnit({1.0, {}});
-  field_->setFixedWidth(64);
+  field_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   all_->setObjectName("lookaheadAll");
   all_->setCheckable(true);
   setFocusProxy(slider_);

@@ -176,7 +176,8 @@ QString NcView::tipOf(int line) const {
   }
   if (timeline_ && static_cast<std::size_t>(line) < timeline_->lines().size()) {
     const auto& stats = timeline_->lines()[static_cast<std::size_t>(line)];
-    if (stats.begin >= 0) {
+    if (stats.rest > 0) lines << tr("rests for %1 s").arg(stats.rest, 0, 'f', 3);
+    if (stats.length > 0) {
       lines << tr("mean %1, programmed %2")
                    .arg(value_text(stats.mean_speed(), Quantity::speed, unit_, 4),
                         value_text(stats.asked_speed(), Quantity::speed, unit_, 4));
@@ -264,7 +265,8 @@ void NcView::editCurrentLine() {
 
 // A field passes these keys on to what it stands in, where Enter would begin to edit again.
 bool NcView::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != editor_.data() || event->type() != QEvent::KeyPress) return QAbstractScrollArea::eventFilter(watched, event);
+  if (watched != editor_.data() || event->type() != QEvent::KeyPress)
+    return QAbstractScrollArea::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();
   const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
   if (!enter && key != Qt::Key_Escape) return false;

@@ -3,6 +3,7 @@
 
 #include <QAbstractScrollArea>
 #include <QPointer>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -46,6 +47,8 @@ class NcView : public QAbstractScrollArea {
   /// Selects the next line that contains `text`, from the current one on; wraps around. False where there is none.
   bool findNext(const QString& text, bool backwards = false);
   void copySelection() const;
+  int lineAt(int y) const;  ///< [px of the viewport]
+  bool isSelected(int line) const { return line >= std::min(current_, anchor_) && line <= std::max(current_, anchor_); }
 
  signals:
   void lineActivated(int line);       ///< a person chose this line
@@ -75,7 +78,6 @@ class NcView : public QAbstractScrollArea {
   int lineCount() const;
   int lineHeight() const;
   int visibleLines() const;
-  int lineAt(int y) const;
   Gutter gutter() const;
   QRect lineRect(int line) const;
   void updateScrollBars();

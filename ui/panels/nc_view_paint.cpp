@@ -64,7 +64,7 @@ void NcView::paintGutter(QPainter& painter, int line, const QRect& row, const Gu
                    QString::number(line));
   if (!timeline_ || static_cast<std::size_t>(line) >= timeline_->lines().size()) return;
   const LineStats& stats = timeline_->lines()[static_cast<std::size_t>(line)];
-  if (stats.begin < 0) return;
+  if (!(stats.length > 0)) return;
   if (fastest_ > 0) {
     const auto level = static_cast<std::size_t>(std::clamp(stats.mean_speed() / fastest_, 0.0, 1.0) * 255);
     painter.fillRect(QRect(g.speed_begin, row.top(), kSpeedWidth, row.height()), QColor(colours_[level]));

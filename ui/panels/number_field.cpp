@@ -2,7 +2,9 @@
 
 #include <QKeyEvent>
 #include <QLocale>
+#include <QPainter>
 #include <QStyle>
+#include <QStyleOptionFrame>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -13,12 +15,22 @@ namespace toolpace::ui {
 namespace {
 
 constexpr int kGestureMs = 600;  // steps closer together than this are one undo step
-constexpr int kDigits = 7;
+constexpr int kDigits = 7, kLeastDigits = 3;
+constexpr int kMostCharacters = 9;  // of a number as it is shown
+constexpr int kInnerMargin = 2;     // px, that a QLineEdit keeps on both sides of its text
 
-QString plain_text(double value) {
+QString plain_text(double value, int digits = kDigits) {
   if (std::isinf(value)) return "∞";
-  return QString::number(value, 'g', kDigits + 2).contains('e') ? QString::number(value, 'g', kDigits)
-                                                                : number_text(value, kDigits).remove(QChar(0x2009));
+  return QString::number(value, 'g', digits + 2).contains('e') ? QString::number(value, 'g', digits)
+                                                               : number_text(value, digits).remove(QChar(0x2009));
+}
+
+/// Rounded, where the value has more digits than there is room for.
+QString short_text(double value) {
+  for (int digits = kDigits; digits > kLeastDigits; --digits) {
+    if (const QString text = plain_text(value, digits); text.size() <= kMostCharacters) return text;
+  }
+  return QString::number(value, 'g', kLeastDigits);
 }
 
 std::optional<double> parsed(QString text) {
@@ -72,7 +84,7 @@ void NumberField::setLengthUnit(LengthUnit unit) {
 }
 
 void NumberField::show_value() {
-  setText(std::isinf(value_) ? unlimited_ : plain_text(value_ * unit_.factor));
+  setText(std::isinf(value_) ? unlimited_ : short_text(value_ * unit_.factor));
   setModified(false);
   setCursorPosition(0);
   mark({});
@@ -84,8 +96,16 @@ QString NumberField::range_text() const {
   return tr("%1 to %2 %3").arg(end(range_.least), end(range_.most), unit_.text);
 }
 
+/// All digits of a value that is shown with fewer.
+QString NumberField::whole_text() const {
+  const double shown = value_ * unit_.factor;
+  if (!std::isfinite(shown) || isModified() || parsed(text()) == shown) return {};
+  const QString whole = QString::number(shown, 'g', std::numeric_limits<double>::digits10);
+  return whole == text() ? QString() : "\n= " + whole + ' ' + unit_.text;
+}
+
 void NumberField::mark(const QString& trouble) {
-  setToolTip(trouble.isEmpty() ? accessibleName() + "  ·  " + range_text() : trouble);
+  setToolTip(trouble.isEmpty() ? accessibleName() + "  ·  " + range_text() + whole_text() : trouble);
   if (property("wrong").toBool() == !trouble.isEmpty()) return;
   setProperty("wrong", !trouble.isEmpty());
   style()->unpolish(this);
@@ -125,6 +145,50 @@ void NumberField::step(double direction, bool large) {
   value_ = next;
   show_value();
   emit edited(value_);
+}
+
+int NumberField::most_characters() const {
+  if (!range_.whole || !std::isfinite(range_.most)) return kMostCharacters;
+  return static_cast<int>(std::min<qsizetype>(short_text(range_.most * unit_.factor).size(), kMostCharacters));
+}
+
+QSize NumberField::minimumSizeHint() const {
+  const QFontMetrics metrics = fontMetrics();
+  const int digits = metrics.horizontalAdvance(QString(most_characters(), '0')) + 1;  // and the cursor
+  QSize size = QLineEdit::minimumSizeHint();
+  size.rwidth() += digits - metrics.maxWidth();
+  return size;
+}
+
+QSize NumberField::sizeHint() const { return {minimumSizeHint().width(), QLineEdit::sizeHint().height()}; }
+
+void NumberField::paintEvent(QPaintEvent* event) {
+  QStyleOptionFrame panel;
+  initStyleOption(&panel);
+  const QRect room =
+      style()->subElementRect(QStyle::SE_LineEditContents, &panel, this).adjusted(kInnerMargin, 0, -kInnerMargin, 0);
+  if (hasFocus() || fontMetrics().horizontalAdvance(text()) <= room.width()) return QLineEdit::paintEvent(event);
+  QPainter painter(this);
+  style()->drawPrimitive(QStyle::PE_PanelLineEdit, &panel, &painter, this);
+  painter.setPen(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::Text));
+  painter.drawText(room, static_cast<int>(alignment()), fontMetrics().elidedText(text(), Qt::ElideRight, room.width()));
+}
+
+/// What is being typed is undone here; what is done already, in the window.
+bool NumberField::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && !isModified()) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return true;
+    }
+  }
+  return QLineEdit::event(event);
+}
+
+void NumberField::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::EnabledChange) mark({});  // whoever said why it was of no use is wrong now
+  QLineEdit::changeEvent(event);
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {

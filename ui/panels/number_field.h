@@ -10,6 +10,9 @@ namespace toolpace::ui {
 
 /// Shows and edits one value in core units. Text that is no number, or out of range, is marked and not taken over;
 /// Escape brings the old value back. Up, Down and the wheel (with focus) step by about a twentieth; Ctrl: by a half.
+///
+/// It is as wide as its longest value in whatever unit, and where a layout gives it less it never shows a part of a number
+/// without saying so.
 class NumberField : public QLineEdit {
   Q_OBJECT
 
@@ -32,6 +35,9 @@ class NumberField : public QLineEdit {
   /// What stands for no limit; "∞" at first.
   void setUnlimitedText(const QString& text);
 
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
  signals:
   void edited(double core_value);
   void gestureStarted();  ///< several edits that belong together follow
@@ -39,10 +45,13 @@ class NumberField : public QLineEdit {
   void unitChanged();
 
  protected:
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void show_value();
@@ -50,6 +59,8 @@ class NumberField : public QLineEdit {
   void step(double direction, bool large);
   void mark(const QString& trouble);
   QString range_text() const;
+  QString whole_text() const;
+  int most_characters() const;
 
   Quantity quantity_;
   Range range_;

@@ -2,7 +2,9 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "panels/problem_delegate.h"
 #include "panels/results_panel.h"
@@ -10,7 +12,8 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr int kPlaceWidth = 56;  // room for its title
+constexpr int kPlaceWidth = 56;   // room for its title
+constexpr int kMostButtons = 50;  // beside problems that the window can do something about
 
 }  // namespace
 
@@ -37,6 +40,7 @@ ProblemsPanel::ProblemsPanel(QWidget* parent)
   table_->horizontalHeader()->setMinimumSectionSize(kPlaceWidth);
   table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kPlace, QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kMessage, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kAction, QHeaderView::ResizeToContents);
   // Rows are as high as their text at the width that there is, also where that is known only once the tab is seen.
   connect(table_->horizontalHeader(), &QHeaderView::sectionResized, table_, &QTableView::resizeRowsToContents,
           Qt::QueuedConnection);
@@ -51,11 +55,29 @@ ProblemsPanel::ProblemsPanel(QWidget* parent)
 
 void ProblemsPanel::setProblems(const Diagnostics& problems) {
   model_->setProblems(problems);
+  showButtons();
   showState();
+}
+
+/// A new set of problems has taken the buttons of the last one away.
+void ProblemsPanel::showButtons() {
+  int buttons = 0;
+  for (int row = 0; row < model_->rowCount() && buttons < kMostButtons; ++row) {
+    const ProblemAction action = action_for(model_->at(row).code);
+    if (action == ProblemAction::none) continue;
+    auto* button = new QPushButton(action_text(action), table_);
+    button->setObjectName(QString("problemAction%1").arg(row));
+    button->setAccessibleName(action_text(action));
+    connect(button, &QPushButton::clicked, this, [this, action] { emit actionRequested(action); });
+    table_->setIndexWidget(model_->index(row, ProblemModel::kAction), button);
+    ++buttons;
+  }
+  table_->setColumnHidden(ProblemModel::kAction, buttons == 0);
 }
 
 void ProblemsPanel::setTheme(const Theme& theme) {
   model_->setTheme(theme);
+  showButtons();
   delegate_->setTheme(theme);
 }
 
@@ -68,8 +90,7 @@ void ProblemsPanel::showState() {
 
 void ProblemsPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) {
-    model_->setProblems(model_->problems());
-    showState();
+    setProblems(Diagnostics(model_->problems()));
   }
   QWidget::changeEvent(event);
 }

@@ -5,6 +5,7 @@
 #include <QTableView>
 #include <QWidget>
 
+#include "models/problem_action.h"
 #include "models/problem_model.h"
 
 namespace toolpace::ui {
@@ -22,12 +23,14 @@ class ProblemsPanel : public QWidget {
 
  signals:
   void lineRequested(int line);
+  void actionRequested(toolpace::ui::ProblemAction action);
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
   void showState();
+  void showButtons();
 
   ProblemModel* model_;
   QTableView* table_;

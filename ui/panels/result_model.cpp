@@ -11,10 +11,17 @@ const Summary& summary(const Planned& plan) { return plan.timeline->outcome()->s
 
 constexpr double kNoError = 1e-9;  // [mm]: rounding
 
-double violations(const Planned& plan) {
-  if (!plan.proof) return 0;
-  const auto& checks = plan.proof->report.checks;
+double violations(const Proof& proof) {
+  const auto& checks = proof.report.checks;
   return static_cast<double>(std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.broken; }));
+}
+
+/// Not a number where the setpoints do not follow the path at all.
+double deviation(const Proof& proof) {
+  const auto& checks = proof.report.checks;
+  const auto found =
+      std::find_if(checks.begin(), checks.end(), [](const Check& c) { return c.kind == CheckKind::deviation; });
+  return found == checks.end() ? std::nan("") : found->value;
 }
 
 }  // namespace
@@ -23,45 +30,102 @@ ResultModel::ResultModel(QObject* parent) : QAbstractTableModel(parent) { retran
 
 void ResultModel::retranslate() {
   beginResetModel();
-  using P = const Planned&;
-  const auto proven = [](P p, double value) { return p.proof ? value : std::nan(""); };
-  const auto deviation = [](P p) { return p.proof && p.proof->tube ? p.proof->tube->largest_offset : 0.0; };
-  const auto bound = [](P p) { return p.proof ? p.proof->bound : std::nan(""); };
-  using enum Shown;
-  rows_ = {
-      {tr("Cycle time"), Quantity::time, true, quantity, [](P p) { return summary(p).cycle_time; }},
-      {tr("· cutting"), Quantity::time, true, quantity, [](P p) { return summary(p).feed_time; }},
-      {tr("· rapid"), Quantity::time, true, quantity, [](P p) { return summary(p).rapid_time; }, true},
-      {tr("· dwell"), Quantity::time, true, quantity, [](P p) { return summary(p).dwell_time; }, true},
-      {tr("Lower bound"), Quantity::time, true, quantity, bound, true},
-      {tr("· plan above it"), Quantity::time, true, share,
-       [bound](P p) { return bound(p) == 0 ? 0.0 : summary(p).cycle_time / bound(p) - 1; }, true},
-      {tr("Peak speed"), Quantity::speed, false, quantity, [](P p) { return summary(p).peaks.speed; }},
-      {tr("Peak accel."), Quantity::acceleration, false, quantity, [](P p) { return summary(p).peaks.acceleration; }},
-      {tr("Peak jerk"), Quantity::jerk, false, quantity, [](P p) { return summary(p).peaks.jerk; }},
-      {tr("Peak speed, rotary"), Quantity::angular_speed, false, quantity,
-       [](P p) { return summary(p).rotary_peaks.speed * kRadiansPerDegree; }, true},
-      {tr("Peak accel., rotary"), Quantity::angular_acceleration, false, quantity,
-       [](P p) { return summary(p).rotary_peaks.acceleration * kRadiansPerDegree; }, true},
-      {tr("Peak jerk, rotary"), Quantity::angular_jerk, false, quantity,
-       [](P p) { return summary(p).rotary_peaks.jerk * kRadiansPerDegree; }, true},
-      {tr("Violations"), Quantity::length, true, count, [proven](P p) { return proven(p, violations(p)); }},
-      {tr("Contour error"), Quantity::length, true, error,
-       [proven](P p) { return proven(p, p.proof ? p.proof->servo.max_contour_error : 0); }},
-      {tr("Chord error"), Quantity::length, true, error,
-       [proven](P p) { return proven(p, p.proof ? p.proof->report.chord_error.value_or(std::nan("")) : 0); }},
-      {tr("Off the path"), Quantity::length, true, error, deviation, true},
-      {tr("Mean speed"), Quantity::speed, false, quantity,
-       [](P p) { return summary(p).cycle_time > 0 ? summary(p).path_length / summary(p).cycle_time : 0.0; }},
-      {tr("Path length"), Quantity::length, false, quantity, [](P p) { return summary(p).path_length; }},
-      {tr("Blocks"), Quantity::length, false, count, [](P p) { return static_cast<double>(summary(p).blocks); }},
-  };
+  rows_.clear();
+  addTimes();
+  addPeaks();
+  addProven();
+  addSizes();
   endResetModel();
+}
+
+void ResultModel::addTimes() {
+  using P = const Planned&;
+  using enum Shown;
+  const auto bound = [](P p) { return p.proof ? p.proof->bound : std::nan(""); };
+  const auto time = [this](const QString& title, const QString& tip, auto read, bool may_be_hidden) {
+    rows_.push_back({title, tip, Quantity::time, true, quantity, read, may_be_hidden});
+  };
+  time(
+      tr("Cycle time"), tr("From the first move to the last, dwells and tool changes included"),
+      [](P p) { return summary(p).cycle_time; }, false);
+  time(
+      tr("· cutting"), tr("Time in moves with a feed: G1, G2, G3, splines"), [](P p) { return summary(p).feed_time; },
+      false);
+  time(
+      tr("· rapid"), tr("Time in rapid moves: G0"), [](P p) { return summary(p).rapid_time; }, true);
+  time(
+      tr("· dwell"), tr("Time at rest: G4, tool changes"), [](P p) { return summary(p).dwell_time; }, true);
+  time(tr("Lower bound"), tr("No plan that keeps these limits and this tolerance is faster than this"), bound, true);
+  rows_.push_back({tr("· plan above it"), tr("Cycle time / lower bound − 1: what a better plan could save at most"),
+                   Quantity::time, true, share,
+                   [bound](P p) { return bound(p) == 0 ? 0.0 : summary(p).cycle_time / bound(p) - 1; }, true});
+}
+
+void ResultModel::addPeaks() {
+  using P = const Planned&;
+  const auto peak = [this](const QString& title, const QString& tip, Quantity quantity, auto read) {
+    rows_.push_back({title, tip, quantity, false, Shown::quantity, read});
+  };
+  const auto rotary = [this](const QString& title, Quantity quantity, double Peaks::*which) {
+    rows_.push_back({title, tr("Where A, B or C move alone"), quantity, false, Shown::quantity,
+                     [which](P p) { return summary(p).rotary_peaks.*which * kRadiansPerDegree; }, true});
+  };
+  peak(tr("Peak speed"), tr("Largest v = ds/dt along the path"), Quantity::speed,
+       [](P p) { return summary(p).peaks.speed; });
+  peak(tr("Peak accel."), tr("Largest |a| = |dv/dt| along the path"), Quantity::acceleration,
+       [](P p) { return summary(p).peaks.acceleration; });
+  peak(tr("Peak jerk"), tr("Largest |j| = |da/dt| along the path"), Quantity::jerk,
+       [](P p) { return summary(p).peaks.jerk; });
+  rotary(tr("Peak speed, rotary"), Quantity::angular_speed, &Peaks::speed);
+  rotary(tr("Peak accel., rotary"), Quantity::angular_acceleration, &Peaks::acceleration);
+  rotary(tr("Peak jerk, rotary"), Quantity::angular_jerk, &Peaks::jerk);
+}
+
+void ResultModel::addProven() {
+  using P = const Planned&;
+  using enum Shown;
+  const auto proven = [](auto read) { return [read](P p) { return p.proof ? read(*p.proof) : std::nan(""); }; };
+  rows_.push_back({tr("Violations"), tr("Limits that the setpoints break, found by an independent check of them"),
+                   Quantity::length, true, count, proven(violations)});
+  const auto error_row = [this](const QString& title, const QString& tip, auto read, bool may_be_hidden = false) {
+    rows_.push_back({title, tip, Quantity::length, true, error, read, may_be_hidden});
+  };
+  error_row(tr("Contour error"),
+            tr("Cutting: largest distance of the simulated drives from the commanded path, being late left out"),
+            proven([](const Proof& p) { return p.contour.cutting; }));
+  error_row(tr("· in rapids"), tr("The same while the tool does not cut"),
+            proven([](const Proof& p) { return p.contour.rapid; }), true);
+  error_row(tr("Chord error"),
+            tr("How far the straight lines between setpoints cut off the planned motion, about (v·Ts)²/8r on an arc"),
+            proven([](const Proof& p) { return p.chord_error; }));
+  error_row(
+      tr("Off the path"), tr("Largest distance of the setpoints from the programmed path, as the check measures it"),
+      [](P p) {
+        if (!leaves_programmed_path(*p.timeline->outcome())) return 0.0;
+        return p.proof ? deviation(*p.proof) : std::nan("");
+      },
+      true);
+}
+
+void ResultModel::addSizes() {
+  using P = const Planned&;
+  rows_.push_back({tr("Mean speed"), tr("Path length / cycle time"), Quantity::speed, false, Shown::quantity, [](P p) {
+                     return summary(p).cycle_time > 0 ? summary(p).path_length / summary(p).cycle_time : 0.0;
+                   }});
+  rows_.push_back({tr("Path length"), tr("As it is run, rapids included"), Quantity::length, false, Shown::quantity,
+                   [](P p) { return summary(p).path_length; }});
+  rows_.push_back({tr("Blocks"), tr("Motion blocks of the program"), Quantity::length, false, Shown::count,
+                   [](P p) { return static_cast<double>(summary(p).blocks); }});
 }
 
 void ResultModel::setPlans(const Planned& a, const Planned& b) {
   a_ = a;
   b_ = b;
+  if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+}
+
+void ResultModel::setProofState(ProofService::State state) {
+  proof_state_ = state;
   if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
 
@@ -86,8 +150,7 @@ int ResultModel::columnCount(const QModelIndex& parent) const { return parent.is
 DisplayUnit ResultModel::unit_of(const Row& row) const {
   DisplayUnit unit = display_unit(row.quantity, unit_);
   if (row.shown == Shown::share) return {1e2, "%"};
-  if (row.shown == Shown::error)
-    unit = unit_ == LengthUnit::inch ? DisplayUnit{unit.factor * 1e3, "mil"} : DisplayUnit{1e3, "µm"};
+  if (row.shown == Shown::error) return error_unit(unit_);
   if (row.quantity == Quantity::jerk) unit = {unit.factor * 1e-3, "10³ " + unit.text};  // as the plots have it
   return unit;
 }
@@ -117,11 +180,32 @@ QString ResultModel::difference(const Row& row, double a, double b) const {
   return sign + text_of(row, std::abs(delta));
 }
 
+/// Why a figure is not there.
+QString ResultModel::missing(bool is_a) const {
+  using State = ProofService::State;
+  if (!is_a) return tr("Not checked before it was pinned");
+  switch (proof_state_) {
+    case State::running: return tr("Still being computed");
+    case State::too_long:
+      return tr("More than %1 setpoints: only where you ask for it").arg(number_text(kProvenUnasked, 9));
+    case State::stopped: return tr("The check was stopped");
+    case State::idle: break;
+  }
+  return tr("There is no such figure for this plan");
+}
+
+QString ResultModel::tipOf(const Row& row, int column) const {
+  const Planned& plan = column == kPlanB ? b_ : a_;
+  if (column == kDelta || column == kTitle || !plan || !std::isnan(row.read(plan))) return row.tip;
+  return missing(column == kPlanA);
+}
+
 QVariant ResultModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Row& row = rows_[static_cast<std::size_t>(index.row())];
   const bool title = index.column() == kTitle;
   if (role == Qt::TextAlignmentRole) return QVariant((title ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  if (role == Qt::ToolTipRole) return tipOf(row, index.column());
   if (title) {
     if (role != Qt::DisplayRole) return {};
     return row.shown == Shown::count ? row.title : row.title + "  " + unit_of(row).text;
@@ -143,12 +227,18 @@ QVariant ResultModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole) return {};
   if (index.column() == kDelta) return a && b ? difference(row, *a, *b) : QString("–");
   const auto& shown_value = index.column() == kPlanA ? a : b;
+  const bool comes = index.column() == kPlanA && proof_state_ == ProofService::State::running;
+  if (shown_value && std::isnan(*shown_value) && comes) return QString("…");
   return shown_value ? text_of(row, *shown_value) : QString("–");
 }
 
 bool ResultModel::isIdle(int row) const {
   const Row& r = rows_[static_cast<std::size_t>(row)];
-  const auto idle = [&r](const Planned& plan) { return !plan || r.read(plan) == 0; };
+  const auto idle = [&r](const Planned& plan) {
+    if (!plan) return true;
+    const double value = r.read(plan);
+    return value == 0 || (r.shown == Shown::error && std::abs(value) < kNoError);
+  };
   return r.may_be_hidden && idle(a_) && idle(b_);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drawing/planned.h"
+#include "jobs/proof_service.h"
 #include "models/units.h"
 #include "theme/theme.h"
 
@@ -22,6 +23,8 @@ class ResultModel : public QAbstractTableModel {
   explicit ResultModel(QObject* parent = nullptr);
 
   void setPlans(const Planned& a, const Planned& b);
+  /// Why figures of plan A that come from its proof are not there.
+  void setProofState(ProofService::State state);
   void setUnit(LengthUnit unit);
   void setTheme(const Theme& theme);
   void retranslate();
@@ -37,7 +40,7 @@ class ResultModel : public QAbstractTableModel {
   /// quantity: in its unit; error: in µm or mil; share: in percent.
   enum class Shown { quantity, count, error, share };
   struct Row {
-    QString title;
+    QString title, tip;
     Quantity quantity;
     bool less_is_better;
     Shown shown;
@@ -45,12 +48,19 @@ class ResultModel : public QAbstractTableModel {
     bool may_be_hidden = false;                  ///< where it is zero
   };
 
+  void addTimes();
+  void addPeaks();
+  void addProven();
+  void addSizes();
   DisplayUnit unit_of(const Row& row) const;
   QString text_of(const Row& row, double value) const;
   QString difference(const Row& row, double a, double b) const;
+  QString missing(bool is_a) const;
+  QString tipOf(const Row& row, int column) const;
 
   std::vector<Row> rows_;
   Planned a_, b_;
+  ProofService::State proof_state_ = ProofService::State::idle;
   LengthUnit unit_ = LengthUnit::mm;
   Theme theme_ = light_theme();
 };

@@ -81,12 +81,59 @@ ResultsPanel::ResultsPanel(QWidget* parent)
   titles_ = new UnitDelegate(table_);
   table_->setItemDelegateForColumn(ResultModel::kTitle, titles_);
   column->addWidget(table_, 1);
+  buildCheckBar();
+  column->addWidget(check_bar_);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(table_, &QWidget::customContextMenuRequested, this,
+          [this](const QPoint& at) { emit menuRequested(table_->viewport()->mapToGlobal(at)); });
   connect(pin_, &QToolButton::clicked, this, &ResultsPanel::pinRequested);
   connect(swap_, &QToolButton::clicked, this, &ResultsPanel::swapRequested);
   connect(unpin_, &QToolButton::clicked, this, &ResultsPanel::unpinRequested);
   setTheme(theme_);
   retranslate();
   showPlans({}, {});
+}
+
+void ResultsPanel::buildCheckBar() {
+  check_bar_ = new QWidget(this);
+  auto* row = new QHBoxLayout(check_bar_);
+  row->setContentsMargins(8, 4, 8, 4);
+  check_text_ = new QLabel(check_bar_);
+  check_text_->setObjectName("checkLabel");
+  check_text_->setProperty("role", "secondary");
+  check_text_->setWordWrap(true);
+  check_ = new QPushButton(check_bar_);
+  check_->setObjectName("checkNowButton");
+  row->addWidget(check_text_, 1);
+  row->addWidget(check_);
+  check_bar_->hide();
+  connect(check_, &QPushButton::clicked, this, [this] {
+    if (proof_state_ == ProofService::State::running) return emit stopCheckRequested();
+    asked_ = true;
+    emit checkRequested();
+  });
+}
+
+void ResultsPanel::showProofState(ProofService::State state) {
+  proof_state_ = state;
+  if (state != ProofService::State::running) asked_ = false;
+  model_->setProofState(state);
+  showCheckBar();
+}
+
+/// Only where a person has to decide; what is checked unasked is soon there.
+void ResultsPanel::showCheckBar() {
+  using State = ProofService::State;
+  const bool runs = proof_state_ == State::running;
+  check_text_->setText(runs ? tr("checking…")
+                       : proof_state_ == State::too_long
+                           ? tr("Not checked: more than %1 setpoints").arg(number_text(kProvenUnasked, 9))
+                           : tr("Not checked"));
+  check_->setText(runs ? tr("Stop") : tr("Check now"));
+  check_->setToolTip(runs ? tr("Leave the plan unchecked")
+                          : tr("Check every limit at the setpoints, and simulate the drives"));
+  check_->setAccessibleName(check_->text());
+  check_bar_->setVisible(a_ && (runs ? asked_ : proof_state_ != State::idle));
 }
 
 void ResultsPanel::showPlans(const Planned& a, const Planned& b) {
@@ -100,6 +147,7 @@ void ResultsPanel::showPlans(const Planned& a, const Planned& b) {
   table_->horizontalHeader()->setVisible(static_cast<bool>(b_));  // one column explains itself
   for (int row = 0; row < model_->rowCount(); ++row) table_->setRowHidden(row, model_->isIdle(row));
   showHeadline();
+  showCheckBar();
   fitRows();
 }
 
@@ -125,6 +173,19 @@ void ResultsPanel::fitRows() {
 void ResultsPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   fitRows();
+}
+
+QString ResultsPanel::text() const {
+  QStringList lines;
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    if (table_->isRowHidden(row)) continue;
+    QStringList cells;
+    for (int column = 0; column < model_->columnCount(); ++column) {
+      if (!table_->isColumnHidden(column)) cells << model_->index(row, column).data().toString();
+    }
+    lines << cells.join('\t');
+  }
+  return lines.join('\n') + '\n';
 }
 
 void ResultsPanel::showHeadline() {
@@ -167,6 +228,7 @@ void ResultsPanel::retranslate() {
   cycle_->setToolTip(tr("Cycle time of plan A"));
   cycle_->setAccessibleName(tr("Cycle time of plan A"));
   showHeadline();
+  showCheckBar();
 }
 
 }  // namespace toolpace::ui

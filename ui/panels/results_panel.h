@@ -2,6 +2,7 @@
 /// Figures of A and B side by side, with pin and swap.
 
 #include <QLabel>
+#include <QPushButton>
 #include <QTableView>
 #include <QToolButton>
 #include <QWidget>
@@ -22,8 +23,14 @@ class ResultsPanel : public QWidget, public PlanView {
   void showPlans(const Planned& a, const Planned& b) override;
   void setLengthUnit(LengthUnit unit) override;
   void setTheme(const Theme& theme) override;
+  void showProofState(ProofService::State state);
+
+  QString text() const;  ///< all figures that are seen, columns separated by tabs
 
  signals:
+  void menuRequested(const QPoint& global);
+  void checkRequested();
+  void stopCheckRequested();
   void pinRequested();
   void unpinRequested();
   void swapRequested();
@@ -35,6 +42,8 @@ class ResultsPanel : public QWidget, public PlanView {
  private:
   void retranslate();
   void showHeadline();
+  void buildCheckBar();
+  void showCheckBar();
   void fitRows();
 
   ResultModel* model_;
@@ -42,6 +51,11 @@ class ResultsPanel : public QWidget, public PlanView {
   UnitDelegate* titles_;
   QLabel *cycle_, *versus_;
   QToolButton *pin_, *swap_, *unpin_;
+  QWidget* check_bar_;  ///< asks whether to check what is long
+  QLabel* check_text_;
+  QPushButton* check_;
+  ProofService::State proof_state_ = ProofService::State::idle;
+  bool asked_ = false;  ///< for the check that runs
   Planned a_, b_;
   Theme theme_ = light_theme();
 };

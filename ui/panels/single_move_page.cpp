@@ -71,7 +71,7 @@ SingleMovePage::SingleMovePage(QWidget* parent) : QWidget(parent), form_(move_pr
 QWidget* SingleMovePage::buildForm() {
   using enum MoveQuantity;
   grid_ = new FormGrid(this);
-  grid_->setFixedWidth(kFormWidth);
+  grid_->setMinimumWidth(kFormWidth);
   preset_ = new QComboBox(grid_);
   preset_->setObjectName("movePreset");
   law_ = new QComboBox(grid_);
@@ -125,7 +125,7 @@ void SingleMovePage::addEntry(int row, int side, const char* name, double* value
 
 FigureList* SingleMovePage::buildFigures() {
   figures_ = new FigureList(this);
-  figures_->setFixedWidth(kFormWidth);
+  figures_->setMinimumWidth(kFormWidth);
   for (const FigureValue& f : values_of({})) figures_->add(QString("moveResult_") + f.key);
   return figures_;
 }

@@ -17,7 +17,6 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr int kFieldWidth = 84;  // for the frequency of a timer
 constexpr int kStepperFormWidth = 300;
 constexpr double kMostSteps = 1e9;
 constexpr double kMillisecondsPerSecond = 1e3;
@@ -52,7 +51,6 @@ StepperPage::Entry StepperPage::makeEntry(Field field, const char* name, const D
   entry->setUnit(unit);
   connect(entry, &NumberField::edited, this, [this, field](double value) { take(field, value); });
   const Entry made{entry, grid_->add(static_cast<int>(field), 0, entry)};
-  entry->setMinimumWidth(kFieldWidth);
   return made;
 }
 
@@ -60,7 +58,7 @@ void StepperPage::setTheme(const Theme& theme) { plot_->setTheme(theme); }
 
 void StepperPage::buildForm(QVBoxLayout* column) {
   grid_ = new FormGrid(this);
-  grid_->setFixedWidth(kStepperFormWidth);
+  grid_->setMinimumWidth(kStepperFormWidth);
   entries_[kSteps] = makeEntry(kSteps, "stepperSteps", {1.0, {}}, {1.0, kMostSteps, false, true});
   entries_[kSpeed] = makeEntry(kSpeed, "stepperSpeed", {1.0, {}}, {1e-6, 1e9});
   entries_[kAcc] = makeEntry(kAcc, "stepperTacc", {kMillisecondsPerSecond, "ms"}, {1e-9, 1e6});
@@ -72,7 +70,7 @@ void StepperPage::buildForm(QVBoxLayout* column) {
   verdict_->setWordWrap(true);
   column->addWidget(verdict_);
   figures_ = new FigureList(this);
-  figures_->setFixedWidth(kStepperFormWidth);
+  figures_->setMinimumWidth(kStepperFormWidth);
   for (std::size_t i = 0; i < kFigures; ++i) figures_->add(QString("stepperResult%1").arg(i));
   column->addWidget(figures_);
 }

@@ -93,7 +93,7 @@ void TransportBar::refresh() {
   if (!instant_) {
     widths_ = {};
     for (auto* label : {time_, place_, motion_}) label->clear();
-    return;
+    return forgetCause();
   }
   const auto length = display_unit(Quantity::length, unit_);
   const auto speed = display_unit(Quantity::speed, unit_);
@@ -107,12 +107,23 @@ void TransportBar::refresh() {
     place += QLatin1Char(kAxisNames[static_cast<std::size_t>(axis)]) + QString(" ") +
              steady(kPlace, p[axis] * length.factor, decimals);
   }
-  place_->setText(place + " " + length.text);
+  place += " " + length.text;
+  for (std::size_t i = 0; i < turned_.size(); ++i) {
+    if (!turned_[i]) continue;
+    const double degrees = p[static_cast<Eigen::Index>(3 + i)] / kRadiansPerDegree;
+    place += QString("   %1 %2°").arg(QLatin1Char(kAxisNames[3 + i])).arg(steady(kPlace, degrees, decimals));
+  }
+  place_->setText(place);
   motion_->setText(QString("v %1 %2   a %3 %4")
                        .arg(steady(kSpeed, instant_->state.speed * speed.factor, 2), speed.text,
                             steady(kAcceleration, instant_->state.acceleration * acceleration.factor, 0),
                             acceleration.text));
-  if (instant_->cause) showCause(*instant_->cause);
+  instant_->cause ? showCause(*instant_->cause) : forgetCause();
+}
+
+void TransportBar::setRotaryAxes(const std::array<bool, 3>& turned) {
+  turned_ = turned;
+  refresh();
 }
 
 void TransportBar::setPlaying(bool playing) {
@@ -145,6 +156,11 @@ void TransportBar::showCause(Cause cause) {
   setMessage(cause_title(cause));
   message_->setTextFormat(Qt::RichText);
   message_->setText(QString("<span style='color:%1'>■</span>&nbsp; %2").arg(colour.name(), cause_title(cause)));
+}
+
+/// Where nothing is planned, nothing holds anything down.
+void TransportBar::forgetCause() {
+  if (message_->textFormat() == Qt::RichText) setMessage({});
 }
 
 void TransportBar::setMessage(const QString& text) {

@@ -24,7 +24,8 @@ class TransportBar : public QWidget, public PlanView {
   explicit TransportBar(QWidget* parent = nullptr);
 
   void showInstant(const std::optional<Instant>& instant) override;
-  void setBlockName(const QString& name);  ///< of the instant that is shown next
+  void setBlockName(const QString& name);                 ///< of the instant that is shown next
+  void setRotaryAxes(const std::array<bool, 3>& turned);  ///< which of A, B, C are read out
   void setPlaying(bool playing);
   void setBusy(bool busy);
   void setTask(const QString& text);  ///< what it is busy with
@@ -54,6 +55,7 @@ class TransportBar : public QWidget, public PlanView {
   void showBusy(bool busy);
   QString steady(Number number, double value, int decimals);
   void showCause(Cause cause);
+  void forgetCause();
 
   QToolButton *first_, *previous_, *play_, *next_, *last_, *cancel_;
   QComboBox* rate_;
@@ -66,6 +68,7 @@ class TransportBar : public QWidget, public PlanView {
   // Characters that each number has taken so far, so that they do not jump while it plays.
   std::array<int, kNumbers> widths_ = {};
   Theme theme_ = light_theme();
+  std::array<bool, 3> turned_ = {};
   bool playing_ = false;
 };
 

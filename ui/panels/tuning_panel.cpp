@@ -49,8 +49,8 @@ TuningPanel::TuningPanel(TuningModel& model, QWidget* parent) : QScrollArea(pare
   auto* body = new QWidget(this);
   body->setProperty("role", "surface");
   auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(8, 6, 8, 6);
-  column->setSpacing(6);
+  column->setContentsMargins(8, 4, 8, 2);
+  column->setSpacing(4);
   form_ = new FormGrid(body);
   column->addWidget(form_);
   buildLaw();
@@ -217,9 +217,22 @@ void TuningPanel::showPlans(const Planned& plan, const Planned&) {
   showRelevant();
 }
 
-void TuningPanel::setRotaryAxes(const std::array<bool, 3>& shown) { axes_->setRotaryAxes(shown); }
+void TuningPanel::setRotaryAxes(const std::array<bool, 3>& turned) {
+  turned_ = turned;
+  showValues();
+}
 
 int TuningPanel::wholeHeight() const { return widget()->sizeHint().height() + 2 * frameWidth(); }
+
+QSize TuningPanel::minimumSizeHint() const {
+  const int bar = verticalScrollBar()->sizeHint().width();
+  return {widget()->minimumSizeHint().width() + bar + 2 * frameWidth(), QScrollArea::minimumSizeHint().height()};
+}
+
+bool TuningPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+  return QScrollArea::eventFilter(watched, event);
+}
 
 void TuningPanel::showValues() {
   const Tuning& tuning = model_.value();
@@ -229,6 +242,7 @@ void TuningPanel::showValues() {
   select(corner_, static_cast<int>(tuning.options.corner.rule));
   lookahead_->setValue(tuning.options.lookahead);
   axes_->setMachine(tuning.machine);
+  axes_->setRotaryAxes(rotary_axes(tuning.machine, turned_));
   showRelevant();
 }
 
@@ -238,8 +252,10 @@ void TuningPanel::showRelevant() {
   const auto rule = options.corner.rule;
   const auto is_ignored = [&](Setting setting) { return rule == ignored_rule_ && ignored_.has(setting); };
   const bool has_law = !is_ignored(Setting::law);
-  for (auto* field : {t_acc_, t_dec_}) form_->setRowVisible(field, law.uses_time && has_law);
-  for (auto* field : {jerk_, jerk_deceleration_}) form_->setRowVisible(field, law.bounds_jerk || !has_law);
+  const QString useless = tr("This law has no use for it");
+  for (auto* field : {t_acc_, t_dec_}) form_->setRowUseless(field, law.uses_time && has_law ? QString() : useless);
+  for (auto* field : {jerk_, jerk_deceleration_})
+    form_->setRowUseless(field, law.bounds_jerk || !has_law ? QString() : useless);
   const auto enable = [&](QWidget* field, QLabel* label, Setting setting) {
     const QString reason = is_ignored(setting) ? tr("The motion through the tolerance has no use for it") : QString();
     for (QWidget* widget : {field, static_cast<QWidget*>(label)}) {

@@ -26,7 +26,9 @@ class TuningPanel : public QScrollArea, public PlanView {
   /// What the plan had no use for is shown, but not to be edited, with the reason.
   void showPlans(const Planned& plan, const Planned& pinned) override;
   void setLengthUnit(LengthUnit unit) override;
-  void setRotaryAxes(const std::array<bool, 3>& shown);
+  void setRotaryAxes(const std::array<bool, 3>& turned);  ///< by the program; the machine's own have rows, too
+
+  QSize minimumSizeHint() const override;  ///< no row is cut off
 
   /// With which nothing has to be scrolled [px].
   int wholeHeight() const;
@@ -34,6 +36,7 @@ class TuningPanel : public QScrollArea, public PlanView {
  protected:
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Entry {
@@ -66,6 +69,7 @@ class TuningPanel : public QScrollArea, public PlanView {
   QLabel *law_label_ = nullptr, *lookahead_label_ = nullptr, *ramps_label_ = nullptr, *corner_label_ = nullptr;
   LookaheadField* lookahead_;
   AxesGrid* axes_;
+  std::array<bool, 3> turned_ = {};
   Settings ignored_;                            ///< by a plan
   CornerRule ignored_rule_ = CornerRule::stop;  ///< with this corner rule
   NumberField *t_acc_, *t_dec_, *jerk_, *jerk_deceleration_, *tolerance_, *deviation_;

@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <cmath>
 #include <numeric>
 
 #include "models/units.h"
@@ -26,6 +27,10 @@ double LimitRibbon::timeAt(double x) const {
   return begin_ + (x - left_) / std::max(right_ - left_, 1.0) * (end_ - begin_);
 }
 
+double LimitRibbon::xOf(double time) const {
+  return left_ + (time - begin_) / std::max(end_ - begin_, 1e-12) * (right_ - left_);
+}
+
 void LimitRibbon::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), theme_.surface);
@@ -37,8 +42,8 @@ void LimitRibbon::paintEvent(QPaintEvent*) {
 void LimitRibbon::paintInto(QPainter& painter, const QRectF& area, double begin, double end) const {
   if (!series_ || series_->causes.is_empty() || !(end > begin)) return;
   const Ground ground = theme_.dark ? Ground::dark : Ground::light;
-  const int columns = static_cast<int>(area.width());
-  const double pixel = (end - begin) / std::max(columns, 1);
+  const int columns = std::max(static_cast<int>(std::round(area.width())), 1);
+  const double wide = area.width() / columns, pixel = (end - begin) / columns;
   for (int column = 0; column < columns; ++column) {
     const CauseShares shares = series_->causes.between(begin + column * pixel, begin + (column + 1) * pixel);
     const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
@@ -47,7 +52,8 @@ void LimitRibbon::paintInto(QPainter& painter, const QRectF& area, double begin,
     for (std::size_t i = 0; i < kCauseCount; ++i) {
       if (shares[i] <= 0) continue;
       const double tall = area.height() * shares[i] / sum;
-      painter.fillRect(QRectF(area.left() + column, y - tall, 1.0, tall), cause_colour(static_cast<Cause>(i), ground));
+      painter.fillRect(QRectF(area.left() + column * wide, y - tall, wide, tall),
+                       cause_colour(static_cast<Cause>(i), ground));
       y -= tall;
     }
   }
@@ -80,7 +86,8 @@ bool LimitRibbon::event(QEvent* event) {
   const double pixel = (end_ - begin_) / std::max(right_ - left_, 1.0);
   const QString text =
       help->pos().x() >= left_ && help->pos().x() <= right_ ? description(timeAt(help->pos().x()), pixel) : QString();
-  QToolTip::showText(help->globalPos(), text.isEmpty() ? tr("What holds the speed down") : text, this);
+  // Where nothing is planned, nothing holds anything down.
+  text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), text, this);
   return true;
 }
 

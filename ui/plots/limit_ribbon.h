@@ -15,6 +15,8 @@ class LimitRibbon : public TimeStrip {
   void setRange(double begin, double end);  ///< [s] visible
   void paintInto(QPainter& painter, const QRectF& area, double begin, double end) const;
 
+  double xOf(double time) const;  ///< [px] of a time, as in the plots
+
   QSize sizeHint() const override { return {300, 18}; }
 
  signals:

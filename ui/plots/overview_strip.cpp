@@ -32,6 +32,8 @@ void OverviewStrip::setCursorTime(std::optional<double> time) {
   update();
 }
 
+double OverviewStrip::xOf(double time) const { return left_ + (time - first()) / span() * (right_ - left_); }
+
 void OverviewStrip::refresh() {
   miniature_ = {};
   update();
@@ -49,7 +51,7 @@ void OverviewStrip::drawMiniature() {
   if (!(top > 0)) return;
   const double pixel = 1 / ratio, wide = right_ - left_;
   const int columns = std::max(static_cast<int>(wide * ratio), 1);
-  const auto extents = speed_extents(*series_, {0, duration(), columns});
+  const auto extents = speed_extents(*series_, {first(), first() + span(), columns});
   const auto y_of = [&](double v) { return floor - std::max(v, 0.0) / top * (floor - kTop); };
   QPainter painter(&miniature_);
   QColor tint = theme_.secondary;

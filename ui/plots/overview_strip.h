@@ -16,6 +16,8 @@ class OverviewStrip : public TimeStrip {
   void setRange(double begin, double end);  ///< [s] visible
   void setCursorTime(std::optional<double> time);
 
+  double xOf(double time) const;  ///< [px] of a time, as in the plots where they show the whole program
+
   QSize sizeHint() const override { return {300, 36}; }
 
  signals:
@@ -33,8 +35,9 @@ class OverviewStrip : public TimeStrip {
   enum class Grip { none, window, left, right };
 
   double duration() const { return series_ && !series_->is_empty() ? series_->duration() : 1.0; }
-  double xOf(double time) const { return left_ + time / duration() * (right_ - left_); }
-  double timeAt(double x) const { return (x - left_) / std::max(right_ - left_, 1.0) * duration(); }
+  double first() const { return -kTimeMargin * duration(); }
+  double span() const { return (1 + 2 * kTimeMargin) * duration(); }
+  double timeAt(double x) const { return first() + (x - left_) / std::max(right_ - left_, 1.0) * span(); }
   Grip gripAt(double x) const;
   void drawMiniature();
 

@@ -6,6 +6,7 @@ namespace toolpace::ui {
 namespace {
 
 constexpr float kDenseInk = 0.7f;  // of the strokes that stand for many phases: whole blocks of them stay calm
+constexpr int kLeastSide = 30;     // px, of a plot without its margins
 constexpr double kMargin = 0.09, kFloorMargin = 0.03;  // of the height
 
 void fill_graph(QCPGraph* graph, const Curve& curve, double factor) {
@@ -32,6 +33,7 @@ QCPAxisRect* new_rect(QCustomPlot* plot, int row) {
   auto* rect = new QCPAxisRect(plot, true);
   plot->plotLayout()->addElement(row, 0, rect);
   rect->setAutoMargins(QCP::msNone);
+  rect->setMinimumSize(kLeastSide, kLeastSide);
   rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(8);
   return rect;
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "plots/time_strip.h"
+
 namespace toolpace::ui {
 namespace {
 
@@ -132,7 +134,7 @@ void ProfilePlot::updateScales() {
 
 void ProfilePlot::setRange(double begin, double end) {
   const double total = duration(), least = std::max(total * kLeastSpan, 1e-9);
-  const double margin = total * 0.01;
+  const double margin = total * kTimeMargin;
   double width = std::clamp(end - begin, least, total + 2 * margin);
   if (!std::isfinite(width) || !std::isfinite(begin)) return;
   const double low = std::clamp(begin, -margin, std::max(total + margin - width, -margin));
@@ -143,7 +145,7 @@ void ProfilePlot::setRange(double begin, double end) {
 
 void ProfilePlot::fit() {
   const double total = duration();
-  setRange(-0.01 * total, 1.01 * total);
+  setRange(-kTimeMargin * total, (1 + kTimeMargin) * total);
 }
 
 void ProfilePlot::zoom(double factor, double around) {

@@ -41,6 +41,7 @@ class ProfilePlot : public QCustomPlot {
   void setMeasures(std::optional<double> first, std::optional<double> second);
   const std::array<std::optional<double>, 2>& measures() const { return cursor_->measures; }
 
+  double xOf(double time) const { return time_axes_.front()->coordToPixel(time); }  ///< [px]
   /// Left and right edge of the plots [px].
   std::pair<double, double> edges() const;
 

@@ -15,6 +15,7 @@
 #include "plots/overview_strip.h"
 #include "plots/profile_plot.h"
 #include "plots/value_table.h"
+#include "theme/flow_layout.h"
 
 namespace toolpace::ui {
 ProfileView::ProfileView(QWidget* parent) : QWidget(parent) {
@@ -76,7 +77,7 @@ void ProfileView::setErrorShown(bool shown) {
 
 void ProfileView::buildHeader() {
   header_ = new QWidget(this);
-  auto* row = new QHBoxLayout(header_);
+  auto* row = new FlowLayout(header_);
   row->setContentsMargins(8, 2, 8, 2);
   row->setSpacing(8);
   const auto button = [&](const char* name, bool checkable) {
@@ -101,13 +102,11 @@ void ProfileView::buildHeader() {
   fit_ = button("fitTime", false);
   show_error_ = button("showError", true);
   show_table_ = button("showTable", true);
-  row->addStretch(1);
   readout_ = new QLabel(header_);
   readout_->setObjectName("profileReadout");
   readout_->setTextFormat(Qt::PlainText);
   readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  row->addWidget(readout_, 100);
+  row->addWidget(readout_);
   connect(measure_, &QToolButton::toggled, this, &ProfileView::setMeasuring);
   connect(fit_, &QToolButton::clicked, this, &ProfileView::fit);
   connect(show_error_, &QToolButton::toggled, this, &ProfileView::setErrorShown);

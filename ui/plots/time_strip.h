@@ -9,6 +9,9 @@
 
 namespace toolpace::ui {
 
+/// What the whole program shows before its begin and after its end, of its duration.
+inline constexpr double kTimeMargin = 0.01;
+
 class TimeStrip : public QWidget {
  public:
   using QWidget::QWidget;

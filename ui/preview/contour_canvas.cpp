@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QResizeEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "drawing/cause_style.h"
@@ -15,7 +16,7 @@ constexpr qint64 kDragMs = 500, kLongestSettleMs = 600;
 constexpr DrawingLoad kSmoothWhileMoving = {40'000, 0.5e6}, kSmoothAtRest = {600'000, 4e6};
 constexpr double kPixelsWhileMoving = 4e6, kPixelsAtRest = 40e6;
 constexpr double kCovered = 6;                          // times the picture: more lines would not be told apart
-constexpr double kFitMargin = 28;                       // px
+constexpr double kFitMargin = 28, kMostMargin = 0.1;    // px; of the smaller side
 constexpr int kFootHeight = 24;                         // px
 constexpr double kLeastScale = 1e-7, kMostScale = 1e9;  // px/mm
 
@@ -25,6 +26,8 @@ ContourCanvas::ContourCanvas(QWidget* parent) : QWidget(parent) {
   setObjectName("contourCanvas");
   setAccessibleName(tr("Contour preview"));
   setMouseTracking(true);
+  setContextMenuPolicy(
+      Qt::PreventContextMenu);  // its button turns the picture; menuRequested() is for when it does not
   setFocusPolicy(Qt::StrongFocus);
   setAttribute(Qt::WA_OpaquePaintEvent);
   settle_.setSingleShot(true);
@@ -134,7 +137,8 @@ void ContourCanvas::fit() {
   follows_fit_ = true;
   // The axes and the scale bar stand at the lower edge.
   const QSizeF room(width(), std::max(height() - kFootHeight, height() / 2));
-  projection_ = fitted(projection_, scene_ ? scene_->geometry->box : Box{}, room, kFitMargin);
+  const double margin = std::min(kFitMargin, kMostMargin * std::min(room.width(), room.height()));
+  projection_ = fitted(projection_, scene_ ? scene_->geometry->box : Box{}, room, margin);
   redraw();
 }
 

@@ -45,6 +45,7 @@ class ContourCanvas : public QWidget {
   void zoomBy(double factor, const QPointF& fixed);
   const Projection& projection() const { return projection_; }
   void setProjection(const Projection& projection);
+  std::optional<double> timeAt(const QPoint& at) const;  ///< [s] when the tool is there; nothing beside the path
 
   const std::shared_ptr<const ContourScene>& scene() const { return scene_; }
   const Theme& theme() const { return theme_; }
@@ -58,6 +59,10 @@ class ContourCanvas : public QWidget {
   /// The same as vectors, for SVG and PDF: at most as many lines as a picture of this size can tell apart.
   void paintVectors(QPainter& painter, const QSizeF& size) const;
 
+  /// What stands over the picture at its lower edge, where it is as large as the canvas.
+  void drawAxes(QPainter& painter) const;
+  void drawScaleBar(QPainter& painter) const;
+
   /// The camera moves or plans follow each other: a better picture comes when they rest.
   bool isMoving() const { return moving_; }
   /// Pieces of the last picture, and how often the path was drawn anew. For the tests of what a picture costs.
@@ -67,6 +72,7 @@ class ContourCanvas : public QWidget {
  signals:
   void cursorTimeRequested(double time);
   void hoverChanged();
+  void menuRequested(const QPoint& at);  ///< a right button that turned nothing
   /// It is looked at from another side: of a view, or of none where it was orbited.
   void turned(std::optional<View> view);
 
@@ -93,8 +99,6 @@ class ContourCanvas : public QWidget {
   void drawDirection(QPainter& painter, const Projection& projection, const QSizeF& size, double ratio) const;
   void drawHighlight(QPainter& painter) const;
   void drawCursor(QPainter& painter) const;
-  void drawAxes(QPainter& painter) const;
-  void drawScaleBar(QPainter& painter) const;
   void drawHover(QPainter& painter) const;
   void drawCaption(QPainter& painter) const;
   void drawHint(QPainter& painter) const;

@@ -47,9 +47,16 @@ void ContourCanvas::mouseMoveEvent(QMouseEvent* event) {
 
 void ContourCanvas::mouseReleaseEvent(QMouseEvent* event) {
   const bool clicked = !dragging_ && event->button() == Qt::LeftButton;
+  const bool asked = !dragging_ && event->button() == Qt::RightButton;
   dragging_ = false;
+  if (asked) return emit menuRequested(event->position().toPoint());
   if (!clicked || !scene_) return;
   if (const auto hit = pick(*scene_, projection_, event->position(), kPickRadius)) emit cursorTimeRequested(hit->time);
+}
+
+std::optional<double> ContourCanvas::timeAt(const QPoint& at) const {
+  const auto hit = scene_ && scene_->outcome ? pick(*scene_, projection_, at, kPickRadius) : std::nullopt;
+  return hit ? std::optional(hit->time) : std::nullopt;
 }
 
 void ContourCanvas::mouseDoubleClickEvent(QMouseEvent*) { fit(); }
@@ -68,6 +75,8 @@ void ContourCanvas::keyPressEvent(QKeyEvent* event) {
       if (event->modifiers() == Qt::NoModifier) return setView(View::xy);
       break;
     case Qt::Key_I: return setView(View::iso);
+    case Qt::Key_L: return setView(View::zx);
+    case Qt::Key_Menu: return emit menuRequested(middle.toPoint());
     default: break;
   }
   // The arrows alone step through the program; with Shift they move the picture.

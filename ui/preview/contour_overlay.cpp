@@ -247,6 +247,14 @@ void ContourCanvas::paintVectors(QPainter& painter, const QSizeF& size) const {
   p.scale *= ratio;
   painter.setClipRect(QRectF({0, 0}, size));
   drawTravel(painter, p);
+  if (ghost_) {
+    SceneStyle ghost;
+    ghost.plain = ghost.rapid = theme_.plan_b.rgb();
+    ghost.all_dashed = true;
+    ghost.width = 1.2;
+    ghost.detail = 0.4;
+    paint_scene(painter, *ghost_, p, size, ghost);
+  }
   SceneStyle style;
   style.by = by_;
   style.colours = scene_->can_colour_by(by_) ? &colours_ : nullptr;

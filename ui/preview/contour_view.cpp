@@ -4,17 +4,20 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QStandardItemModel>
 #include <QToolButton>
 
 #include "preview/contour_legend.h"
+#include "theme/flow_layout.h"
 #include "theme/picture_file.h"
 
 namespace toolpace::ui {
 namespace {
 
 constexpr std::array kEnlargements = {1, 10, 100, 1000};
-constexpr int kIcon = 16;  // decides how high a button is
+constexpr int kIcon = 16;          // decides how high a button is
+constexpr int kTitlePadding = 12;  // px, of the title of an exported picture
 
 }  // namespace
 
@@ -38,7 +41,7 @@ ContourView::ContourView(QWidget* parent) : QWidget(parent) {
 
 void ContourView::buildHeader() {
   header_ = new QWidget(this);
-  auto* row = new QHBoxLayout(header_);
+  auto* row = new FlowLayout(header_);
   row->setContentsMargins(8, 2, 8, 2);
   row->setSpacing(8);
   const auto combo = [&](const char* name) {
@@ -60,13 +63,14 @@ void ContourView::buildHeader() {
   band_->setIconSize({kIcon, kIcon});
   row->addWidget(band_);
   connect(band_, &QToolButton::toggled, this, &ContourView::setBandShown);
-  row->addStretch(1);
-
   views_ = new QButtonGroup(this);
-  auto* buttons = new QHBoxLayout;
+  auto* group = new QWidget(header_);
+  auto* buttons = new QHBoxLayout(group);
+  buttons->setContentsMargins(0, 0, 0, 0);
   buttons->setSpacing(0);
+  buttons->addStretch(1);
   const std::pair<View, const char*> views[] = {
-      {View::xy, "viewXY"}, {View::xz, "viewXZ"}, {View::yz, "viewYZ"}, {View::iso, "viewIso"}};
+      {View::xy, "viewXY"}, {View::xz, "viewXZ"}, {View::yz, "viewYZ"}, {View::zx, "viewZX"}, {View::iso, "viewIso"}};
   for (const auto& [view, name] : views) {
     auto* button = new QToolButton(header_);
     button->setObjectName(name);
@@ -83,7 +87,7 @@ void ContourView::buildHeader() {
   fit_->setAutoRaise(true);
   fit_->setIconSize({kIcon, kIcon});
   buttons->addWidget(fit_);
-  row->addLayout(buttons);
+  row->addWidget(group);
 
   connect(colour_by_, &QComboBox::activated, this,
           [this] { setColourBy(static_cast<ColourBy>(colour_by_->currentData().toInt())); });
@@ -117,11 +121,13 @@ void ContourView::retranslate() {
   colour_map_->setItemText(1, tr("viridis"));
   colour_map_->setItemText(2, tr("turbo"));
 
-  const std::array<std::pair<QString, QString>, 4> views = {{{tr("XY"), tr("Look from above (Z)")},
-                                                             {tr("XZ"), tr("Look from the front (Y)")},
-                                                             {tr("YZ"), tr("Look from the right (X)")},
-                                                             {tr("Iso"), tr("Isometric view (I)")}}};
-  for (int i = 0; i < 4; ++i) {
+  const std::array<std::pair<QString, QString>, 5> views = {
+      {{tr("XY"), tr("Look from above (Z)")},
+       {tr("XZ"), tr("Look from the front (Y)")},
+       {tr("YZ"), tr("Look from the right (X)")},
+       {tr("Iso"), tr("Isometric view (I)")},
+       {tr("ZX"), tr("As at a lathe: Z to the right, X upwards (L)")}}};
+  for (int i = 0; i < static_cast<int>(views.size()); ++i) {
     auto* button = static_cast<QToolButton*>(views_->button(i));
     button->setText(views[static_cast<std::size_t>(i)].first);
     name(button, views[static_cast<std::size_t>(i)].first, views[static_cast<std::size_t>(i)].second);
@@ -153,7 +159,7 @@ void ContourView::setScene(std::shared_ptr<const ContourScene> scene) {
   const bool first = !canvas_->scene() || canvas_->scene()->is_empty();
   canvas_->setScene(std::move(scene));
   if (first && canvas_->scene() && !canvas_->scene()->is_empty()) {
-    const View suited = suited_view(view_, canvas_->scene()->geometry->box);
+    const View suited = opening_view(*canvas_->scene(), view_);
     if (suited != view_) setView(suited);
   }
   updateChoices();
@@ -174,11 +180,7 @@ void ContourView::showPlans(const Planned& plan, const Planned& pinned) {
     setScene(scene);
     setTube(plan.proof ? plan.proof->tube : nullptr);
   }
-  if (plan) {
-    const CornerOptions& corner = plan.timeline->outcome()->job->options.corner;
-    const bool rounds = corner.rule == CornerRule::blend || corner.rule == CornerRule::smooth;
-    setTolerance(rounds ? corner.tolerance : 0);
-  }
+  setTolerance(plan && scene && scene->tolerance ? *scene->tolerance : 0);
   setGhost(pinned.scene);
 }
 
@@ -258,10 +260,45 @@ void ContourView::showView(std::optional<View> view) {
 
 void ContourView::fit() { canvas_->fit(); }
 
-Result<void> ContourView::exportPicture(const QString& file) const {
+/// "part.ngc · 12.345 s"
+QString ContourView::title() const {
+  const auto& scene = canvas_->scene();
+  if (!scene || !scene->outcome || !scene->outcome->job) return {};
+  const Outcome& outcome = *scene->outcome;
+  return QString::fromStdString(outcome.job->program_name) + " · " + duration_text(outcome.plan.cycle_time());
+}
+
+/// Title, picture with axes and scale, legend: one below the other.
+void ContourView::paintAll(QPainter& painter, const QImage& picture) const {
   const QSize size = canvas_->size();
-  const auto vectors = [this, size](QPainter& painter) { canvas_->paintVectors(painter, QSizeF(size)); };
-  return save_picture(file, {size, [this, size] { return canvas_->render(size, 2.0); }, vectors});
+  const int high = titleHeight();
+  painter.fillRect(QRect(0, 0, size.width(), high + size.height() + legend_->height()), canvas_->theme().surface);
+  painter.setFont(font());
+  painter.setPen(canvas_->theme().text);
+  painter.drawText(QRect(kTitlePadding, 0, size.width() - 2 * kTitlePadding, high), Qt::AlignVCenter, title());
+  painter.save();
+  painter.translate(0, high);
+  picture.isNull() ? canvas_->paintVectors(painter, QSizeF(size)) : painter.drawImage(QRect({0, 0}, size), picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  canvas_->drawAxes(painter);
+  canvas_->drawScaleBar(painter);
+  painter.restore();
+  legend_->render(&painter, QPoint(0, high + size.height()));
+}
+
+int ContourView::titleHeight() const { return fontMetrics().height() + kTitlePadding; }
+
+Result<void> ContourView::exportPicture(const QString& file) const {
+  constexpr double kScale = 2;
+  const QSize size = canvas_->size(), whole(size.width(), titleHeight() + size.height() + legend_->height());
+  const auto pixels = [this, size, whole] {
+    QImage image(whole * kScale, QImage::Format_RGB32);
+    image.setDevicePixelRatio(kScale);
+    QPainter painter(&image);
+    paintAll(painter, canvas_->render(size, kScale));
+    return image;
+  };
+  return save_picture(file, {whole, pixels, [this](QPainter& painter) { paintAll(painter, {}); }});
 }
 
 }  // namespace toolpace::ui

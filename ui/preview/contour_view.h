@@ -50,7 +50,7 @@ class ContourView : public QWidget, public PlanView {
   View view() const { return view_; }
   ContourCanvas& canvas() { return *canvas_; }
 
-  /// Saves the picture without cursor and mouse: .png, .svg or .pdf by extension. Errors: those of save_picture.
+  /// Saves the picture with title, axes, scale bar and legend, without cursor and mouse: .png, .svg or .pdf by extension. Errors: those of save_picture.
   Result<void> exportPicture(const QString& file) const;
 
  signals:
@@ -65,6 +65,9 @@ class ContourView : public QWidget, public PlanView {
  private:
   void buildHeader();
   void retranslate();
+  QString title() const;
+  int titleHeight() const;
+  void paintAll(QPainter& painter, const QImage& picture) const;
   void showView(std::optional<View> view);
   void updateChoices();
 

@@ -29,6 +29,7 @@ bool draw_svg(QIODevice& out, const Drawing& drawing) {
   svg.setOutputDevice(&out);
   svg.setSize(drawing.size);
   svg.setViewBox(QRect({0, 0}, drawing.size));
+  svg.setResolution(kDotsPerInch);  // what was drawn before and is played back counts in the same pixels
   return draw(svg, drawing);
 }
 
