@@ -214,6 +214,14 @@
             <source>Jerk of %1</source>
             <translation>%1 轴加加速度</translation>
         </message>
+        <message>
+            <source>Travel of %1</source>
+            <translation>%1 的行程</translation>
+        </message>
+        <message>
+            <source>Steps of %1</source>
+            <translation>%1 的步数</translation>
+        </message>
     </context>
     <context>
         <name>codes</name>

@@ -174,6 +174,7 @@ class PlacesTest : public QObject {
     for (int row = 0; row < table.rowCount(); ++row)
       rows << table.item(row, 0)->text() + ": " + table.item(row, 1)->text();
     QVERIFY2(rows.contains("Speed of X: 50 mm/s"), qPrintable(rows.join('\n')));
+    QVERIFY2(rows.contains("Travel of X: -300 … 0 mm"), qPrintable(rows.join('\n')));
     QVERIFY2(rows.contains("Jerk of X: not there: no limit"), qPrintable(rows.join('\n')));
     dialog.show();
     screenshot(dialog, "import");

@@ -39,6 +39,8 @@ QString parameter_name(const std::string& key) {
   if (parts[2].startsWith("max_acceleration"))
     return QCoreApplication::translate("ParameterNames", "Acceleration of %1").arg(parts[1]);
   if (parts[2].startsWith("max_jerk")) return QCoreApplication::translate("ParameterNames", "Jerk of %1").arg(parts[1]);
+  if (parts[2].startsWith("travel")) return QCoreApplication::translate("ParameterNames", "Travel of %1").arg(parts[1]);
+  if (parts[2].startsWith("steps")) return QCoreApplication::translate("ParameterNames", "Steps of %1").arg(parts[1]);
   return QString::fromStdString(key);
 }
 

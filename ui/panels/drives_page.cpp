@@ -110,6 +110,7 @@ NumberField* DrivesPage::makeField(std::size_t index, std::size_t axis) {
 void DrivesPage::setRotaryAxes(const std::array<bool, 3>& shown) {
   for (std::size_t i = 0; i < shown.size(); ++i) {
     heads_[3 + i]->setVisible(shown[i]);
+    grid_->setColumnStretch(static_cast<int>(3 + i) + 1, shown[i] ? 1 : 0);
     for (auto& row : fields_) row[3 + i]->setVisible(shown[i]);
   }
 }
