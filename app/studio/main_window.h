@@ -128,6 +128,7 @@ class MainWindow : public QMainWindow {
   void giveShares();
   void rememberShares();
   QSize sharedSizes() const;
+  // main_window_chrome.cpp
   void buildToolBar();
   void buildMenus();
   void fillRecent();
