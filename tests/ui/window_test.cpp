@@ -10,6 +10,7 @@
 #include <random>
 
 #include "main_window.h"
+#include "panels/dock_title.h"
 #include "panels/nc_panel.h"
 #include "panels/number_field.h"
 #include "panels/sweep_panel.h"
@@ -17,6 +18,7 @@
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
 #include "screenshot.h"
+#include "support/events.h"
 #include "support/find.h"
 #include "support/patience.h"
 #include "support/screenshot.h"
@@ -55,20 +57,23 @@ class WindowTest : public QObject {
     QVERIFY(window.the<QLabel>("cycleTimeLabel").text().endsWith(" s"));
   }
 
-  // Qt's restoreState() read a list of tab bars that showing one of them had freed: about once in fifty times.
+  // Qt's restoreState() read a list of tab bars that showing one of them had freed, after a panel was dragged somewhere.
   void the_panels_come_back_whatever_became_of_them() {
     Opened window;
     std::mt19937 chance(1);
-    const auto happens = [&](unsigned percent) { return chance() % 100 < percent; };
+    const auto pick = [&](int count) { return static_cast<int>(chance() % static_cast<unsigned>(count)); };
     const auto docks = window.findChildren<QDockWidget*>();
-    for (int round = 0; round < 100; ++round) {
-      for (int change = 0; change < 5; ++change) {
-        QDockWidget& dock = *docks[static_cast<int>(chance() % static_cast<unsigned>(docks.size()))];
-        dock.setVisible(happens(70));
-        if (happens(50)) dock.raise();
-        if (happens(25)) window.resize(640 + static_cast<int>(chance() % 1400), 400 + static_cast<int>(chance() % 800));
-        if (happens(10)) window.setLanguage(happens(50) ? "en" : "zh_CN");
-        if (happens(50)) QApplication::processEvents();
+    const auto titles = window.findChildren<ui::DockTitle*>();
+    for (int round = 0; round < 40; ++round) {
+      for (int change = 0; change < 3; ++change) {
+        QDockWidget& dock = *docks[pick(static_cast<int>(docks.size()))];
+        dock.setVisible(pick(4) > 0);
+        dock.raise();
+        if (pick(4) == 0) window.resize(640 + pick(1400), 400 + pick(800));
+        if (pick(2) == 0) QApplication::processEvents();
+      }
+      if (ui::DockTitle& title = *titles[pick(static_cast<int>(titles.size()))]; title.isVisible()) {
+        ui::drag(title, title.rect().center(), {pick(1200) - 600, pick(800) - 400});
       }
       window.the<QAction>("resetLayoutAction").trigger();
       for (const char* name : {"programDock", "plotsDock", "tuningDock", "resultsDock"}) {
