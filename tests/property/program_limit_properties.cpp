@@ -134,7 +134,7 @@ std::string broken_limit(const Outcome& o) {
 }
 
 TEST(LimitsThatProgramsLower, AreKeptBySegmentsAndByNoPlanBeaten) {
-  const std::size_t count = test::case_count(60);
+  const std::size_t count = test::case_count(24);
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     Random random(seed);
     std::string text;

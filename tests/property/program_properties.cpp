@@ -78,7 +78,7 @@ void prove_program(std::uint64_t seed, SetpointTally& tally) {
 }
 
 TEST(SetpointsOfRandomNcPrograms, KeepEveryLimit) {
-  SetpointTally tally(60);
+  SetpointTally tally(24);
   for (std::uint64_t seed = 1; tally.wants_more(); ++seed) prove_program(seed, tally);
 }
 
