@@ -122,8 +122,8 @@ void MainWindow::arrange() {
   shareRoom();
 }
 
-// As at first. restoreState() shows each tab bar of a list at its end; the first that it shows activates the layout, which makes that list anew
-// while it is being read. A layout that rests until all is done leaves the list alone.
+// As at first. restoreState() shows each tab bar of a list at its end; the first that it shows activates the layout, which
+// makes that list anew while it is being read. A layout that rests until all is done leaves the list alone.
 void MainWindow::resetLayout() {
   layout()->setEnabled(false);
   restoreState(first_layout_);
