@@ -22,6 +22,7 @@
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
 #include "theme/appearance.h"
+#include "theme/control_name.h"
 #include "theme/icons.h"
 
 namespace toolpace::studio {
@@ -111,10 +112,8 @@ void MainWindow::retranslate() {
   for (const auto& [menu, text] : menus) menu->setTitle(text);
   export_button_->setText(tr("Export"));
   export_button_->setToolTip(tr("Save setpoints and pictures"));
-  machine_button_->setToolTip(tr("Machine file: limits and defaults"));
-  machine_button_->setAccessibleName(tr("Machine"));
-  unit_button_->setToolTip(tr("Switch between millimetres and inches"));
-  unit_button_->setAccessibleName(unit_button_->toolTip());
+  ui::name_control(machine_button_, tr("Machine"), tr("Machine file: limits and defaults"));
+  ui::name_control(unit_button_, tr("Switch between millimetres and inches"));
   tool_bar_->setWindowTitle(tr("Tools"));
   showProblems();
   showTitle();

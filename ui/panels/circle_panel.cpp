@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "theme/control_name.h"
 #include "theme/icons.h"
 #include "toolpace/plan/plan.h"
 
@@ -171,16 +172,11 @@ void CirclePanel::changeEvent(QEvent* event) {
 }
 
 void CirclePanel::retranslate() {
-  const auto name = [](QWidget* widget, const QString& text) {
-    widget->setToolTip(text);
-    widget->setAccessibleName(text);
-  };
-  name(previous_, tr("Circle before"));
-  name(next_, tr("Next circle"));
-  name(enlargement_, tr("Enlargement of the radial error"));
+  name_control(previous_, tr("Circle before"));
+  name_control(next_, tr("Next circle"));
+  name_control(enlargement_, tr("Enlargement of the radial error"));
   enlargement_->setItemText(0, tr("auto"));
-  plot_->setAccessibleName(tr("Radial error of the simulated drives over the angle"));
-  plot_->setToolTip(tr("Click on the curve to go there"));
+  name_control(plot_, tr("Radial error of the simulated drives over the angle"), tr("Click on the curve to go there"));
   plot_->setEmptyHint(tr("no arc in this program, or not simulated yet"));
   figures_->setAccessibleName(tr("Circular deviation"));
   showFigures();

@@ -5,6 +5,7 @@
 #include <QStyle>
 #include <algorithm>
 
+#include "theme/control_name.h"
 #include "theme/icons.h"
 
 namespace toolpace::ui {
@@ -69,12 +70,8 @@ void DockTitle::changeEvent(QEvent* event) {
 }
 
 void DockTitle::retranslate() {
-  const auto name = [](QToolButton* button, const QString& text) {
-    button->setToolTip(text);
-    button->setAccessibleName(text);
-  };
-  name(dock_, tr("Put the panel back into the window"));
-  name(close_, tr("Close the panel"));
+  name_control(dock_, tr("Put the panel back into the window"));
+  name_control(close_, tr("Close the panel"));
 }
 
 void DockTitle::setBadge(const QString& text, const QString& tip, Badge kind) {

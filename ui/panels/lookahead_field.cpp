@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "theme/control_name.h"
 #include "toolpace/machine/setup_keys.h"
 
 namespace toolpace::ui {
@@ -51,8 +52,7 @@ LookaheadField::LookaheadField(QWidget* parent)
 
 void LookaheadField::retranslate() {
   all_->setText(tr("all"));
-  all_->setToolTip(tr("Look ahead over the whole program"));
-  all_->setAccessibleName(tr("Look ahead over the whole program"));
+  name_control(all_, tr("Look ahead over the whole program"));
   slider_->setToolTip(tr("Look-ahead depth in blocks, logarithmic; the right end is the whole program"));
   slider_->setAccessibleName(tr("Look-ahead depth"));
   field_->setAccessibleName(tr("Look-ahead depth in blocks"));

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "panels/form_grid.h"
+#include "theme/control_name.h"
 
 namespace toolpace::ui {
 namespace {
@@ -183,8 +184,7 @@ void ReadingPage::retranslate() {
   setAccessibleName(tr("Reading the program"));
   const auto name = [](QLabel* label, QWidget* field, const QString& title, const QString& tip) {
     label->setText(title);
-    field->setAccessibleName(title);
-    field->setToolTip(tip);
+    name_control(field, title, tip);
   };
   name(dialect_label_, dialect_, tr("Dialect"), tr("Whose way of writing programs this is"));
   for (int i = 0; i < dialect_->count(); ++i) {
@@ -203,8 +203,7 @@ void ReadingPage::retranslate() {
   name(tools_.label, tools_.path, tr("Tool table"), tr("As LinuxCNC writes it; empty = none"));
   name(parameters_.label, parameters_.path, tr("Parameters"), tr("Numbered parameters, as LinuxCNC writes them"));
   for (auto* field : {&tools_, &parameters_}) {
-    field->choose->setAccessibleName(tr("Choose: %1").arg(field->label->text()));
-    field->choose->setToolTip(field->choose->accessibleName());
+    name_control(field->choose, tr("Choose: %1").arg(field->label->text()));
   }
   name(folders_label_, folders_, tr("Sub-programs"), tr("Folders that are searched besides the program's own"));
   add_folder_->setText(tr("Add a folder…"));

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "panels/unit_delegate.h"
+#include "theme/control_name.h"
 #include "theme/icons.h"
 
 namespace toolpace::ui {
@@ -130,9 +131,9 @@ void ResultsPanel::showCheckBar() {
                            ? tr("Not checked: more than %1 setpoints").arg(number_text(kProvenUnasked, 9))
                            : tr("Not checked"));
   check_->setText(runs ? tr("Stop") : tr("Check now"));
-  check_->setToolTip(runs ? tr("Leave the plan unchecked")
-                          : tr("Check every limit at the setpoints, and simulate the drives"));
-  check_->setAccessibleName(check_->text());
+  name_control(
+      check_, check_->text(),
+      runs ? tr("Leave the plan unchecked") : tr("Check every limit at the setpoints, and simulate the drives"));
   check_bar_->setVisible(a_ && (runs ? asked_ : proof_state_ != State::idle));
 }
 
@@ -218,15 +219,10 @@ void ResultsPanel::changeEvent(QEvent* event) {
 void ResultsPanel::retranslate() {
   model_->retranslate();
   table_->setAccessibleName(tr("Results of plans A and B"));
-  const auto name = [](QToolButton* b, const QString& text) {
-    b->setToolTip(text);
-    b->setAccessibleName(text);
-  };
-  name(pin_, tr("Pin this plan as B"));
-  name(swap_, tr("Swap A and B"));
-  name(unpin_, tr("Let go of B"));
-  cycle_->setToolTip(tr("Cycle time of plan A"));
-  cycle_->setAccessibleName(tr("Cycle time of plan A"));
+  name_control(pin_, tr("Pin this plan as B"));
+  name_control(swap_, tr("Swap A and B"));
+  name_control(unpin_, tr("Let go of B"));
+  name_control(cycle_, tr("Cycle time of plan A"));
   showHeadline();
   showCheckBar();
 }

@@ -13,6 +13,7 @@
 #include "models/remedy_text.h"
 #include "models/units.h"
 #include "panels/move_plot.h"
+#include "theme/control_name.h"
 
 namespace toolpace::ui {
 namespace {
@@ -218,8 +219,7 @@ void SingleMovePage::retranslate() {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     entries_[i].label->setText(labels[i]);
     entries_[i].label->setToolTip(names[i]);
-    entries_[i].field->setAccessibleName(names[i]);
-    entries_[i].field->setToolTip(names[i]);
+    name_control(entries_[i].field, names[i]);
   }
   const std::array figures{tr("peak speed"),        tr("length speeding up"), tr("length slowing down"),
                            tr("time speeding up"),  tr("time at the peak"),   tr("time slowing down"),
@@ -227,15 +227,13 @@ void SingleMovePage::retranslate() {
                            tr("peak acceleration"), tr("peak deceleration")};
   for (std::size_t i = 0; i < figures_->size(); ++i) figures_->setName(i, figures[i]);
   preset_label_->setText(tr("Preset"));
-  preset_->setAccessibleName(tr("Preset"));
-  preset_->setToolTip(tr("Fill the form with a known move"));
+  name_control(preset_, tr("Preset"), tr("Fill the form with a known move"));
   preset_->setItemText(0, tr("own values"));
   const std::array presets{tr("Zheng, move 1 (feed reached)"), tr("Zheng, move 2 (feed not reached)"),
                            tr("S-curve from rest to rest"), tr("Quintic, 20 to 40 mm/s")};
   for (std::size_t i = 0; i < presets.size(); ++i) preset_->setItemText(static_cast<int>(i) + 1, presets[i]);
   law_label_->setText(tr("Law"));
-  law_->setAccessibleName(tr("Velocity law"));
-  law_->setToolTip(tr("Velocity law"));
+  name_control(law_, tr("Velocity law"));
   for (const LawRow& row : law_table()) law_->setItemText(static_cast<int>(row.kind), law_title(row));
   units_label_->setText(tr("Units"));
   units_->setAccessibleName(tr("Units"));

@@ -12,6 +12,7 @@
 #include "models/remedy_text.h"
 #include "models/units.h"
 #include "panels/pulse_plot.h"
+#include "theme/control_name.h"
 #include "toolpace/io/pulse_writer.h"
 
 namespace toolpace::ui {
@@ -201,8 +202,7 @@ void StepperPage::retranslate() {
                          tr("Timer clock")};
   for (std::size_t i = 0; i < kFields; ++i) {
     entries_[i].label->setText(labels[i]);
-    entries_[i].field->setAccessibleName(names[i]);
-    entries_[i].field->setToolTip(names[i]);
+    name_control(entries_[i].field, names[i]);
   }
   const std::array figures{tr("peak rate"),      tr("total time"),        tr("total ticks"),
                            tr("first interval"), tr("shortest interval"), tr("last interval")};
@@ -214,11 +214,9 @@ void StepperPage::retranslate() {
   entries_[kSteps].field->setUnit({1.0, tr("steps")});
   entries_[kSpeed].field->setUnit({1.0, tr("step/s")});
   export_->setText(tr("Export…"));
-  export_->setToolTip(tr("Write the intervals as CSV or as a C header"));
-  export_->setAccessibleName(export_->toolTip());
+  name_control(export_, tr("Write the intervals as CSV or as a C header"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop the export"));
-  cancel_->setAccessibleName(cancel_->toolTip());
+  name_control(cancel_, tr("Stop the export"));
   progress_->setAccessibleName(tr("Progress of the export"));
   plot_->retranslate();
 }

@@ -11,6 +11,7 @@
 #include "models/problem_model.h"
 #include "models/units.h"
 #include "plots/axis_look.h"
+#include "theme/control_name.h"
 
 namespace toolpace::ui {
 namespace {
@@ -157,10 +158,8 @@ void SweepPanel::changeEvent(QEvent* event) {
 
 void SweepPanel::retranslate() {
   button_->setText(tr("Sweep"));
-  button_->setToolTip(tr("Plan with every look-ahead depth"));
-  button_->setAccessibleName(button_->toolTip());
-  plot_->setAccessibleName(tr("Cycle time over look-ahead depth"));
-  plot_->setToolTip(tr("Click on a point to take its depth"));
+  name_control(button_, tr("Plan with every look-ahead depth"));
+  name_control(plot_, tr("Cycle time over look-ahead depth"), tr("Click on a point to take its depth"));
   plot_->xAxis->setLabel(tr("look-ahead  blocks"));
   plot_->yAxis->setLabel(tr("cycle time  s"));
   showVerdict();

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "drawing/cause_style.h"
+#include "theme/control_name.h"
 #include "theme/icons.h"
 
 namespace toolpace::ui {
@@ -192,8 +193,7 @@ void TransportBar::changeEvent(QEvent* event) {
 
 void TransportBar::retranslate() {
   const auto name = [](QWidget* widget, const QString& text, const QString& key = {}) {
-    widget->setToolTip(key.isEmpty() ? text : text + "  (" + key + ")");
-    widget->setAccessibleName(text);
+    name_control(widget, text, key.isEmpty() ? text : text + "  (" + key + ")");
   };
   name(first_, tr("To the start"), "Home");
   name(previous_, tr("One line back"), "←");

@@ -2,6 +2,7 @@
 
 #include <QEvent>
 
+#include "theme/control_name.h"
 #include "theme/flow_layout.h"
 #include "theme/icons.h"
 
@@ -43,8 +44,7 @@ void WelcomeBar::retranslate() {
   text_->setText(tr("An example. Try:"));
   const auto name = [](QAbstractButton* button, const QString& text, const QString& tip) {
     if (qobject_cast<QPushButton*>(button)) button->setText(text);
-    button->setAccessibleName(text);
-    button->setToolTip(tip);
+    name_control(button, text, tip);
   };
   name(buttons_[0], tr("Less jerk"),
        tr("Put the cursor into the jerk limit: the arrow keys change it, and all follows"));

@@ -12,6 +12,7 @@
 #include "models/problem_model.h"
 #include "models/units.h"
 #include "panels/results_panel.h"
+#include "theme/control_name.h"
 
 namespace toolpace::ui {
 namespace {
@@ -183,8 +184,7 @@ void WhatIfPanel::retranslate() {
   levers_table_->setAccessibleName(tr("What raising a limit saves"));
   hint_->setText(tr("10 % more of each limit"));
   button_->setText(tr("Plan it"));
-  button_->setToolTip(tr("Plan again with each limit 10 % higher and list what it saves"));
-  button_->setAccessibleName(button_->toolTip());
+  name_control(button_, tr("Plan again with each limit 10 % higher and list what it saves"));
 }
 
 }  // namespace toolpace::ui

@@ -15,6 +15,7 @@
 #include "plots/overview_strip.h"
 #include "plots/profile_plot.h"
 #include "plots/value_table.h"
+#include "theme/control_name.h"
 #include "theme/flow_layout.h"
 
 namespace toolpace::ui {
@@ -120,22 +121,16 @@ void ProfileView::retranslate() {
   overview_->setAccessibleName(tr("Speed over the whole program, with the visible time"));
   readout_->setAccessibleName(tr("Values at the cursor"));
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    const QString text = tr("Show axis %1").arg(axes_[i]->text());
-    axes_[i]->setAccessibleName(text);
-    axes_[i]->setToolTip(text);
+    name_control(axes_[i], tr("Show axis %1").arg(axes_[i]->text()));
   }
   measure_->setText(tr("Measure"));
-  measure_->setAccessibleName(tr("Measure"));
-  measure_->setToolTip(tr("Two cursors with their differences (M)"));
+  name_control(measure_, tr("Measure"), tr("Two cursors with their differences (M)"));
   fit_->setText(tr("Fit"));
-  fit_->setAccessibleName(tr("Fit time"));
-  fit_->setToolTip(tr("Show the whole program"));
+  name_control(fit_, tr("Fit time"), tr("Show the whole program"));
   show_error_->setText(tr("Error"));
-  show_error_->setAccessibleName(tr("Contour error"));
-  show_error_->setToolTip(tr("Contour error of the simulated drives as a fourth plot"));
+  name_control(show_error_, tr("Contour error"), tr("Contour error of the simulated drives as a fourth plot"));
   show_table_->setText(tr("Table"));
-  show_table_->setAccessibleName(tr("Table"));
-  show_table_->setToolTip(tr("The visible values as a table; Ctrl+C copies them"));
+  name_control(show_table_, tr("Table"), tr("The visible values as a table; Ctrl+C copies them"));
   table_->setAccessibleName(tr("Visible values"));
   plot_->retranslate();
   plot_->replot(QCustomPlot::rpQueuedReplot);

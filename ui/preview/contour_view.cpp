@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "preview/contour_legend.h"
+#include "theme/control_name.h"
 #include "theme/flow_layout.h"
 
 namespace toolpace::ui {
@@ -99,16 +100,12 @@ void ContourView::retranslate() {
   setAccessibleName(tr("Contour"));
   canvas_->setAccessibleName(tr("Contour preview"));
   legend_->setAccessibleName(tr("Legend of the contour preview"));
-  const auto name = [](QWidget* widget, const QString& text, const QString& tip) {
-    widget->setAccessibleName(text);
-    widget->setToolTip(tip);
-  };
-  name(colour_by_, tr("Colour by"), tr("What the colours of the path show"));
-  name(colour_map_, tr("Colour map"), tr("Colour map; all are safe for colour-blind eyes"));
-  name(enlargement_, tr("Error enlargement"), tr("How much contour error and tolerance band are enlarged"));
+  name_control(colour_by_, tr("Colour by"), tr("What the colours of the path show"));
+  name_control(colour_map_, tr("Colour map"), tr("Colour map; all are safe for colour-blind eyes"));
+  name_control(enlargement_, tr("Error enlargement"), tr("How much contour error and tolerance band are enlarged"));
   band_->setText(tr("Band"));
-  name(band_, tr("Tolerance band"),
-       tr("Programmed path, tolerance band, and the plan inside it; off: the simulated drives"));
+  name_control(band_, tr("Tolerance band"),
+               tr("Programmed path, tolerance band, and the plan inside it; off: the simulated drives"));
   if (colour_by_->count() == 0) {
     for (int i = 0; i < static_cast<int>(kColourings); ++i) colour_by_->addItem({}, i);
     for (int i = 0; i < 3; ++i) colour_map_->addItem({});
@@ -127,10 +124,10 @@ void ContourView::retranslate() {
   for (int i = 0; i < static_cast<int>(views.size()); ++i) {
     auto* button = static_cast<QToolButton*>(views_->button(i));
     button->setText(views[static_cast<std::size_t>(i)].first);
-    name(button, views[static_cast<std::size_t>(i)].first, views[static_cast<std::size_t>(i)].second);
+    name_control(button, views[static_cast<std::size_t>(i)].first, views[static_cast<std::size_t>(i)].second);
   }
   fit_->setText(tr("Fit"));
-  name(fit_, tr("Fit"), tr("Show the whole path (F)"));
+  name_control(fit_, tr("Fit"), tr("Show the whole path (F)"));
 }
 
 void ContourView::changeEvent(QEvent* event) {
