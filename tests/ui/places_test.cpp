@@ -79,6 +79,8 @@ class PlacesTest : public QObject {
     for (auto* found : window.the<QTableView>("problemTable").findChildren<QPushButton*>()) button = found;
     QVERIFY(button);
     QCOMPARE(button->text(), QString("Folder…"));
+    QVERIFY(button->isVisible());
+    QVERIFY2(button->width() >= button->sizeHint().width(), "its text is cut off");
     const NextDialog chosen([&](QWidget& dialog) {
       auto& files = dynamic_cast<QFileDialog&>(dialog);
       files.setDirectory(folder.filePath("subs"));

@@ -18,6 +18,7 @@ constexpr std::array kRemedied = {Remedied{"arc-radius-differs", ProblemAction::
                                   Remedied{"pocket-tool-unknown", ProblemAction::tool_table},
                                   Remedied{"sub-program-missing", ProblemAction::sub_folder},
                                   Remedied{"sub-program-unknown", ProblemAction::sub_folder},
+                                  Remedied{"tool-table-missing", ProblemAction::tool_table},
                                   Remedied{"tool-unknown", ProblemAction::tool_table}};
 
 }  // namespace

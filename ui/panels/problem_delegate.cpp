@@ -9,7 +9,6 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr int kSide = 6, kAbove = 3;  // px around the text
 constexpr int kWrapped = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
 
 int height_of(const QString& text, const QFontMetrics& metrics, int width) {

@@ -14,6 +14,8 @@ class ProblemDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
+  static constexpr int kSide = 6, kAbove = 3;  ///< around what a cell holds [px]; sideways the style sheet's too
+
   explicit ProblemDelegate(QTableView* table);
   void setTheme(const Theme& theme) { theme_ = theme; }
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;

@@ -40,7 +40,7 @@ ProblemsPanel::ProblemsPanel(QWidget* parent)
   table_->horizontalHeader()->setMinimumSectionSize(kPlaceWidth);
   table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kPlace, QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kMessage, QHeaderView::Stretch);
-  table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kAction, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(ProblemModel::kAction, QHeaderView::Fixed);
   // Rows are as high as their text at the width that there is, also where that is known only once the tab is seen.
   connect(table_->horizontalHeader(), &QHeaderView::sectionResized, table_, &QTableView::resizeRowsToContents,
           Qt::QueuedConnection);
@@ -61,18 +61,25 @@ void ProblemsPanel::setProblems(const Diagnostics& problems) {
 
 /// A new set of problems has taken the buttons of the last one away.
 void ProblemsPanel::showButtons() {
-  int buttons = 0;
+  int buttons = 0, widest = 0;
   for (int row = 0; row < model_->rowCount() && buttons < kMostButtons; ++row) {
     const ProblemAction action = action_for(model_->at(row).code);
     if (action == ProblemAction::none) continue;
-    auto* button = new QPushButton(action_text(action), table_);
+    auto* cell = new QWidget(table_);
+    auto* column = new QVBoxLayout(cell);
+    column->setContentsMargins(0, ProblemDelegate::kAbove, 0, ProblemDelegate::kAbove);
+    auto* button = new QPushButton(action_text(action), cell);
+    column->addWidget(button, 0, Qt::AlignTop);
     button->setObjectName(QString("problemAction%1").arg(row));
     button->setAccessibleName(action_text(action));
     connect(button, &QPushButton::clicked, this, [this, action] { emit actionRequested(action); });
-    table_->setIndexWidget(model_->index(row, ProblemModel::kAction), button);
+    button->ensurePolished();  // it is as wide as its style makes it
+    widest = std::max(widest, cell->sizeHint().width());
+    table_->setIndexWidget(model_->index(row, ProblemModel::kAction), cell);
     ++buttons;
   }
   table_->setColumnHidden(ProblemModel::kAction, buttons == 0);
+  if (buttons > 0) table_->setColumnWidth(ProblemModel::kAction, widest + 2 * ProblemDelegate::kSide);
 }
 
 void ProblemsPanel::setTheme(const Theme& theme) {
