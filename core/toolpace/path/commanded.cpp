@@ -60,6 +60,12 @@ double tolerance_of(const MoveMode& mode, const Rounding& rounding) {
   return rounding.everywhere ? rounding.tolerance : 0.0;
 }
 
+double Commands::top_speed() const {
+  double top = 0;
+  for (const Command& c : list_) top = std::max(top, c.speed);
+  return top;
+}
+
 Commands command_path(const Path& path, const Moves& moves, const CommandOptions& options) {
   Commands commands(path.size());
   commands.ceilings = moves.ceilings;

@@ -50,6 +50,9 @@ class Commands {
   auto begin() { return list_.begin(); }
   auto end() { return list_.end(); }
 
+  /// The highest of all [mm/s]; 0 without segments.
+  double top_speed() const;
+
   const MotionCeiling& ceiling_of(std::size_t segment) const { return ceilings[list_[segment].ceiling]; }
 
   std::vector<MotionCeiling> ceilings = std::vector<MotionCeiling>(1);

@@ -15,6 +15,8 @@
 namespace toolpace {
 namespace {
 
+/// Plans that last no longer are timed anew from more than one start [s].
+constexpr double kBrief = 30;
 /// Segments of a path whose plan is timed anew: it costs many times the plan itself.
 constexpr std::size_t kMostRetimed = 50000;
 
@@ -34,16 +36,23 @@ ForEach on_all_cores(const Monitor& monitor) {
 
 bool takes_any(const Job&, std::size_t) { return true; }
 
+/// For which plan the caps of curves are chosen.
+enum class CapsFor {
+  the_plan,     ///< the one to come, as if it saw all
+  single_moves  ///< one that stops at every node
+};
+
 /// Limits with curves as the plan to come can use them: ramps inside blocks come to rest at the caps, but for a feed hold.
-SpeedLimits settled(const PlanTask& task, const PlanOptions& o, const Monitor& monitor) {
+SpeedLimits settled(const PlanTask& task, const PlanOptions& o, CapsFor caps, const Monitor& monitor) {
   if (task.limits.curved.empty()) return std::move(task.limits);
   const AtCap at_cap = o.ramps == Ramps::block && !o.hold_at ? AtCap::rests : AtCap::changes;
-  return settle_curves(task.limits, {o.law, at_cap, o.lookahead == std::size_t{1}}, {monitor.stop, {}});
+  const bool stops = caps == CapsFor::single_moves || o.lookahead == std::size_t{1};
+  return settle_curves(task.limits, {o.law, at_cap, stops}, {monitor.stop, {}});
 }
 
-Result<Planned> plan_with(const PlanTask& task, const PlanOptions& options, const Monitor& monitor) {
+Result<Planned> plan_with(const PlanTask& task, const PlanOptions& options, CapsFor caps, const Monitor& monitor) {
   Planned planned;
-  planned.limits = settled(task, options, monitor);
+  planned.limits = settled(task, options, caps, monitor);
   planned.ran = task.job.options;
   auto plan = plan_motion(planned.limits, options, monitor);
   if (!plan) return tl::unexpected(plan.error());
@@ -51,15 +60,27 @@ Result<Planned> plan_with(const PlanTask& task, const PlanOptions& options, cons
   return planned;
 }
 
-/// Ramps inside their blocks leave curves more than ramps across them, and so may be the faster ones.
+/// The fastest of the plans that the job allows. Ramps inside their blocks leave curves more than ramps across them, and what
+/// suits a plan that sees all need not suit one that sees a few blocks, which is never slower than one that stops everywhere.
 Result<Planned> plan_phases(const PlanTask& task, PlanOptions options, const Monitor& monitor) {
-  const bool has_rival = options.ramps == Ramps::span && !task.limits.curved.empty();
-  auto planned = plan_with(task, options, part_of(monitor, 0.0, has_rival ? 0.7 : 1.0));
-  if (!planned || !has_rival) return planned;
-  options.ramps = Ramps::block;
-  auto block = plan_with(task, options, part_of(monitor, 0.7, 1.0));
-  if (!block) return block;
-  return block->motion.plan.cycle_time() < planned->motion.plan.cycle_time() ? block : planned;
+  if (task.limits.curved.empty()) return plan_with(task, options, CapsFor::the_plan, monitor);
+  const bool is_short_sighted = options.lookahead && !sees_all(task.job) && *options.lookahead > 1;
+  std::vector<std::pair<Ramps, CapsFor>> ways;
+  for (const CapsFor caps : {CapsFor::the_plan, CapsFor::single_moves}) {
+    if (caps == CapsFor::single_moves && !is_short_sighted) continue;
+    if (options.ramps == Ramps::span) ways.emplace_back(Ramps::span, caps);
+    ways.emplace_back(Ramps::block, caps);
+  }
+  Result<Planned> best;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    options.ramps = ways[i].first;
+    const double share = 1.0 / static_cast<double>(ways.size());
+    auto planned = plan_with(task, options, ways[i].second,
+                             part_of(monitor, share * static_cast<double>(i), share * static_cast<double>(i + 1)));
+    if (!planned) return planned;
+    if (i == 0 || planned->motion.plan.cycle_time() < best->motion.plan.cycle_time()) best = std::move(planned);
+  }
+  return best;
 }
 
 Result<Planned> plan_along_path(const PlanTask& task, const Monitor& monitor) {
@@ -114,7 +135,12 @@ Result<std::optional<MotionPlan>> start_for(const PlanTask& task, const Monitor&
   const bool has_shape = law_row(options.law).bounds_jerk && options.law != LawKind::seven_phase;
   if (!has_shape || options.law == LawKind::time_optimal) return std::nullopt;
   options.law = LawKind::seven_phase;
-  auto quick = plan_phases(task, options, monitor);
+  SpeedLimits limits = task.limits;
+  const RampLimits along = ramps_timed_anew(task.job.options, task.commands.top_speed(), task.job.machine.path);
+  const CurveShare most{along.acceleration, along.jerk};
+  for (Dynamics& d : limits.dynamics) d = within(d, most);
+  for (AlongPath& a : limits.along) a.dynamics = within(a.dynamics, most);
+  auto quick = plan_phases({task.job, task.path, task.commands, limits}, options, monitor);
   if (!quick) return tl::unexpected(quick.error());
   return std::move(quick->motion.plan);
 }
@@ -129,10 +155,18 @@ Result<Planned> plan_anew(const PlanTask& task, const Monitor& monitor) {
   }
   const auto other = start_for(task, part_of(monitor, 0.2, 0.3));
   if (!other) return tl::unexpected(other.error());
-  const MotionPlan& own = planned->motion.plan;
-  const MotionPlan& start = *other ? **other : own;
+  const MotionPlan own = planned->motion.plan;
   const RetimeTask retiming{task.path, task.commands, task.job.machine, planned->limits, task.job.options};
-  auto timed = retime(retiming, own, start, on_all_cores(monitor), part_of(monitor, 0.3, 1.0));
+  std::vector<const MotionPlan*> starts{*other ? &**other : &own};
+  // The way to the fastest motion may end before it: where it costs little another start is tried.
+  if (*other && own.cycle_time() <= kBrief) starts.push_back(&own);
+  std::optional<MotionPlan> timed;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const double share = 0.7 / static_cast<double>(starts.size());
+    auto one = retime(retiming, own, *starts[i], on_all_cores(monitor),
+                      part_of(monitor, 0.3 + share * static_cast<double>(i), 0.3 + share * static_cast<double>(i + 1)));
+    if (one && (!timed || one->cycle_time() < timed->cycle_time())) timed = std::move(one);
+  }
   if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
   if (timed) {
     planned->motion.plan = std::move(*timed);
@@ -156,7 +190,7 @@ bool has_exact_blocks(const PlanTask& task) {
 Result<Planned> plan_through_tube(const PlanTask& task, const Monitor& monitor) {
   Planned planned;
   planned.ran = task.job.options;
-  planned.limits = settled(task, task.job.options, monitor);
+  planned.limits = settled(task, task.job.options, CapsFor::the_plan, monitor);
   auto motion = plan_smooth(task.path, task.commands, task.job.machine, planned.limits, task.job.options,
                             on_all_cores(monitor), monitor);
   if (!motion) return tl::unexpected(motion.error());
@@ -179,7 +213,7 @@ int tubes_tried(std::size_t segments) {
 Result<Planned> plan_quickly_through_tube(const PlanTask& task, const Monitor& monitor) {
   Planned planned;
   planned.ran = task.job.options;
-  planned.limits = settled(task, task.job.options, monitor);
+  planned.limits = settled(task, task.job.options, CapsFor::the_plan, monitor);
   const Machine machine = judged_machine(task.job.machine, task.job.options);
   const int tubes = tubes_tried(task.path.size());
   Commands commands = task.commands;

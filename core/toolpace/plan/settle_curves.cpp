@@ -10,14 +10,23 @@ namespace toolpace {
 namespace {
 
 /// Shares of the top speed that are tried first, and how narrow the search between them becomes.
-constexpr double kShares[] = {1.0, 0.97, 0.93, 0.88, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3};
-constexpr std::size_t kInVain = 3;  // shares in a row
-constexpr double kNarrow = 0.004;
+constexpr double kShares[] = {1.0,  0.97, 0.95, 0.93, 0.905, 0.88, 0.84, 0.8, 0.75, 0.7,
+                              0.65, 0.6,  0.55, 0.5,  0.45,  0.4,  0.35, 0.3, 0.2,  0.1};
+constexpr std::size_t kLast = std::size(kShares) - 1;
+constexpr double kNarrow = 0.002;
 constexpr double kGolden = 0.6180339887498949;
+/// The time of a run may have several valleys by the share: each is looked into where that costs little, in chains of no more
+/// curves, else the first that is found.
+constexpr std::size_t kFewCurves = 3000;
+constexpr std::size_t kMostValleys = 3;
+constexpr std::size_t kInVain = 5;  // shares in a row, where there are many curves
+/// Where it costs little each curve's share is turned by itself, by such parts.
+constexpr std::size_t kSmallRun = 400;  // blocks times curves
+constexpr double kFirstTurn = 0.1, kLeastTurn = 0.002;
 /// Curves whose caps are no more than this share of their top speeds leave nearly all of their limits: no search.
 constexpr double kGentle = 0.5;
 /// Rounds of lowering caps to the speeds that are reached, as long as a cap falls and the time does by such shares.
-constexpr int kMostLowerings = 3;
+constexpr int kMostLowerings = 3, kMostRounds = 4;
 constexpr double kLowered = 0.98, kGain = 1e-4;
 /// Nodes that are crossed no faster than this share of both neighbours' caps part runs like rests.
 constexpr double kNearRest = 0.3;
@@ -38,13 +47,22 @@ class RunSettler {
   /// The run with its curves' caps chosen.
   const SpeedLimits& run() {
     if (count_ == 0) return run_;
-    if (is_gentle()) {
-      least_ = time_of(1.0);
-    } else {
-      search();
+    std::vector<double> fastest;
+    double least = kUnlimited;
+    for (const double share : is_gentle() ? std::vector<double>{1.0} : valleys()) {
+      least_ = time_of(share);
       raise();
+      lower();
+      if (is_small()) polish();
+      if (!(least_ < least)) continue;
+      least = least_;
+      fastest = share_;
     }
-    lower();
+    if (fastest.empty()) fastest.assign(count_, 1.0);
+    if (share_ != fastest) {
+      share_ = fastest;
+      apply();
+    }
     return run_;
   }
 
@@ -90,19 +108,30 @@ class RunSettler {
     return detail::time_block_ramps(run_, use_.law);
   }
 
-  void search() {
-    double best = kShares[0], least = time_of(best);
-    std::size_t at = 0;
-    for (std::size_t k = 1; k < std::size(kShares); ++k) {
-      const double time = time_of(kShares[k]);
-      if (time < least) {
-        least = time;
-        best = kShares[k];
-        at = k;
-      }
-      if (k >= at + kInVain) break;
+  /// Shares, the same for all curves, from which no other one near by is faster; the fastest first.
+  std::vector<double> valleys() {
+    std::vector<double> time;
+    std::size_t least = 0;
+    const bool is_thorough = all_.curved.size() <= kFewCurves;
+    while (time.size() < std::size(kShares) && (is_thorough || time.size() <= least + kInVain)) {
+      time.push_back(time_of(kShares[time.size()]));
+      if (time.back() < time[least]) least = time.size() - 1;
     }
-    double low = kShares[std::min(at + 1, std::size(kShares) - 1)], high = kShares[at > 0 ? at - 1 : 0];
+    std::vector<std::size_t> bottoms;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+      const bool falls = k == 0 || time[k] < time[k - 1], rises = k + 1 == time.size() || time[k] <= time[k + 1];
+      if (falls && rises) bottoms.push_back(k);
+    }
+    std::stable_sort(bottoms.begin(), bottoms.end(), [&](std::size_t a, std::size_t b) { return time[a] < time[b]; });
+    bottoms.resize(std::min(bottoms.size(), is_thorough ? kMostValleys : 1));
+    std::vector<double> shares;
+    for (const std::size_t k : bottoms) shares.push_back(bottom_near(k, time[k]));
+    return shares;
+  }
+
+  /// The fastest share between both neighbours of one that is tried first, of which the time is known.
+  double bottom_near(std::size_t at, double least) {
+    double best = kShares[at], low = kShares[std::min(at + 1, kLast)], high = kShares[at > 0 ? at - 1 : 0];
     double x = high - kGolden * (high - low), y = low + kGolden * (high - low);
     double fx = time_of(x), fy = time_of(y);
     while (high - low > kNarrow) {
@@ -124,8 +153,7 @@ class RunSettler {
         best = fx < fy ? x : y;
       }
     }
-    set(best);
-    least_ = least;
+    return best;
   }
 
   /// Curves that are run through at their cap need not change speed: they may have their top speed, if the plan as a whole
@@ -160,6 +188,25 @@ class RunSettler {
       const double before = least_;
       if (!lowered || !keep_if_faster(shares) || least_ > before * (1 - kGain)) return;
     }
+  }
+
+  bool is_small() const { return all_.curved.size() <= kFewCurves && run_.size() * count_ <= kSmallRun; }
+
+  /// Turns each curve's share by itself, as long as that saves time.
+  void polish() {
+    for (double turn = kFirstTurn; turn > kLeastTurn; turn /= 2) {
+      bool gains = true;
+      for (int round = 0; round < kMostRounds && gains; ++round) {
+        gains = false;
+        for (std::size_t c = 0; c < count_; ++c) gains |= turn_share(c, 1 / (1 + turn)) || turn_share(c, 1 + turn);
+      }
+    }
+  }
+
+  bool turn_share(std::size_t c, double factor) {
+    const std::vector<double> shares = share_;
+    share_[c] = std::min(1.0, share_[c] * factor);
+    return share_[c] != shares[c] && keep_if_faster(shares);
   }
 
   /// Takes the new shares, or goes back to these.

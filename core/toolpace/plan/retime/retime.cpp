@@ -29,6 +29,7 @@ class PlanRetimer {
         limits_(task.limits),
         keeps_jerk_(law_row(task.options.law).bounds_jerk),
         task_(task),
+        top_speed_(task.commands.top_speed()),
         plan_(plan),
         start_(start),
         node_time_(node_times(task.limits, plan)),
@@ -39,7 +40,6 @@ class PlanRetimer {
     for (std::size_t i = 0; i < path_.size(); ++i) {
       speed_.push_back(path_.kind[i] == SegmentKind::line ? limits_.block_cap[i] : task.commands[i].speed);
     }
-    for (const Command& c : task.commands) top_speed_ = std::max(top_speed_, c.speed);
     corner_.assign(path_.size() + 1, kUnlimited);
     for (std::size_t i = 1; i < path_.size(); ++i) {
       if (limits_.node_cap[i] < std::min(limits_.block_cap[i - 1], limits_.block_cap[i]))
@@ -74,18 +74,8 @@ class PlanRetimer {
   /// Where the program changes its limits on the way, the lowest of them hold in all of the stretch.
   Rules rules_of(std::size_t begin, std::size_t end) const {
     const Machine machine = under(task_.machine, lowest_ceiling(task_.commands, begin, end));
-    return {curve_axes(machine, keeps_jerk_), limits_along(machine.path)};
-  }
-
-  detail::retime::AlongLimits limits_along(const PathLimits& p) const {
-    const LawRow& law = law_row(task_.options.law);
-    detail::retime::AlongLimits along{std::min(p.acceleration, p.deceleration), std::min(p.jerk, p.jerk_deceleration)};
-    if (!law.bounds_jerk) along.jerk = kUnlimited;
-    const double least = law.uses_time ? std::max(task_.options.t_acc, task_.options.t_dec) : 0.0;
-    if (!(least > 0)) return along;
-    along.acceleration = std::min(along.acceleration, 2 * top_speed_ / least);
-    along.jerk = std::min(along.jerk, 4 * top_speed_ / (least * least));
-    return along;
+    const RampLimits along = ramps_timed_anew(task_.options, top_speed_, machine.path);
+    return {curve_axes(machine, keeps_jerk_), {along.acceleration, along.jerk}};
   }
 
   /// From one rest to the next.
@@ -187,7 +177,7 @@ class PlanRetimer {
   const SpeedLimits& limits_;
   bool keeps_jerk_;
   const RetimeTask& task_;
-  double top_speed_ = 0;        // commanded anywhere
+  double top_speed_;            // commanded anywhere
   std::vector<double> speed_;   // at most, of each segment, curvature aside
   std::vector<double> corner_;  // at most, of each node; infinite where only its segments hold it down
   const MotionPlan &plan_, &start_;
@@ -200,6 +190,17 @@ class PlanRetimer {
 };
 
 }  // namespace
+
+RampLimits ramps_timed_anew(const PlanOptions& options, double top_speed, const PathLimits& path) {
+  const LawRow& law = law_row(options.law);
+  RampLimits ramps{std::min(path.acceleration, path.deceleration), std::min(path.jerk, path.jerk_deceleration)};
+  if (!law.bounds_jerk) ramps.jerk = kUnlimited;
+  const double least = law.uses_time ? std::max(options.t_acc, options.t_dec) : 0.0;
+  if (!(least > 0)) return ramps;
+  ramps.acceleration = std::min(ramps.acceleration, 2 * top_speed / least);
+  ramps.jerk = std::min(ramps.jerk, 4 * top_speed / (least * least));
+  return ramps;
+}
 
 std::optional<MotionPlan> retime(const RetimeTask& task, const MotionPlan& plan, const MotionPlan& start,
                                  const ForEach& for_each, const Monitor& monitor) {

@@ -5,6 +5,7 @@
 
 #include "toolpace/base/monitor.h"
 #include "toolpace/limits/machine.h"
+#include "toolpace/limits/ramp_limits.h"
 #include "toolpace/limits/speed_limits.h"
 #include "toolpace/path/commanded.h"
 #include "toolpace/plan/for_each.h"
@@ -22,11 +23,14 @@ struct RetimeTask {
   const PlanOptions& options;  ///< the law's: jerk counts where it keeps it, and five-phase-time's least durations
 };
 
+/// What limits motion along the path, whatever turns. Five-phase-time's ramps by a change of speed Δ have 2Δ/T and 4Δ/T² at
+/// most: with the highest commanded speed as Δ these count, too.
+/// @param top_speed  commanded anywhere [mm/s]
+RampLimits ramps_timed_anew(const PlanOptions& options, double top_speed, const PathLimits& path);
+
 /// Block caps and ramp limits of a curve share the axes' limits between turning and changing speed, once for all. Here each
 /// stretch from rest to rest that has curves is timed anew under the axes' limits themselves (curve_axes.h): the same path,
 /// another speed. Corners are crossed no faster than their caps. What would not become faster stays as it is.
-/// Five-phase-time's ramps by a change of speed Δ have 2Δ/T and 4Δ/T² at most: with the highest speed as Δ these limit the
-/// motion along the path, too.
 /// Linear time; stretches may be timed at the same time, with the same result.
 /// @param plan   of these limits, without pauses
 /// @param start  from where the search begins: like `plan`, of these limits or others that keep the same ones of the axes

@@ -23,10 +23,10 @@ constexpr double kLeastReach = 6, kMostReach = 200;  // of a slow-down [interval
 using Hurry = StretchRetimer::Hurry;
 
 constexpr std::array<Hurry, 4> kHurries = {{{2e-3, 3, false}, {3e-4, 3, false}, {1e-4, 12, true}, {1e-4, 12, true}}};
-/// Slower, but never far outside the limits: where the quick ones have gained less than this share.
+/// Slower, but never far outside the limits: where the quick ones have gained less than this share, and where it costs little.
 constexpr std::array<Hurry, 4> kCarefulHurries = {
     {{3e-3, 12, true}, {1e-3, 12, true}, {3e-4, 12, true}, {1e-4, 12, true}}};
-constexpr double kGained = 0.03;
+constexpr double kGained = 0.03, kBrief = 10;  // [s]
 /// A round is done again while it changes the duration by more than this share.
 constexpr double kStillGains = 0.01;
 constexpr int kMostRounds = 12;
@@ -72,7 +72,8 @@ StretchRetimer::StretchRetimer(const StretchTask& task) : task_(task) {
 
 ArcMotion StretchRetimer::run(const ArcMotion& start, const Monitor& monitor) {
   ArcMotion quick = run(start, kHurries, monitor);
-  if (quick.empty() || quick.duration() <= (1 - kGained) * start.duration()) return quick;
+  const bool has_gained = quick.empty() || quick.duration() <= (1 - kGained) * start.duration();
+  if (has_gained && start.duration() > kBrief) return quick;
   ArcMotion careful = run(start, kCarefulHurries, monitor);
   return careful.empty() || careful.duration() < quick.duration() ? careful : quick;
 }
