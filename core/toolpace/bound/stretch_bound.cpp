@@ -48,7 +48,7 @@ class TimedStretch {
 
   /// A motion near the fastest one.
   ArcMotion motion(const std::vector<double>& corner) const {
-    ArcMotion start = retime::motion_of({plan_.phases, 0, 0.0, plan_time(), position_, 0, end_ - begin_});
+    ArcMotion start = retime::motion_of({plan_.phases, 0, 0.0, plan_time(), position_, 0, 0.0, position_.back(), {}});
     const retime::AlongLimits along{std::min(along_.acceleration, along_.deceleration),
                                     std::min(along_.jerk, along_.jerk_deceleration)};
     std::vector<double> speed;

@@ -10,7 +10,7 @@
 
 namespace toolpace::detail::retime {
 
-/// From rest to rest: the first three control points are equal, and the last three are.
+/// At its ends at rest or at constant speed: the first three control points are as far apart as each other, and the last three.
 class ArcMotion {
  public:
   struct State {
@@ -18,12 +18,19 @@ class ArcMotion {
     double jerk;                           ///< from here on [mm/s³]
   };
 
+  /// [mm/s] ≥ 0
+  struct EndSpeeds {
+    double begin = 0, end = 0;
+  };
+
   ArcMotion() = default;
 
   /// The motion whose positions at uniform knots are close to `position`: smoothed a little, but at the ends, where cubic
   /// polynomials are kept exactly. No limit that the given positions keep in their differences is passed.
   /// @param position  of each knot [mm], at least four, not falling
-  ArcMotion(const std::vector<double>& position, double step) : step_(position.size() - 1, step) {
+  /// @param ends      speeds at the begin and the end
+  ArcMotion(const std::vector<double>& position, double step, EndSpeeds ends)
+      : ends_(ends), step_(position.size() - 1, step) {
     const std::size_t n = step_.size();
     control_.resize(n + 3);
     const double begin = position.front(), end = position.back();
@@ -35,16 +42,18 @@ class ArcMotion {
       control_[k + 1] = position[k] - exact * (after - 2 * position[k] + before) / 6;
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      control_[k] = begin;
-      control_[n + 2 - k] = end;
+      const double from_end = (static_cast<double>(k) - 1) * step;
+      control_[k] = begin + from_end * ends.begin;
+      control_[n + 2 - k] = end - from_end * ends.end;
     }
     for (std::size_t k = 1; k < control_.size(); ++k) {
-      control_[k] = std::min(std::max(control_[k], control_[k - 1]), end);
+      control_[k] = std::min(std::max(control_[k], control_[k - 1]), control_.back());
     }
     find_states();
   }
 
   bool empty() const { return step_.empty(); }
+  const EndSpeeds& ends() const { return ends_; }
   std::size_t intervals() const { return step_.size(); }
   double step(std::size_t k) const { return step_[k]; }
   double duration() const {
@@ -106,6 +115,7 @@ class ArcMotion {
     }
   }
 
+  EndSpeeds ends_;
   std::vector<double> step_;  // [s]
   std::vector<double> control_;
   std::vector<State> state_;  // of each knot
@@ -114,19 +124,21 @@ class ArcMotion {
 inline constexpr double kInterval = 0.002;  ///< between knots [s]
 inline constexpr std::size_t kLeastIntervals = 8;
 
-/// A part of a plan, from rest to rest.
+/// A part of a plan, between two places where it rests or runs at constant speed.
 struct PlanPart {
   const std::vector<Phase>& phases;
   std::size_t first;       ///< phase in which it begins
   double begin, duration;  ///< [s]
   const NodePositions& position;
-  std::size_t from, to;  ///< nodes
+  std::size_t node;  ///< from which positions count
+  double from, to;   ///< [mm] behind it
+  ArcMotion::EndSpeeds ends;
 };
 
-/// The same on knots, its positions counted from its own begin.
+/// The same on knots.
 inline ArcMotion motion_of(const PlanPart& part) {
   const auto n = std::max(kLeastIntervals, static_cast<std::size_t>(std::ceil(part.duration / kInterval)));
-  const double step = part.duration / static_cast<double>(n), length = part.position.between(part.from, part.to);
+  const double step = part.duration / static_cast<double>(n);
   std::vector<double> position(n + 1);
   std::size_t phase = part.first;
   for (std::size_t k = 0; k <= n; ++k) {
@@ -134,12 +146,12 @@ inline ArcMotion motion_of(const PlanPart& part) {
     while (phase + 1 < part.phases.size() && part.phases[phase + 1].begin <= t) ++phase;
     const Phase& p = part.phases[phase];
     const double at =
-        part.position.between(part.from, p.node) + evaluate(p, std::clamp(t - p.begin, 0.0, p.duration)).distance;
-    position[k] = std::clamp(at, k > 0 ? position[k - 1] : 0.0, length);
+        part.position.between(part.node, p.node) + evaluate(p, std::clamp(t - p.begin, 0.0, p.duration)).distance;
+    position[k] = std::clamp(at, k > 0 ? position[k - 1] : part.from, part.to);
   }
-  position.front() = 0;
-  position.back() = length;
-  return {position, step};
+  position.front() = part.from;
+  position.back() = part.to;
+  return {position, step, part.ends};
 }
 
 }  // namespace toolpace::detail::retime

@@ -21,6 +21,9 @@ constexpr double kWorthwhile = 1.003;
 constexpr double kAtRest = 1e-6;        // of a phase's acceleration
 constexpr double kTimeRounding = 1e-9;  // [s]
 constexpr std::size_t kBatch = 64;      // stretches that are timed before they are written
+/// What runs at its commanded speed for so long has nothing to gain there, but for a while at both its ends [s].
+constexpr double kLongCruise = 0.4, kNearChange = 0.1;
+constexpr double kSameSpeed = 1e-9;  // relative
 
 class PlanRetimer {
  public:
@@ -78,36 +81,131 @@ class PlanRetimer {
     return {curve_axes(machine, keeps_jerk_), {along.acceleration, along.jerk}};
   }
 
-  /// From one rest to the next.
+  /// Where both plans rest or run at the same constant speed.
+  struct Place {
+    std::size_t segment;
+    double offset;      ///< from where the segment begins [mm]
+    double speed;       ///< [mm/s]
+    std::size_t phase;  ///< of the plan
+    double time;        ///< in the plan [s]
+    std::size_t start_phase;
+    double start_time;  ///< in the start
+  };
+
+  /// What is timed by itself.
+  struct Part {
+    Place from, to;
+    ArcMotion motion = {};  ///< empty where the plan's own stays
+
+    double duration() const { return to.time - from.time; }
+    /// One behind the last segment.
+    std::size_t end() const { return to.offset > 0 ? to.segment + 1 : to.segment; }
+  };
+
+  /// From one rest to the next, in parts: what is run at the commanded speed for long, and what lies between.
   struct Stretch {
     std::size_t begin, end;              ///< segments
     std::size_t first_phase, end_phase;  ///< of the plan
-    std::size_t first_start;             ///< phase of the start
-    ArcMotion motion = {};               ///< empty where the plan's own stays
+    std::vector<Part> parts;
   };
 
   Stretch stretch_from(std::size_t begin) {
     std::size_t end = begin + 1;
     while (end < path_.size() && limits_.node_cap[end] > 0) ++end;
-    const std::size_t first = phase_;
+    Place from = rest_at(begin);
+    Stretch s{begin, end, phase_, phase_, {}};
     while (phase_ < plan_.phases.size() && plan_.phases[phase_].begin + kTimeRounding < node_time_[end]) ++phase_;
-    const std::size_t first_start = start_phase_;
+    s.end_phase = phase_;
+    for (const auto& [cruise, changes] : cruises(s)) {
+      s.parts.push_back({from, cruise});
+      s.parts.push_back({cruise, changes});
+      from = changes;
+    }
     while (start_phase_ < start_.phases.size() &&
            start_.phases[start_phase_].begin + kTimeRounding < start_time_[end]) {
       ++start_phase_;
     }
-    return {begin, end, first, phase_, first_start};
+    s.parts.push_back({from, rest_at(end)});
+    return s;
+  }
+
+  Place rest_at(std::size_t node) const {
+    return {node, 0.0, 0.0, phase_, node_time_[node], start_phase_, start_time_[node]};
+  }
+
+  /// Begins and ends of what is run at the commanded speed for long, by both plans.
+  std::vector<std::pair<Place, Place>> cruises(const Stretch& s) {
+    std::vector<std::pair<Place, Place>> found;
+    std::size_t segment = s.begin;
+    for (std::size_t i = s.first_phase, next; i < s.end_phase; i = next) {
+      const Phase& first = plan_.phases[i];
+      for (next = i + 1; next < s.end_phase && is_cruise(first) && cruises_at(plan_.phases[next], first.speed);) ++next;
+      const Phase& last = plan_.phases[next - 1];
+      const double begin = first.begin + kNearChange, end = last.begin + last.duration - kNearChange;
+      if (!is_cruise(first) || !(end - begin > kLongCruise - 2 * kNearChange)) continue;
+      const auto from = cruising_at(begin, i, s, segment), to = cruising_at(end, i, s, segment);
+      if (from && to && is_commanded(first.speed, from->segment, to->segment)) found.emplace_back(*from, *to);
+    }
+    return found;
+  }
+
+  static bool is_cruise(const Phase& p) {
+    return p.shape == PhaseShape::constant_jerk && p.acceleration == 0 && p.rate == 0 && p.speed > 0;
+  }
+
+  static bool cruises_at(const Phase& p, double speed) {
+    return is_cruise(p) && std::abs(p.speed - speed) <= kSameSpeed * speed;
+  }
+
+  bool is_commanded(double speed, std::size_t first, std::size_t last) const {
+    return std::all_of(speed_.begin() + static_cast<std::ptrdiff_t>(first),
+                       speed_.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                       [speed](double most) { return most <= speed * (1 + kSameSpeed); });
+  }
+
+  /// The place at a time while the plan cruises; nothing where the start does not, at the same speed. Goes forward only.
+  /// @param phase    of the plan, at the time or before
+  /// @param segment  at the place or before; in the end, there
+  std::optional<Place> cruising_at(double time, std::size_t phase, const Stretch& s, std::size_t& segment) {
+    while (phase + 1 < s.end_phase && plan_.phases[phase + 1].begin <= time) ++phase;
+    const Phase& p = plan_.phases[phase];
+    const auto offset_in = [&](std::size_t i) {
+      return position_.between(i, p.node) + p.distance + p.speed * (time - p.begin);
+    };
+    while (segment + 1 < s.end && offset_in(segment + 1) >= 0) ++segment;
+    const double offset = std::clamp(offset_in(segment), 0.0, path_.length[segment]);
+    const auto begins_at = [&](const Phase& q) { return position_.between(segment, q.node) + q.distance; };
+    while (start_phase_ + 1 < start_.phases.size() && begins_at(start_.phases[start_phase_ + 1]) <= offset) {
+      ++start_phase_;
+    }
+    const Phase& q = start_.phases[start_phase_];
+    if (!cruises_at(q, p.speed)) return {};
+    const double start_time = q.begin + std::clamp((offset - begins_at(q)) / q.speed, 0.0, q.duration);
+    return Place{segment, offset, p.speed, phase, time, start_phase_, start_time};
   }
 
   void time_anew(Stretch& s, const Monitor& monitor) const {
+    if (turns_back(s) || !has_slow_curves(s)) return;
     const Rules rules = rules_of(s.begin, s.end);
-    if (turns_back(s) || !may_gain(s.begin, s.end, rules.axes)) return;
-    const double begin = start_time_[s.begin];
-    const detail::retime::PlanPart start{start_.phases, s.first_start, begin, start_time_[s.end] - begin,
-                                         position_,     s.begin,       s.end};
-    detail::retime::StretchRetimer retimer({path_, rules.axes, rules.along, speed_, corner_, s.begin, s.end});
+    for (Part& part : s.parts) {
+      if (may_gain(part, rules.axes)) time_anew(part, rules, monitor);
+    }
+  }
+
+  void time_anew(Part& part, const Rules& rules, const Monitor& monitor) const {
+    const Place &from = part.from, &to = part.to;
+    const detail::retime::PlanPart start{start_.phases,
+                                         from.start_phase,
+                                         from.start_time,
+                                         to.start_time - from.start_time,
+                                         position_,
+                                         from.segment,
+                                         from.offset,
+                                         position_.between(from.segment, to.segment) + to.offset,
+                                         {from.speed, to.speed}};
+    detail::retime::StretchRetimer retimer({path_, rules.axes, rules.along, speed_, corner_, from.segment, part.end()});
     ArcMotion motion = retimer.run(motion_of(start), {monitor.stop, {}});
-    if (!motion.empty() && motion.duration() < node_time_[s.end] - node_time_[s.begin]) s.motion = std::move(motion);
+    if (!motion.empty() && motion.duration() < part.duration()) part.motion = std::move(motion);
   }
 
   /// Whether it begins or ends at a reversal with acceleration, which its neighbour shares.
@@ -122,23 +220,30 @@ class PlanRetimer {
     return std::max(e.max_acceleration, e.max_deceleration);
   }
 
-  /// Lines alone are run as fast as they can be. Every moving axis of X, Y, Z has to be limited.
-  bool may_gain(std::size_t begin, std::size_t end, const std::array<AxisLimits, kAxisCount>& axes) const {
-    double least = 0, curves = 0, least_curves = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (is_rotary_only(path_, i)) return false;
-      const double commanded = path_.length[i] / speed_[i];
-      least += commanded;
+  /// Stretches of lines are left to the law.
+  bool has_slow_curves(const Stretch& s) const {
+    double commanded = 0, planned = 0;
+    for (std::size_t i = s.begin; i < s.end; ++i) {
       if (path_.kind[i] == SegmentKind::line) continue;
-      least_curves += commanded;
-      curves += node_time_[i + 1] - node_time_[i];
+      commanded += path_.length[i] / speed_[i];
+      planned += node_time_[i + 1] - node_time_[i];
     }
-    const double duration = node_time_[end] - node_time_[begin];
-    if (!(duration > kWorthwhile * least) || !(curves > kWorthwhile * least_curves) || !(duration <= kLongest))
-      return false;
+    return planned > kWorthwhile * commanded;
+  }
+
+  /// Every moving axis of X, Y, Z has to be limited.
+  bool may_gain(const Part& part, const std::array<AxisLimits, kAxisCount>& axes) const {
+    const Place &from = part.from, &to = part.to;
+    double least = 0;
+    for (std::size_t i = from.segment; i < part.end(); ++i) {
+      if (is_rotary_only(path_, i)) return false;
+      const double begin = i == from.segment ? from.offset : 0.0, end = i == to.segment ? to.offset : path_.length[i];
+      least += (end - begin) / speed_[i];
+    }
+    if (!(part.duration() > kWorthwhile * least) || !(part.duration() <= kLongest)) return false;
     for (std::size_t a = 0; a < 3; ++a) {
       const bool is_limited = axes[a].acceleration < kUnlimited && (!keeps_jerk_ || axes[a].jerk < kUnlimited);
-      if (!is_limited && moves(a, begin, end)) return false;
+      if (!is_limited && moves(a, from.segment, part.end())) return false;
     }
     return true;
   }
@@ -152,14 +257,27 @@ class PlanRetimer {
   }
 
   void add(const Stretch& s) {
-    if (!s.motion.empty()) {
+    for (const Part& part : s.parts) {
+      if (part.motion.empty()) {
+        add_own(part, s.end_phase);
+        continue;
+      }
       is_faster_ = true;
-      return add(s.motion, s.begin);
+      add(part.motion, part.from.segment);
     }
-    const double from = node_time_[s.begin], to = node_time_[s.end];
-    for (std::size_t i = s.first_phase; i < s.end_phase; ++i) {
-      out_.phases.push_back(plan_.phases[i]);
-      out_.phases.back().begin = time_ + (plan_.phases[i].begin - from);
+  }
+
+  /// The plan's own phases; those that reach beyond the part are constant speed there.
+  void add_own(const Part& part, std::size_t end_phase) {
+    const double from = part.from.time, to = part.to.time;
+    for (std::size_t i = part.from.phase; i < end_phase && plan_.phases[i].begin + kTimeRounding < to; ++i) {
+      Phase p = plan_.phases[i];
+      const double before = part.from.speed > 0 ? std::max(0.0, from - p.begin) : 0.0;
+      const double behind = part.to.speed > 0 ? std::max(0.0, p.begin + p.duration - to) : 0.0;
+      p.distance += p.speed * before;
+      p.duration -= before + behind;
+      p.begin = time_ + (p.begin + before - from);
+      out_.phases.push_back(p);
     }
     time_ += to - from;
   }

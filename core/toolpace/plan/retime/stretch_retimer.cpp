@@ -17,6 +17,8 @@ constexpr int kMostSlowDowns = 12;
 constexpr double kOpen = 1e6, kTouch = 1.0002;       // of b: no speed limit near; a little room where there is none
 constexpr double kStill = 1e-9;                      // [mm/s]
 constexpr double kUnknown = -1;                      // excess that has to be looked for
+constexpr double kRounding = 1e-9;                   // of a speed that is kept up all the way
+constexpr std::size_t kHeldEnd = 3;                  // intervals at a moving end that stay as they are
 constexpr std::size_t kStretchReach = 3;             // intervals away in which a stretched one changes the motion
 constexpr double kLeastReach = 6, kMostReach = 200;  // of a slow-down [intervals]
 
@@ -75,7 +77,8 @@ ArcMotion StretchRetimer::run(const ArcMotion& start, const Monitor& monitor) {
   const bool has_gained = quick.empty() || quick.duration() <= (1 - kGained) * start.duration();
   if (has_gained && start.duration() > kBrief) return quick;
   ArcMotion careful = run(start, kCarefulHurries, monitor);
-  return careful.empty() || careful.duration() < quick.duration() ? careful : quick;
+  if (careful.empty() || quick.empty()) return careful.empty() ? quick : careful;
+  return careful.duration() < quick.duration() ? careful : quick;
 }
 
 ArcMotion StretchRetimer::run(ArcMotion motion, std::span<const Hurry> hurries, const Monitor& monitor) {
@@ -98,6 +101,7 @@ ArcMotion StretchRetimer::run(ArcMotion motion, std::span<const Hurry> hurries, 
     slow_down(motion);
     peak = find_peaks(motion);
   }
+  if (motion.ends().begin > 0 || motion.ends().end > 0) return peak > 1.0 ? ArcMotion() : motion;
   // What no interval uses is given to all, and what could not be mended where it is, is mended everywhere.
   if (peak < kAimedShare || peak > 1.0) motion.stretch(std::vector<double>(motion.intervals(), peak / kAimedShare));
   return motion;
@@ -135,6 +139,7 @@ StretchRetimer::Sample StretchRetimer::sample_along(const ArcMotion::State& s, c
     r.third[i] = d.third[k] * v * v * v + 3 * d.second[k] * v * a + d.first[k] * s.jerk;
     r.speed_ratio = std::max(r.speed_ratio, std::abs(r.first[i]) / task_.axes[axes_[i]].speed);
   }
+  r.speed_ratio *= 1 - kRounding;
   if (is_limited_along_) {
     r.first[axes_.size()] = v;
     r.second[axes_.size()] = a;
@@ -201,7 +206,9 @@ double StretchRetimer::peak_of_piece(const ArcMotion& motion, std::size_t k, dou
     const ArcMotion::State state = motion.at(k, from + (to - from) * q / parts);
     sampler.go_inside(state.distance);
     const Sample& s = last[static_cast<std::size_t>(q) % 3] = sample(state, sampler);
-    const double rise = std::abs(state.jerk) * part * part / 8;  // of the speed's parabola between two places
+    // The speed's parabola rises between two places if the acceleration changes its sign there.
+    const double now = state.acceleration, change = state.jerk * part;
+    const double rise = std::min(now * (now + change), now * (now - change)) < 0 ? std::abs(change) * part / 8 : 0.0;
     fastest = std::max(fastest, s.speed_ratio * (state.speed + rise) / std::max(state.speed, kStill));
     for (std::size_t a = 0; a < limits_.count; ++a) {
       double second = std::abs(s.second[a]), third = std::abs(s.third[a]);
@@ -253,7 +260,8 @@ ArcMotion StretchRetimer::hurry(const ArcMotion& motion, int round, double weigh
   b_.assign(n + 2, 1.0);
   for (std::size_t begin = 0, end = round % 2 == 0 ? kWindow : kWindow / 2; begin < n; end = begin + kWindow) {
     if (end + kWindow / 4 > n) end = n;
-    const auto& b = window_.run(use_.data() + begin, end - begin, limits_, begin > 0, end < n, weight);
+    const auto& b = window_.run(use_.data() + begin, end - begin, limits_, begin > 0 || motion.ends().begin > 0,
+                                end < n || motion.ends().end > 0, weight);
     std::copy(b.begin(), b.end(), b_.begin() + static_cast<std::ptrdiff_t>(begin));
     begin = end;
   }
@@ -280,7 +288,7 @@ ArcMotion StretchRetimer::resample(const ArcMotion& motion) const {
   }
   position.front() = motion.knot(0).distance;
   position.back() = motion.knot(n).distance;
-  return ArcMotion(position, step);
+  return ArcMotion(position, step, motion.ends());
 }
 
 /// Stretches time smoothly around each interval that uses too much, so far that what this changes of acceleration and jerk is
@@ -310,6 +318,10 @@ void StretchRetimer::slow_down(ArcMotion& motion) {
       b[i] = (before + 2 * here + b[i + 1]) / 4;
       before = here;
     }
+  }
+  for (std::size_t k = 0; k < std::min(kHeldEnd, n); ++k) {
+    if (motion.ends().begin > 0) b[k] = 1;
+    if (motion.ends().end > 0) b[n - 1 - k] = 1;
   }
   for (std::size_t k = 0; k < n; ++k) {
     if (b[k] == 1) continue;

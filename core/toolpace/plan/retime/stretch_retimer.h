@@ -1,5 +1,5 @@
 #pragma once
-/// A stretch from rest to rest, timed anew under the axes' own limits.
+/// A stretch between places of rest or of constant speed, timed anew under the axes' own limits.
 
 #include <span>
 #include <vector>
@@ -34,7 +34,7 @@ class StretchRetimer {
   explicit StretchRetimer(const StretchTask& task);
 
   /// @param start  a motion about within the limits
-  /// @return empty when cancelled
+  /// @return with the same speeds at its ends; empty when cancelled, or where the limits cannot be kept with these speeds
   ArcMotion run(const ArcMotion& start, const Monitor& monitor);
 
   /// One round of faster.
