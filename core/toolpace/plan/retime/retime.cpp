@@ -24,6 +24,7 @@ constexpr std::size_t kBatch = 64;      // stretches that are timed before they 
 /// What runs at its commanded speed for so long has nothing to gain there, but for a while at both its ends [s].
 constexpr double kLongCruise = 0.4, kNearChange = 0.1;
 constexpr double kSameSpeed = 1e-9;  // relative
+constexpr double kBrief = 10;        // stretches of no more are timed as a whole [s]
 
 class PlanRetimer {
  public:
@@ -133,9 +134,10 @@ class PlanRetimer {
     return {node, 0.0, 0.0, phase_, node_time_[node], start_phase_, start_time_[node]};
   }
 
-  /// Begins and ends of what is run at the commanded speed for long, by both plans.
+  /// Begins and ends of what is run at the commanded speed for long, by both plans. None in brief stretches.
   std::vector<std::pair<Place, Place>> cruises(const Stretch& s) {
     std::vector<std::pair<Place, Place>> found;
+    if (!(node_time_[s.end] - node_time_[s.begin] > kBrief)) return found;
     std::size_t segment = s.begin;
     for (std::size_t i = s.first_phase, next; i < s.end_phase; i = next) {
       const Phase& first = plan_.phases[i];
