@@ -1,27 +1,12 @@
 #include <string>
-#include <utility>
 
 #include "toolpace/machine/importer.h"
 #include "toolpace/machine/read_machine.h"
+#include "toolpace/machine/settings_text.h"
 
 namespace toolpace {
-namespace {
-
-ImportedValues read_dump(std::string_view text) {
-  ImportedValues values;
-  for_each_line(text, [&](std::string_view line, std::size_t number) {
-    const std::size_t equals = line.find('=');
-    if (!line.starts_with('$') || equals == std::string_view::npos) return;
-    values.try_emplace(std::string(trimmed(line.substr(0, equals))),
-                       ImportedValue{std::string(trimmed(line.substr(equals + 1))), number});
-  });
-  return values;
-}
-
-}  // namespace
-
 Result<Setup> import_grbl_dump(std::string_view text, const std::string& name) {
-  Importer importer(read_dump(text), name);
+  Importer importer(read_grbl_values(text), name);
   importer.take("lookahead", "junction_deviation_mm", {"$11"}, 1.0);
   if (importer.find("$11")) importer.setup().options.corner.rule = CornerRule::junction;
   for (std::size_t k = 0; k < 3; ++k) {

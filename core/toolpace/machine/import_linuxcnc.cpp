@@ -9,29 +9,13 @@
 #include "toolpace/machine/importer.h"
 #include "toolpace/machine/joint_axes.h"
 #include "toolpace/machine/read_machine.h"
+#include "toolpace/machine/settings_text.h"
 
 namespace toolpace {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
 constexpr double kNoLimit = 1e9;  // LinuxCNC's own default is 1e99
-
-ImportedValues read_ini(std::string_view text) {
-  ImportedValues values;
-  std::string section;
-  for_each_line(text, [&](std::string_view line, std::size_t number) {
-    if (line.empty() || line.front() == '#' || line.front() == ';') return;
-    if (line.front() == '[') {
-      section = upper(trimmed(line.substr(1, line.find(']') - 1)));
-      return;
-    }
-    const std::size_t equals = line.find('=');
-    if (equals == std::string_view::npos) return;
-    values.try_emplace(section + "." + upper(trimmed(line.substr(0, equals))),
-                       ImportedValue{std::string(trimmed(line.substr(equals + 1))), number});
-  });
-  return values;
-}
 
 /// The text where it is UTF-8, as TOML wants it; else with ? for every letter outside of ASCII.
 std::string as_name(std::string text) {
@@ -126,7 +110,11 @@ class AxisImport {
 }  // namespace
 
 Result<Setup> import_linuxcnc_ini(std::string_view text, const std::string& name) {
-  Importer importer(read_ini(text), name);
+  return import_linuxcnc_values(read_ini_values(text), name);
+}
+
+Result<Setup> import_linuxcnc_values(ImportedValues values, const std::string& name) {
+  Importer importer(std::move(values), name);
   const ImportedValue* units = importer.find("TRAJ.LINEAR_UNITS");
   const double length = units && upper(units->text).starts_with("IN") ? kMmPerInch : 1.0;
   importer.take("path", "max_speed_mm_s",

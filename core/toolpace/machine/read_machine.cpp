@@ -4,13 +4,14 @@
 #include <array>
 
 #include "toolpace/base/file_name.h"
+#include "toolpace/machine/settings_text.h"
 
 namespace toolpace {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool is_grbl_setting(std::string_view line) { return line.size() > 3 && line[0] == '$' && is_digit(line[1]); }
+bool is_grbl_setting(std::string_view line) {
+  return !line.starts_with('#') && grbl_setting_in(trimmed(line)).has_value();
+}
 
 /// [TRAJ] and its like; machine files have no such sections.
 bool is_linuxcnc_section(std::string_view line) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "toolpace/base/result.h"
+#include "toolpace/machine/importer.h"
 #include "toolpace/machine/setup.h"
 
 namespace toolpace {
@@ -30,9 +31,12 @@ Result<Setup> read_machine(const std::filesystem::path& file, const Monitor& mon
 /// trapezoid, as LinuxCNC plans. Errors (usage), with file and line: "import-value" for what is no number, out of the
 /// range of a machine file or, as travel, out of order; (input) "import-empty" where no known key stands in it.
 Result<Setup> import_linuxcnc_ini(std::string_view text, const std::string& name);
+/// The same of values that were read already (settings_text.h).
+Result<Setup> import_linuxcnc_values(ImportedValues values, const std::string& name);
 
 /// What grbl answers to $$: $11 junction deviation, $100–$102 steps/mm, $110–$112 mm/min, $120–$122 mm/s², $130–$132
-/// travel mm (from −travel to 0, as grbl's machine space is; 0 = none). Other lines are passed over. The law is the
+/// travel mm (from −travel to 0, as grbl's machine space is; 0 = none). Other lines are passed over, and so is what a
+/// console or a sender puts around these; of several dumps the last one counts. The law is the
 /// trapezoid, as grbl plans. Errors: as above.
 Result<Setup> import_grbl_dump(std::string_view text, const std::string& name);
 

@@ -1,0 +1,199 @@
+#include "toolpace/machine/settings_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace toolpace {
+namespace {
+
+constexpr int kIncludeDepth = 8;  // files within each other; a ring of them ends here
+
+bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_filler(char c) { return c == ' ' || c == '\t' || c == '"' || c == '\''; }
+bool is_of_number(char c) { return is_decimal_digit(c) || c == '.' || c == '-' || c == '+'; }
+
+std::size_t skip(std::string_view text, std::size_t at, bool (*is)(char)) {
+  while (at < text.size() && is(text[at])) ++at;
+  return at;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+class IniReader {
+ public:
+  explicit IniReader(const ReadIncluded& included) : included_(included) {}
+
+  /// @param outer  line of the outermost file that includes this text; 0 = this is that file
+  void read(std::string_view text, std::size_t outer, int depth) {
+    for_each_line(text, [&](std::string_view line, std::size_t number) { take(line, outer ? outer : number, depth); });
+  }
+
+  ImportedValues values;
+
+ private:
+  void take(std::string_view line, std::size_t number, int depth) {
+    constexpr std::string_view kInclude = "#INCLUDE";
+    if (line.starts_with(kInclude) && included_ && depth < kIncludeDepth) {
+      for (const std::string& text : included_(trimmed(line.substr(kInclude.size())))) read(text, number, depth + 1);
+      return;
+    }
+    if (line.empty() || line.front() == '#' || line.front() == ';') return;
+    if (line.front() == '[') {
+      section_ = upper(trimmed(line.substr(1, line.find(']') - 1)));
+      return;
+    }
+    const std::size_t equals = line.find('=');
+    if (equals == std::string_view::npos) return;
+    values.try_emplace(section_ + "." + upper(trimmed(line.substr(0, equals))),
+                       ImportedValue{std::string(trimmed(line.substr(equals + 1))), number});
+  }
+
+  const ReadIncluded& included_;
+  std::string section_;
+};
+
+class KlipperReader {
+ public:
+  explicit KlipperReader(const ReadIncluded& included) : included_(included) {}
+
+  void read(std::string_view text, std::size_t outer, int depth) {
+    std::string section;
+    for (std::size_t number = 1; !text.empty(); ++number) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      take(text.substr(0, end), section, outer ? outer : number, depth);
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+  }
+
+  /// The values of the file, with those of its SAVE_CONFIG block on top.
+  ImportedValues finish() {
+    for (auto& [key, value] : saved_) values_.insert_or_assign(key, std::move(value));
+    return std::move(values_);
+  }
+
+ private:
+  void take(std::string_view line, std::string& section, std::size_t number, int depth) {
+    constexpr std::string_view kSaved = "#*#";
+    const bool is_saved = line.starts_with(kSaved);
+    if (is_saved) {
+      line.remove_prefix(kSaved.size());
+      if (line.starts_with(' ')) line.remove_prefix(1);
+    }
+    if (line.empty() || line.front() == ' ' || line.front() == '\t') return;  // goes on with the value before
+    line = without_comment(line);
+    if (line.empty()) return;
+    if (line.front() == '[') {
+      section = std::string(trimmed(line.substr(1, line.find(']') - 1)));
+      include(section, number, depth);
+      return;
+    }
+    const std::size_t mark = line.find_first_of(":=");
+    if (mark == std::string_view::npos || section.empty()) return;
+    (is_saved ? saved_ : values_)
+        .insert_or_assign(lower(section) + "." + lower(trimmed(line.substr(0, mark))),
+                          ImportedValue{std::string(trimmed(line.substr(mark + 1))), number});
+  }
+
+  void include(const std::string& section, std::size_t number, int depth) {
+    constexpr std::string_view kInclude = "include ";
+    if (!section.starts_with(kInclude) || !included_ || depth >= kIncludeDepth) return;
+    for (const std::string& text : included_(trimmed(std::string_view(section).substr(kInclude.size())))) {
+      read(text, number, depth + 1);
+    }
+  }
+
+  static std::string_view without_comment(std::string_view line) { return trimmed(line.substr(0, line.find_first_of("#;"))); }
+
+  const ReadIncluded& included_;
+  ImportedValues values_, saved_;
+};
+
+}  // namespace
+
+std::optional<std::pair<std::string, std::string>> grbl_setting_in(std::string_view line) {
+  for (std::size_t begin = line.find('$'); begin != std::string_view::npos; begin = line.find('$', begin + 1)) {
+    const std::size_t end = skip(line, begin + 1, is_decimal_digit);
+    std::size_t at = skip(line, end, is_filler);
+    if (end == begin + 1 || at >= line.size() || (line[at] != '=' && line[at] != ':')) continue;
+    at = skip(line, at + 1, is_filler);
+    const std::size_t value_end = std::min(line.find_first_of(" \t\"',;()<|", at), line.size());
+    return std::pair(std::string(line.substr(begin, end - begin)),
+                     std::string(trimmed(line.substr(at, value_end - at))));
+  }
+  return std::nullopt;
+}
+
+bool is_setting_of_grbl(std::string_view key) {
+  constexpr std::array<int, 34> kSettings = {0,  1,  2,  3,  4,  5,  6,   10,  11,  12,  13,  20,  21,  22,  23,  24,  25,
+                                             26, 27, 30, 31, 32, 100, 101, 102, 110, 111, 112, 120, 121, 122, 130, 131, 132};
+  const std::string number(key.substr(1));
+  return std::any_of(kSettings.begin(), kSettings.end(), [&](int k) { return std::to_string(k) == number; });
+}
+
+ImportedValues read_grbl_values(std::string_view text) {
+  ImportedValues values;
+  for_each_line(text, [&](std::string_view line, std::size_t number) {
+    // JSON keeps many on a line: each comma begins the next.
+    while (!line.empty()) {
+      const std::size_t comma = line.find(",\"$");
+      auto setting = grbl_setting_in(line.substr(0, comma));
+      if (setting) values.insert_or_assign(std::move(setting->first), ImportedValue{std::move(setting->second), number});
+      if (comma == std::string_view::npos) return;
+      line.remove_prefix(comma + 1);
+    }
+  });
+  return values;
+}
+
+std::optional<MarlinWords> marlin_words_in(std::string_view line) {
+  constexpr std::array<std::string_view, 6> kCodes = {"M92", "M201", "M203", "M204", "M205", "M900"};
+  for (const std::string_view code : kCodes) {
+    const std::size_t begin = line.find(code);
+    if (begin == std::string_view::npos) continue;
+    const std::size_t behind = begin + code.size();
+    if (behind >= line.size() || line[behind] != ' ') continue;
+    if (begin > 0 && line[begin - 1] != ' ' && line[begin - 1] != ':' && line[begin - 1] != '\t') continue;
+    MarlinWords result{std::string(code), {}};
+    std::string_view rest = line.substr(behind, line.find(';', behind) - behind);
+    while (!(rest = trimmed(rest)).empty()) {
+      const std::size_t end = skip(rest, 1, is_of_number);
+      if (std::isupper(static_cast<unsigned char>(rest.front())) == 0 || end == 1) break;
+      result.words.emplace_back(rest.front(), std::string(rest.substr(1, end - 1)));
+      rest.remove_prefix(end);
+    }
+    if (!result.words.empty()) return result;
+  }
+  return std::nullopt;
+}
+
+ImportedValues read_marlin_values(std::string_view text) {
+  ImportedValues values;
+  for_each_line(text, [&](std::string_view line, std::size_t number) {
+    const auto command = marlin_words_in(line);
+    if (!command) return;
+    // "M203 T0 E25" of an extruder is none of an axis.
+    for (const auto& [letter, value] : command->words) {
+      values.insert_or_assign(command->code + " " + letter, ImportedValue{value, number});
+    }
+  });
+  return values;
+}
+
+ImportedValues read_ini_values(std::string_view text, const ReadIncluded& included) {
+  IniReader reader(included);
+  reader.read(text, 0, 0);
+  return std::move(reader.values);
+}
+
+ImportedValues read_klipper_values(std::string_view text, const ReadIncluded& included) {
+  KlipperReader reader(included);
+  reader.read(text, 0, 0);
+  return reader.finish();
+}
+
+}  // namespace toolpace
