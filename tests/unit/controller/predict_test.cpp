@@ -1,0 +1,212 @@
+#include "toolpace/controller/prediction.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+#include <string>
+
+#include "toolpace/nc/reader.h"
+
+namespace toolpace {
+namespace {
+
+constexpr const char* kGrbl =
+    "$1=25\n$11=0.01\n$12=0.002\n$100=80\n$101=80\n$102=400\n$110=6000\n$111=6000\n$112=600\n$120=500\n$121=500\n$122=50\n";
+constexpr const char* kKlipper =
+    "[printer]\nkinematics: cartesian\nmax_velocity: 100\nmax_accel: 1000\nmax_z_velocity: 10\nmax_z_accel: 100\n"
+    "minimum_cruise_ratio: 0\n[gcode_arcs]\n";
+constexpr const char* kMarlin =
+    "echo: M92 X80 Y80 Z400\necho: M203 X100 Y100 Z10\necho: M201 X1000 Y1000 Z100\necho: M204 P1000 R1000 T1000\n"
+    "echo: M205 S0 T0 J0.02\n";
+
+Prediction predict_with(const char* settings, const std::string& program, Controller controller,
+                        const PredictOptions& options = {}) {
+  const auto parsed = parse_controller_settings(settings, "settings", controller);
+  EXPECT_TRUE(parsed) << parsed.error().message;
+  ReadOptions reading;
+  reading.dialect = dialect_of(controller);
+  const auto read = read_text(program, "p.nc", reading);
+  EXPECT_TRUE(read);
+  auto prediction = predict(*read, scan_program(program), *parsed, options);
+  EXPECT_TRUE(prediction) << prediction.error().message;
+  return *prediction;
+}
+
+double sum(const Prediction& p) { return std::accumulate(p.time_by_limit.begin(), p.time_by_limit.end(), 0.0); }
+double spent(const Prediction& p, TimeLimit limit) { return p.time_by_limit[static_cast<std::size_t>(limit)]; }
+
+/// Lines of random lengths and directions, feeds that change, now and then an arc or a dwell.
+std::string random_program(unsigned seed, std::size_t lines, bool for_printer) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> step(-3, 3), feed(300, 5000);
+  std::string text = "G21 G90\nG1 F1200\n";
+  double x = 0, y = 0;
+  for (std::size_t i = 0; i < lines; ++i) {
+    x += step(random);
+    y += step(random);
+    text += "G1 X" + std::to_string(x) + " Y" + std::to_string(y) + " Z" + std::to_string(0.05 * step(random)) + " F" +
+            std::to_string(feed(random)) + "\n";
+    if (i % 40 == 39) text += for_printer ? "G4 P100\n" : "G4 P0.1\n";
+  }
+  return text + "M2\n";
+}
+
+// 100 mm at 60 mm/s with 500 mm/s²: 100/60 + 60/500 = 1.78667 s; the steps' timer adds a little, the last step is early.
+TEST(Predict, ALoneLineOfGrblIsATrapezoid) {
+  const auto p = predict_with(kGrbl, "G21 G90\nG1 X100 F3600\n", Controller::grbl);
+  EXPECT_NEAR(p.cycle_time, 100.0 / 60 + 60.0 / 500, 5e-3);
+  EXPECT_EQ(p.blocks, 1u);
+  EXPECT_NEAR(spent(p, TimeLimit::acceleration), 60.0 / 500, 1e-3);
+}
+
+// The same in Klipper, whose times are exact: 100/60 + 60/1000.
+TEST(Predict, ALoneLineOfKlipperIsExact) {
+  const auto p = predict_with(kKlipper, "G1 X100 F3600\n", Controller::klipper);
+  EXPECT_NEAR(p.cycle_time, 100.0 / 60 + 60.0 / 1000, 1e-9);
+}
+
+// Z as slow as it may: 10 mm at 10 mm/s with 100 mm/s²: 10/10 + 10/100.
+TEST(Predict, KlipperKeepsZsOwnLimits) {
+  const auto p = predict_with(kKlipper, "G1 Z10 F6000\n", Controller::klipper);
+  EXPECT_NEAR(p.cycle_time, 1.1, 1e-9);
+  EXPECT_GT(spent(p, TimeLimit::axis_speed), 0.8);
+}
+
+// A right angle is passed at 5 mm/s, two lines of 50 mm at 50 mm/s: each 50/50 + 50/1000/2 + (50 − 5)/1000/2 + (5/1000)²…
+// By hand: ramp up 0.05 s over 1.25 mm; ramp to 5 mm/s 0.045 s over (2500 − 25)/2000 = 1.2375 mm; the rest at 50 mm/s.
+TEST(Predict, KlipperPassesASquareCornerAtItsVelocity) {
+  const auto p = predict_with(kKlipper, "G1 X50 F3000\nG1 Y50\n", Controller::klipper);
+  EXPECT_NEAR(p.cycle_time, 2 * (0.05 + 0.045 + (50 - 1.25 - 1.2375) / 50), 1e-9);
+  EXPECT_NEAR(spent(p, TimeLimit::corner), 0.045, 1e-9);
+}
+
+TEST(Predict, FHoldsForRapidsOfPrinters) {
+  const auto p = predict_with(kKlipper, "G0 X100 F1200\nG0 X0\n", Controller::klipper);
+  EXPECT_NEAR(p.rapid_time, 2 * (100.0 / 20 + 20.0 / 1000), 1e-9);
+}
+
+TEST(Predict, M400IsAStopOfPrinters) {
+  const double with = predict_with(kKlipper, "G1 X50 F3000\nM400\nG1 X100\n", Controller::klipper).cycle_time;
+  const double without = predict_with(kKlipper, "G1 X50 F3000\nG1 X100\n", Controller::klipper).cycle_time;
+  EXPECT_NEAR(with - without, 50.0 / 1000, 1e-9) << "slowing down from 50 mm/s, and speeding up again";
+}
+
+TEST(Predict, GrblDwellsInStepsAndRestsAfterEachMotion) {
+  const auto p = predict_with(kGrbl, "G21 G90\nG1 X10 F1200\nG4 P0.12\nG1 X20\n", Controller::grbl);
+  EXPECT_NEAR(p.dwell_time, 0.15, 1e-12);
+  EXPECT_GE(spent(p, TimeLimit::stops), 0.025) << "$1";
+  const auto hal = predict_with(kGrbl, "G21 G90\nG1 X10 F1200\nG4 P0.12\nG1 X20\n", Controller::grblhal);
+  EXPECT_NEAR(p.cycle_time - hal.cycle_time, 0.025, 2e-3);
+}
+
+TEST(Predict, GrblWaitsForItsSpindleAndNotForNothing) {
+  const std::string turning = "G21 G90\nM3 S1000\nG1 X10 F1200\nM3 S2000\nG1 X20\n";
+  const std::string steady = "G21 G90\nM3 S1000\nG1 X10 F1200\nM3 S1000\nG1 X20\n";
+  EXPECT_GT(predict_with(kGrbl, turning, Controller::grbl).cycle_time,
+            predict_with(kGrbl, steady, Controller::grbl).cycle_time + 0.025);
+}
+
+TEST(Predict, TimesByLimitAddUp) {
+  for (const auto& [settings, controller] : {std::pair(kGrbl, Controller::grbl), std::pair(kGrbl, Controller::grblhal),
+                                             std::pair(kKlipper, Controller::klipper), std::pair(kMarlin, Controller::marlin)}) {
+    const bool is_printer = dialect_of(controller) == Dialect::marlin;
+    PredictOptions options;
+    options.keeps_blocks = true;
+    const auto p = predict_with(settings, random_program(7, 400, is_printer), controller, options);
+    EXPECT_NEAR(sum(p), p.cycle_time, 1e-9);
+    EXPECT_NEAR(p.dwell_time, 1.0, 1e-9);
+    EXPECT_NEAR(p.feed_time + p.rapid_time + p.dwell_time + spent(p, TimeLimit::stops), p.cycle_time, 0.5);
+    EXPECT_NEAR(std::accumulate(p.row_time.begin(), p.row_time.end(), 0.0), p.cycle_time, 0.5);
+  }
+}
+
+// No motion is faster than its feed.
+TEST(Predict, NothingBeatsTheFeed) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    for (const auto& [settings, controller] :
+         {std::pair(kGrbl, Controller::grbl), std::pair(kKlipper, Controller::klipper), std::pair(kMarlin, Controller::marlin)}) {
+      const std::string program = random_program(seed, 200, dialect_of(controller) == Dialect::marlin);
+      ReadOptions options;
+      options.dialect = dialect_of(controller);
+      const auto reading = read_text(program, "p.nc", options);
+      double bound = 0;
+      for (std::size_t i = 0; i < reading->moves.size(); ++i) {
+        if (reading->moves.kind[i] != MoveKind::feed) continue;
+        bound += (reading->moves.end[i] - reading->moves.begin_of(i)).head<3>().norm() / reading->moves.feed[i];
+      }
+      // Rounding to steps changes lengths by a few 1e-3.
+      EXPECT_GE(predict_with(settings, program, controller).cycle_time, bound * 0.995) << "seed " << seed;
+    }
+  }
+}
+
+// Klipper's corner speed does not hang on its acceleration at a right angle; what it may do more it does.
+TEST(Predict, MoreAccelerationAloneNeverCostsTimeInKlipper) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const std::string program = random_program(seed, 200, true);
+    double before = 1e9;
+    for (const char* accel : {"500", "1000", "2000", "4000"}) {
+      const std::string settings = "[printer]\nmax_velocity: 100\nmax_accel: " + std::string(accel) +
+                                   "\nmax_z_accel: 100000\nmax_z_velocity: 1000\nminimum_cruise_ratio: 0\n";
+      const double time = predict_with(settings.c_str(), program, Controller::klipper).cycle_time;
+      EXPECT_LE(time, before * (1 + 1e-9)) << "seed " << seed << " at " << accel;
+      before = time;
+    }
+  }
+}
+
+TEST(Predict, ALongerRingNeverCostsTime) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const std::string program = random_program(seed, 300, false);
+    double before = 1e9;
+    for (const char* blocks : {"30", "100", "400"}) {
+      const std::string settings = std::string(kGrbl) + "$398=" + blocks + "\n";
+      const double time = predict_with(settings.c_str(), program, Controller::grblhal).cycle_time;
+      EXPECT_LE(time, before * (1 + 1e-9)) << "seed " << seed << " with " << blocks;
+      before = time;
+    }
+  }
+}
+
+TEST(Predict, ASlowLinkStarvesShortBlocks) {
+  std::string program = "G21 G90\nG1 F3000\n";
+  for (int i = 1; i <= 500; ++i) program += "G1 X" + std::to_string(0.05 * i) + " Y0.000000\n";
+  PredictOptions slow, fast;
+  slow.baud = 9600;
+  fast.baud = 1e9;
+  const auto starved = predict_with(kGrbl, program, Controller::grbl, slow);
+  const auto fed = predict_with(kGrbl, program, Controller::grbl, fast);
+  // 500 lines of 25 bytes at 960 bytes a second.
+  EXPECT_GE(starved.cycle_time, 0.9 * static_cast<double>(program.size()) / 960);
+  EXPECT_GT(starved.starved, 10);
+  EXPECT_GT(spent(starved, TimeLimit::link), 5);
+  EXPECT_LT(fed.starved, 0.05);
+}
+
+TEST(Predict, ArcsWithoutTheirSectionAreRefusedByKlipper) {
+  const char* bare = "[printer]\nmax_velocity: 100\nmax_accel: 1000\n";
+  const auto settings = parse_controller_settings(bare, "printer.cfg");
+  ReadOptions options;
+  options.dialect = Dialect::marlin;
+  const std::string program = "G1 X1 F600\nG2 X3 Y0 I1 J0\n";
+  const auto p = predict(*read_text(program, "p.gcode", options), scan_program(program), *settings);
+  ASSERT_FALSE(p);
+  EXPECT_EQ(p.error().code, "controller-refuses");
+  EXPECT_EQ(p.error().where.line, 2u);
+}
+
+// By hand: start and end at √(a/(2·80)) = 2.5 mm/s, 50 mm/s and 1000 mm/s²: ramps of 47.5 ms over (2500 − 6.25)/2000 mm.
+TEST(Predict, MarlinStartsWithASpeed) {
+  const auto p = predict_with(kMarlin, "G1 X100 F3000\n", Controller::marlin);
+  EXPECT_NEAR(p.cycle_time, 2 * 0.0475 + (100 - 2 * 2493.75 / 2000) / 50, 1e-9);
+}
+
+TEST(Predict, CommentsHideCodes) {
+  const ProgramText text = scan_program("G1 X1 (M3 S5)\nm400 ; G28\nG92X0\r\nS100 M03\nG54.1");
+  EXPECT_EQ(text.codes, (std::vector<std::uint8_t>{0, kFinishCode, kOriginCode, kSpindleCode, kOffsetCode}));
+  EXPECT_EQ(text.bytes, (std::vector<std::uint16_t>{14, 11, 7, 9, 5}));
+}
+
+}  // namespace
+}  // namespace toolpace
