@@ -132,7 +132,15 @@ tl::expected<void, Failure> ReadingFlags::check() const {
 
 tl::expected<Reading, Failure> ReadingFlags::read() const {
   if (auto checked = check(); !checked) return tl::unexpected(std::move(checked.error()));
-  auto reading = read_file(program, options(), terminal_monitor("reading"));
+  return told(read_file(program, options(), terminal_monitor("reading")));
+}
+
+tl::expected<Reading, Failure> ReadingFlags::read(std::string_view text) const {
+  if (auto checked = check(); !checked) return tl::unexpected(std::move(checked.error()));
+  return told(read_text(text, program, options(), terminal_monitor("reading")));
+}
+
+tl::expected<Reading, Failure> ReadingFlags::told(Result<Reading> reading) const {
   end_progress();
   if (!reading) return tl::unexpected<Failure>(std::move(reading.error()));
   const auto& texts = reading->moves.files;

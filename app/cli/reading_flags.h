@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command_line.h"
@@ -31,12 +32,15 @@ struct ReadingFlags {
   /// Reads the program and prints its diagnostics to stderr. A sub-program that it called and that the command would
   /// write over is a Failure.
   tl::expected<Reading, Failure> read() const;
+  /// The same of a text that was read from it already.
+  tl::expected<Reading, Failure> read(std::string_view text) const;
 
   /// The same, for commands that make nothing of a program with errors: it is a Failure.
   tl::expected<Reading, Failure> read_accepted() const;
 
  private:
   tl::expected<void, Failure> check() const;
+  tl::expected<Reading, Failure> told(Result<Reading> reading) const;
 
   const FileUse* files_ = nullptr;
 };

@@ -12,6 +12,7 @@ using Parameters = std::vector<ControllerParameter>;
 
 constexpr double kMostSetting = 1e9;
 constexpr double kLeastSetting = 1e-6;
+constexpr const char* kSwitch = "";  // the unit of what is on or off
 
 void add_by_axis(Parameters& list, const std::string& head, const char* title, const char* unit, double size,
                  XyzValues& values, bool by_letter) {
@@ -27,7 +28,7 @@ Parameters list_of(GrblSettings& s, Controller controller) {
   if (!is_hal) list.push_back({"$1", "step idle delay", "ms", 1e-3, &s.idle_delay, 0, 65535, {255}});
   list.push_back({"$11", "junction deviation", "mm", 1, &s.junction_deviation, 0, kMostSetting});
   list.push_back({"$12", "arc tolerance", "mm", 1, &s.arc_tolerance, kLeastSetting, kMostSetting});
-  list.push_back({"$32", "laser mode", "", 1, &s.laser, 0, 2, {1}});
+  list.push_back({"$32", "laser mode", kSwitch, 1, &s.laser, 0, 2});
   add_by_axis(list, "$10", "steps", "1/mm", 1, s.steps, false);
   add_by_axis(list, "$11", "rate", "mm/min", kPerMinute, s.rate, false);
   add_by_axis(list, "$12", "acceleration", "mm/s²", 1, s.acceleration, false);
@@ -41,7 +42,7 @@ Parameters list_of(KlipperSettings& s) {
           {"[printer] max_z_velocity", "Z speed", "mm/s", 1, &s.max_z_velocity, kLeastSetting, kMostSetting},
           {"[printer] max_z_accel", "Z acceleration", "mm/s²", 1, &s.max_z_accel, kLeastSetting, kMostSetting},
           {"[printer] square_corner_velocity", "square corner velocity", "mm/s", 1, &s.square_corner_velocity, 0, kMostSetting},
-          {"[printer] minimum_cruise_ratio", "minimum cruise ratio", "", 1, &s.minimum_cruise_ratio, 0, 0.999, {0}},
+          {"[printer] minimum_cruise_ratio", "minimum cruise ratio", "1", 1, &s.minimum_cruise_ratio, 0, 0.999, {0}},
           {"[gcode_arcs] resolution", "arc resolution", "mm", 1, &s.arc_resolution, 1e-3, kMostSetting}};
 }
 
@@ -62,8 +63,8 @@ Parameters list_of(LinuxcncSettings& s) {
   Parameters list = {
       {"[TRAJ] MAX_LINEAR_VELOCITY", "path velocity", "mm/s", 1, &s.velocity, kLeastSetting, kUnlimited},
       {"[TRAJ] ARC_BLEND_OPTIMIZATION_DEPTH", "look-ahead", "blocks", 1, &s.depth, 1, 100},
-      {"[TRAJ] ARC_BLEND_ENABLE", "arc blends", "", 1, &s.arc_blends, 0, 1, {1}},
-      {"[TRAJ] ARC_BLEND_FALLBACK_ENABLE", "parabolic where an arc would be slower", "", 1, &s.arc_blend_fallback, 0, 1, {1}},
+      {"[TRAJ] ARC_BLEND_ENABLE", "arc blends", kSwitch, 1, &s.arc_blends, 0, 1, {0, 1}},
+      {"[TRAJ] ARC_BLEND_FALLBACK_ENABLE", "parabolic where an arc would be slower", kSwitch, 1, &s.arc_blend_fallback, 0, 1, {0, 1}},
       {"[TRAJ] ARC_BLEND_GAP_CYCLES", "least length of a blend", "cycles", 1, &s.gap_cycles, 0, kMostSetting},
       {"[TRAJ] ARC_BLEND_RAMP_FREQ", "ramp frequency", "Hz", 1, &s.ramp_frequency, 0, kMostSetting},
       {"[EMCMOT] SERVO_PERIOD", "servo period", "ns", 1e-9, &s.period, 1e4, 1e8}};

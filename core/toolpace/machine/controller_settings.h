@@ -70,7 +70,7 @@ struct LinuxcncSettings {
 struct ControllerParameter {
   std::string key;    ///< as the controller has it: "$120", "[printer] max_accel", "M201 X"
   std::string title;  ///< "X acceleration"
-  const char* unit;   ///< of the file, for people: "mm/min"
+  const char* unit;   ///< of the file, for people: "mm/min", "1" for a ratio; empty for what is on or off
   double size;        ///< what one such unit is inside
   double* value;      ///< inside the settings, in mm and s
   double least, most; ///< what the controller takes, in the file's unit

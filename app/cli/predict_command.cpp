@@ -1,0 +1,240 @@
+/// toolpace predict: how long a real controller takes for a program, why, and what its settings would give.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include "json.h"
+
+#include "commands.h"
+#include "interrupt.h"
+#include "outcome_json.h"
+#include "reading_flags.h"
+#include "report.h"
+#include "toolpace/base/input_file.h"
+#include "toolpace/base/numbers.h"
+#include "toolpace/controller/prediction.h"
+#include "toolpace/tune/what_if.h"
+
+namespace toolpace::cli {
+namespace {
+
+constexpr double kToleranceOfSetpoints = 0.01;  // [mm] at corners of "as setpoints"
+constexpr std::size_t kShownRows = 8;
+constexpr double kMostBaud = 1e12;
+constexpr double kMostBlockTime = 1e6;  // [ms]
+constexpr const char* kAsSetpoints = "Toolpace's setpoints on the same limits";
+
+struct PredictFlags {
+  ReadingFlags reading;
+  std::string controller, settings;
+  std::optional<double> baud, block_time_ms;
+  bool json = false, no_what_if = false;
+};
+
+/// All that is printed.
+struct Told {
+  Prediction prediction;
+  std::vector<WhatIf> rows;
+  std::optional<double> as_setpoints;  ///< [s]
+  Diagnostics warnings;
+};
+
+std::string controller_names() {
+  std::string names;
+  for (const Controller c : all_controllers()) names += (names.empty() ? "" : ", ") + std::string(controller_name(c));
+  return names;
+}
+
+Result<ControllerSettings> settings_of(const PredictFlags& flags) {
+  std::optional<Controller> controller;
+  if (!flags.controller.empty()) {
+    controller = controller_named(flags.controller);
+    if (!controller) {
+      return tl::unexpected(usage_error("bad-flag", fmt::format("--controller knows no '{}'", flags.controller),
+                                        "give one of " + controller_names()));
+    }
+  }
+  return read_controller_settings(flags.settings, controller, terminal_monitor("settings"));
+}
+
+Result<PredictOptions> options_of(const PredictFlags& flags) {
+  PredictOptions options;
+  const auto check = [](const char* flag, double value, double most) -> Result<void> {
+    if (value > 0 && value <= most) return {};
+    return tl::unexpected(usage_error("bad-flag", fmt::format("{} is {}, but it must be above 0 and at most {}", flag,
+                                                              to_text(value), to_text(most)), ""));
+  };
+  if (flags.baud) {
+    if (auto fine = check("--baud", *flags.baud, kMostBaud); !fine) return tl::unexpected(fine.error());
+    options.baud = flags.baud;
+  }
+  if (flags.block_time_ms) {
+    if (auto fine = check("--block-time-ms", *flags.block_time_ms, kMostBlockTime); !fine) return tl::unexpected(fine.error());
+    options.block_time = *flags.block_time_ms * 1e-3;
+  }
+  return options;
+}
+
+Json what_if_json(const Told& told) {
+  Json list = Json::array();
+  for (const WhatIf& row : told.rows) {
+    list.push_back({{"setting", row.setting}, {"title", row.title}, {"unit", row.unit}, {"from", row.from}, {"to", row.to},
+                    {"cycle_time_s", row.cycle_time}});
+  }
+  if (told.as_setpoints) {
+    list.push_back({{"setting", kAsSetpoints}, {"title", kAsSetpoints}, {"unit", ""}, {"from", nullptr}, {"to", nullptr},
+                    {"cycle_time_s", *told.as_setpoints}});
+  }
+  return list;
+}
+
+Json predict_json(const PredictFlags& flags, const Reading& reading, const ControllerSettings& settings, const Told& told) {
+  const Prediction& p = told.prediction;
+  Json limits = Json::object();
+  for (std::size_t i = 0; i < kTimeLimitCount; ++i) {
+    if (p.time_by_limit[i] != 0) limits[std::string(time_limit_name(static_cast<TimeLimit>(i)))] = p.time_by_limit[i];
+  }
+  return {{"program", flags.reading.program},
+          {"dialect", std::string(dialect_name(reading.dialect))},
+          {"controller", std::string(controller_name(p.controller))},
+          {"refused", reading.refused},
+          {"cycle_time_s", p.cycle_time},
+          {"feed_time_s", p.feed_time},
+          {"rapid_time_s", p.rapid_time},
+          {"dwell_time_s", p.dwell_time},
+          {"blocks", p.blocks},
+          {"baud", Json(flags.baud)},
+          {"starved_s", p.starved},
+          {"time_by_limit_s", std::move(limits)},
+          {"what_if", what_if_json(told)},
+          {"settings",
+           {{"file", flags.settings},
+            {"used", settings.used},
+            {"unused", settings.unused},
+            {"unknown", settings.unknown},
+            {"defaulted", settings.defaulted}}},
+          {"warnings", diagnostics_json(told.warnings)}};
+}
+
+void print_rows(const Told& told) {
+  const double now = told.prediction.cycle_time;
+  std::size_t shown = 0;
+  for (const WhatIf& row : told.rows) {
+    if (row.cycle_time >= now * (1 - 1e-6) || shown++ == kShownRows) break;
+    fmt::print("  {:<13} {} ({}) {:.6g} -> {:.6g}{}: {:.4f} s, saves {:.4f} s\n", shown == 1 ? "what if" : "", row.setting,
+               row.title, row.from, row.to, row.unit == "1" || row.unit.empty() ? "" : " " + row.unit, row.cycle_time, now - row.cycle_time);
+  }
+  if (told.as_setpoints) fmt::print("  as setpoints {:.4f} s: this planner on the same limits\n", *told.as_setpoints);
+}
+
+void print_prediction(const PredictFlags& flags, const ControllerSettings& settings, const Told& told) {
+  const Prediction& p = told.prediction;
+  fmt::print("{}\n  controller   {}, {}\n", flags.reading.program, controller_title(settings.controller), flags.settings);
+  fmt::print("  path         {} blocks\n", p.blocks);
+  fmt::print("  cycle time   {:.4f} s  (feed {:.4f}, rapid {:.4f}, dwell {:.4f})\n", p.cycle_time, p.feed_time, p.rapid_time,
+             p.dwell_time);
+  if (flags.baud || flags.block_time_ms) fmt::print("  starved      {:.4f} s  (blocks did not arrive in time)\n", p.starved);
+  for (std::size_t i = 0; i < kTimeLimitCount; ++i) {
+    if (p.time_by_limit[i] > 0) {
+      fmt::print("  {:<13} {:.4f} s  ({:.1f} %)\n", time_limit_name(static_cast<TimeLimit>(i)), p.time_by_limit[i],
+                 100 * p.time_by_limit[i] / p.cycle_time);
+    }
+  }
+  print_rows(told);
+}
+
+/// What no model counts, said once.
+void warn_of_what_is_left_out(const PredictFlags& flags, const ProgramText& text, const ControllerSettings& settings,
+                              Diagnostics& warnings) {
+  const auto warn = [&](const char* code, std::string message) {
+    warnings.push_back({Severity::warning, code, std::move(message), "", {flags.reading.program, 0, 0}, {}});
+  };
+  if (dialect_of(settings.controller) == Dialect::marlin && (text.all_codes & kExtruderWord) != 0) {
+    warn("extruder-not-counted", "moves of the extruder alone, and its limits, are not counted");
+  }
+  const bool reads_from_disk = settings.controller == Controller::klipper || settings.controller == Controller::linuxcnc;
+  if (reads_from_disk && flags.baud) {
+    warn("link-not-used", fmt::format("{} reads programs from its own disk: --baud changes nothing",
+                                      controller_title(settings.controller)));
+  }
+}
+
+tl::expected<Told, Failure> told_of(const PredictFlags& flags, const std::shared_ptr<const Reading>& reading,
+                                 const ProgramText& text, const ControllerSettings& settings) {
+  auto options = options_of(flags);
+  if (!options) return tl::unexpected<Failure>(options.error());
+  auto prediction = predict(*reading, text, settings, *options, terminal_monitor("predicting"));
+  end_progress();
+  if (!prediction) return tl::unexpected<Failure>(Failure(prediction.error(), reading->diagnostics));
+  Told told{std::move(*prediction), {}, {}, settings.warnings};
+  warn_of_what_is_left_out(flags, text, settings, told.warnings);
+  told.warnings.insert(told.warnings.end(), told.prediction.warnings.begin(), told.prediction.warnings.end());
+  if (flags.no_what_if) return told;
+  auto rows = what_if(*reading, text, settings, *options, terminal_monitor("what if"));
+  end_progress();
+  if (!rows) return tl::unexpected<Failure>(rows.error());
+  told.rows = std::move(*rows);
+  const auto planned = cycle_time_as_setpoints(reading, settings, kToleranceOfSetpoints, terminal_monitor("planning"));
+  end_progress();
+  if (planned) {
+    told.as_setpoints = *planned;
+  } else if (planned.error().kind == ErrorKind::cancelled) {
+    return tl::unexpected<Failure>(planned.error());
+  } else {
+    told.warnings.push_back({Severity::warning, planned.error().code, "no setpoints to compare with: " + planned.error().message,
+                             planned.error().remedy, planned.error().where, {}});
+  }
+  return told;
+}
+
+Done run_predict(PredictFlags flags) {
+  const auto settings = settings_of(flags);
+  if (!settings) return tl::unexpected(settings.error());
+  if (auto options = options_of(flags); !options) return tl::unexpected(options.error());
+  if (flags.reading.dialect == "auto") flags.reading.dialect = std::string(dialect_name(dialect_of(settings->controller)));
+  const auto content = read_whole_file(flags.reading.program, terminal_monitor("reading"));
+  if (!content) return tl::unexpected(content.error());
+  auto read = flags.reading.read(content->bytes());
+  if (!read) return tl::unexpected(read.error());
+  const auto reading = std::make_shared<const Reading>(std::move(*read));
+  const auto told = told_of(flags, reading, scan_program(content->bytes()), *settings);
+  if (!told) return tl::unexpected(told.error());
+  report(told->warnings);
+  if (flags.json) {
+    Told with_reading = *told;
+    with_reading.warnings.insert(with_reading.warnings.begin(), reading->diagnostics.begin(), reading->diagnostics.end());
+    print_json(predict_json(flags, *reading, *settings, with_reading));
+  } else {
+    print_prediction(flags, *settings, *told);
+  }
+  return reading->refused ? kBadInput : kFine;
+}
+
+}  // namespace
+
+void add_predict_command(CommandLine& line) {
+  auto flags = std::make_shared<PredictFlags>();
+  Command command = line.add("predict", "Predict how long a real controller takes for a program, and what its settings would give",
+                             [flags] { return run_predict(*flags); });
+  command.input("--settings FILE", flags->settings, "the settings file",
+                "The controller's own settings: an answer to $$, a printer.cfg, a report of M503, a LinuxCNC .ini", Need::required);
+  command.word("--controller NAME", flags->controller, "One of " + controller_names() + "; default: as the settings tell");
+  command.number("--baud B", flags->baud, "Serial link, bit/s at 10 bits a byte; default: blocks are always there");
+  command.number("--block-time-ms T", flags->block_time_ms, "What the controller needs to read a block; default 0");
+  command.toggle("--no-what-if", flags->no_what_if, "Leave out what other settings would give");
+  command.json(flags->json, "Print one JSON object");
+  flags->reading.add_to(command);
+  command.footer(
+      "A program is read in the controller's dialect where --dialect names no other. One with errors is predicted up to the\n"
+      "first one, and the exit code is 3.\n\n"
+      "Examples:\n"
+      "  toolpace predict part.ngc --settings mill-settings.txt\n"
+      "  toolpace predict part.nc --controller grblhal --settings dump.txt --baud 115200\n"
+      "  toolpace predict part.gcode --settings printer.cfg --json");
+}
+
+}  // namespace toolpace::cli
