@@ -68,7 +68,7 @@ class Predict(CommandLineTest):
         self.assertEqual(run.json()["blocks"], 24)
 
     def test_a_program_with_errors_is_predicted_up_to_the_first(self):
-        program = self.file("bad.nc", "G21 G90\nG1 X10 F600\nG1 X20 Y\nG1 X30\n")
+        program = self.file("bad.nc", "G21 G90\nG1 X10 F600\nG2 X20 Y20 R1\nG1 X30\n")
         run = self.run_toolpace("predict", program, "--settings", GRBL, "--json", "--no-what-if")
         self.assertEqual(run.code, BAD_INPUT, run.err)
         told = run.json()
