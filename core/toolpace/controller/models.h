@@ -16,5 +16,6 @@ struct ModelInput {
 Result<Prediction> predict_grbl(const ModelInput& input);  ///< grbl and grblHAL
 Result<Prediction> predict_klipper(const ModelInput& input);
 Result<Prediction> predict_marlin(const ModelInput& input);
+Result<Prediction> predict_linuxcnc(const ModelInput& input);
 
 }  // namespace toolpace::detail::controller

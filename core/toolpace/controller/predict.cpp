@@ -12,9 +12,7 @@ Result<Prediction> run_model(const ModelInput& input) {
   switch (input.settings.controller) {
     case Controller::klipper: return predict_klipper(input);
     case Controller::marlin: return predict_marlin(input);
-    case Controller::linuxcnc:
-      return tl::unexpected(Error{ErrorKind::usage, "controller-not-modelled", "LinuxCNC is not modelled yet",
-                                  "plan with its .ini as the machine file", {}, {}});
+    case Controller::linuxcnc: return predict_linuxcnc(input);
     default: return predict_grbl(input);
   }
 }

@@ -30,6 +30,14 @@ class Tally {
     if (!result_.row_time.empty()) result_.row_time[row] += time;
   }
 
+  /// Time of a block that is counted apart.
+  void add_time(TimeLimit limit, double time, std::size_t row, bool is_rapid) {
+    add(limit, time);
+    (is_rapid ? result_.rapid_time : result_.feed_time) += time;
+    if (!result_.row_time.empty()) result_.row_time[row] += time;
+  }
+  void count_block() { ++result_.blocks; }
+
   /// Time that belongs to no block.
   void add(TimeLimit limit, double time) { result_.time_by_limit[static_cast<std::size_t>(limit)] += time; }
 

@@ -67,6 +67,7 @@ Parameters list_of(LinuxcncSettings& s) {
       {"[TRAJ] ARC_BLEND_FALLBACK_ENABLE", "parabolic where an arc would be slower", kSwitch, 1, &s.arc_blend_fallback, 0, 1, {0, 1}},
       {"[TRAJ] ARC_BLEND_GAP_CYCLES", "least length of a blend", "cycles", 1, &s.gap_cycles, 0, kMostSetting},
       {"[TRAJ] ARC_BLEND_RAMP_FREQ", "ramp frequency", "Hz", 1, &s.ramp_frequency, 0, kMostSetting},
+      {"[TASK] CYCLE_TIME", "cycle of the interpreter", "s", 1, &s.task_cycle, 1e-6, 10},
       {"[EMCMOT] SERVO_PERIOD", "servo period", "ns", 1e-9, &s.period, 1e4, 1e8}};
   for (std::size_t k = 0; k < kAxisCount; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);

@@ -55,6 +55,7 @@ struct MarlinSettings {
 /// LinuxCNC 2.9. Axes that the file does not name move without limits.
 struct LinuxcncSettings {
   double period = 0.001;                         ///< [EMCMOT] SERVO_PERIOD [s]
+  double task_cycle = 0.1;                       ///< [TASK] CYCLE_TIME [s] of the interpreter
   double velocity = 0;                           ///< [TRAJ] MAX_LINEAR_VELOCITY [mm/s]; infinite = none
   AxisVector axis_velocity;                      ///< [mm/s, rad/s]
   AxisVector axis_acceleration;                  ///< [mm/s², rad/s²]

@@ -58,5 +58,22 @@ TEST(MeasuredTimes, KlipperIsMetToAThousandth) {
   expect_close(errors_of(rows_of(Controller::klipper, false)), 58, 1e-3, 1e-2);
 }
 
+auto rows_under(const std::string& control) {
+  return [=](const MeasuredTime& time) { return time.controller == Controller::linuxcnc && time.control == control; };
+}
+
+TEST(MeasuredTimes, LinuxcncIsMetWithoutBlends) { expect_close(errors_of(rows_under("G61")), 16, 5e-3, 5e-2); }
+
+TEST(MeasuredTimes, LinuxcncIsMetWithBlendsWithinATolerance) {
+  expect_close(errors_of(rows_under("G64 P0.01")), 44, 2e-2, 15e-2);
+  expect_close(errors_of(rows_under("G64 P0.05")), 12, 2e-2, 15e-2);
+}
+
+TEST(MeasuredTimes, LinuxcncIsMetWithFreeBlends) {
+  // 1500 lines of 0.02 mm, which the interpreter of the measured machine could not read as fast as they were run.
+  const auto fed = [](const MeasuredTime& time) { return rows_under("G64")(time) && time.program != "own_micro_002"; };
+  expect_close(errors_of(fed), 12, 2e-2, 15e-2);
+}
+
 }  // namespace
 }  // namespace toolpace
