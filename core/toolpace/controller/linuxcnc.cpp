@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "toolpace/base/numbers.h"
 #include "toolpace/controller/linuxcnc_run.h"
 #include "toolpace/controller/models.h"
 #include "toolpace/controller/row_walk.h"
@@ -18,6 +21,35 @@ namespace {
 constexpr double kCyclesToSeeRest = 1.5, kCyclesOfSpindle = 3.0, kCyclesToRest = 2.0;
 constexpr std::size_t kLongestChain = 100;   // points that lines may be merged from
 constexpr double kZero = 1e-9;               // [mm, rad]
+
+/// The number behind a letter in a line of codes, if it is there.
+std::optional<double> word_of(const std::string& codes, char letter) {
+  const std::size_t at = codes.find(letter);
+  if (at == std::string::npos) return std::nullopt;
+  const std::size_t begin = codes.find_first_not_of(' ', at + 1);
+  if (begin == std::string::npos) return std::nullopt;
+  const std::size_t end = codes.find_first_not_of("0123456789.+-", begin);
+  return parse_number(std::string_view(codes).substr(begin, end == std::string::npos ? end : end - begin));
+}
+
+/// What RS274NGC_STARTUP_CODE says of path control.
+MoveMode startup_mode(const std::string& startup_code) {
+  const std::string codes = upper(startup_code);
+  const auto has = [&](const char* code) { return codes.find(code) != std::string::npos; };
+  MoveMode mode;
+  if (has("G61.1")) {
+    mode.control = PathControl::exact_stop;
+  } else if (has("G61")) {
+    mode.control = PathControl::exact_path;
+  } else if (const auto tolerance = word_of(codes, 'P'); has("G64") && tolerance) {
+    constexpr double kMmPerInchOfCode = 25.4;
+    const double unit = has("G20") ? kMmPerInchOfCode : 1.0;
+    mode.control = PathControl::blend;
+    mode.tolerance = *tolerance * unit;
+    mode.naive_tolerance = word_of(codes, 'Q').value_or(*tolerance) * unit;
+  }
+  return mode;
+}
 
 /// A line that may still grow: G64 P merges what lies within Q.
 struct Chain {
@@ -31,12 +63,14 @@ class LinuxcncModel {
  public:
   explicit LinuxcncModel(const ModelInput& input)
       : input_(input), moves_(input.reading.moves), linuxcnc_(std::get<LinuxcncSettings>(input.settings.values)),
-        tally_(moves_.size(), input.options), run_(linuxcnc_, joint_limits(), tally_), position_(moves_.start) {}
+        tally_(moves_.size(), input.options), run_(linuxcnc_, joint_limits(), tally_), position_(moves_.start),
+        startup_(startup_mode(linuxcnc_.startup_code)) {}
 
   Result<Prediction> run() {
     RowWalk walk(input_.reading, input_.text);
     const auto read_line = [&](std::size_t line) {
       if ((walk.codes(line) & (kSpindleCode | kCoolantCode)) != 0) wait(kCyclesOfSpindle);
+      if ((walk.codes(line) & kPathCode) != 0) startup_.control = PathControl::job_default;
     };
     for (std::size_t row = 0; row < moves_.size(); ++row) {
       if (row % kReportEvery == 0) {
@@ -90,7 +124,15 @@ class LinuxcncModel {
     tally_.add(TimeLimit::stops, kCyclesToRest * linuxcnc_.period + (kCyclesToSeeRest + cycles) * linuxcnc_.task_cycle);
   }
 
-  const MoveMode& mode_of(std::size_t row) const { return moves_.modes[moves_.mode[row]]; }
+  /// As the program says, or else the startup code.
+  MoveMode mode_of(std::size_t row) const {
+    MoveMode mode = moves_.modes[moves_.mode[row]];
+    if (mode.control != PathControl::job_default) return mode;
+    mode.control = startup_.control;
+    mode.tolerance = startup_.tolerance;
+    mode.naive_tolerance = startup_.naive_tolerance;
+    return mode;
+  }
 
   Ending ending_of(std::size_t row) const {
     switch (mode_of(row).control) {
@@ -261,6 +303,7 @@ class LinuxcncModel {
   Chain chain_;
   Eigen::Vector3d chained_to_ = position_.head<3>();  ///< where the last segment that was handed on ends
   bool has_moved_ = false;
+  MoveMode startup_;
 };
 
 }  // namespace

@@ -30,6 +30,7 @@ std::uint8_t bits_of_m(int code) {
 
 std::uint8_t bits_of_g(int code) {
   if (code >= 540 && code <= 599) return kOffsetCode;
+  if (code == 610 || code == 611 || code == 640) return kPathCode;
   const bool moves_the_origin = code == 100 || code == 280 || code == 300 || code == 431 || (code >= 920 && code <= 923);
   return static_cast<std::uint8_t>(moves_the_origin ? kOriginCode : 0);
 }

@@ -15,7 +15,8 @@ enum LineCode : std::uint8_t {
   kOffsetCode = 4,    ///< G54 … G59
   kOriginCode = 8,    ///< G10, G28, G30, G43.1, G92: never without waiting
   kFinishCode = 16,   ///< M400
-  kExtruderWord = 32  ///< E
+  kExtruderWord = 32,  ///< E
+  kPathCode = 64       ///< G61, G61.1, G64
 };
 
 /// One entry a line, [0] is line 1.

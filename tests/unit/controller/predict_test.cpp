@@ -16,6 +16,10 @@ constexpr const char* kGrbl =
 constexpr const char* kKlipper =
     "[printer]\nkinematics: cartesian\nmax_velocity: 100\nmax_accel: 1000\nmax_z_velocity: 10\nmax_z_accel: 100\n"
     "minimum_cruise_ratio: 0\n[gcode_arcs]\n";
+constexpr const char* kLinuxcnc =
+    "[TASK]\nCYCLE_TIME = 0.001\n[TRAJ]\nLINEAR_UNITS = mm\nMAX_LINEAR_VELOCITY = 200\nMAX_LINEAR_ACCELERATION = 1\n"
+    "[AXIS_X]\nMAX_VELOCITY = 100\nMAX_ACCELERATION = 1000\n[AXIS_Y]\nMAX_VELOCITY = 100\nMAX_ACCELERATION = 1000\n"
+    "[AXIS_Z]\nMAX_VELOCITY = 50\nMAX_ACCELERATION = 500\n";
 constexpr const char* kMarlin =
     "echo: M92 X80 Y80 Z400\necho: M203 X100 Y100 Z10\necho: M201 X1000 Y1000 Z100\necho: M204 P1000 R1000 T1000\n"
     "echo: M205 S0 T0 J0.02\n";
@@ -109,7 +113,7 @@ TEST(Predict, GrblWaitsForItsSpindleAndNotForNothing) {
 
 TEST(Predict, TimesByLimitAddUp) {
   for (const auto& [settings, controller] : {std::pair(kGrbl, Controller::grbl), std::pair(kGrbl, Controller::grblhal),
-                                             std::pair(kKlipper, Controller::klipper), std::pair(kMarlin, Controller::marlin)}) {
+                                             std::pair(kLinuxcnc, Controller::linuxcnc), std::pair(kKlipper, Controller::klipper), std::pair(kMarlin, Controller::marlin)}) {
     const bool is_printer = dialect_of(controller) == Dialect::marlin;
     PredictOptions options;
     options.keeps_blocks = true;
@@ -125,8 +129,11 @@ TEST(Predict, TimesByLimitAddUp) {
 TEST(Predict, NothingBeatsTheFeed) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     for (const auto& [settings, controller] :
-         {std::pair(kGrbl, Controller::grbl), std::pair(kKlipper, Controller::klipper), std::pair(kMarlin, Controller::marlin)}) {
-      const std::string program = random_program(seed, 200, dialect_of(controller) == Dialect::marlin);
+         {std::pair(kGrbl, Controller::grbl), std::pair(kKlipper, Controller::klipper), std::pair(kMarlin, Controller::marlin),
+          std::pair(kLinuxcnc, Controller::linuxcnc)}) {
+      // Blends of LinuxCNC cut corners, so that the way is shorter.
+      const std::string program = (controller == Controller::linuxcnc ? "G61\n" : "") +
+                                  random_program(seed, 200, dialect_of(controller) == Dialect::marlin);
       ReadOptions options;
       options.dialect = dialect_of(controller);
       const auto reading = read_text(program, "p.nc", options);
@@ -200,6 +207,33 @@ TEST(Predict, ArcsWithoutTheirSectionAreRefusedByKlipper) {
 TEST(Predict, MarlinStartsWithASpeed) {
   const auto p = predict_with(kMarlin, "G1 X100 F3000\n", Controller::marlin);
   EXPECT_NEAR(p.cycle_time, 2 * 0.0475 + (100 - 2 * 2493.75 / 2000) / 50, 1e-9);
+}
+
+// 200 mm at 100 mm/s: 2 s, and a ramp's time: v/a where it stops exactly, v/(a/2) where it might blend. [TRAJ]'s acceleration
+// of 1 mm/s² bounds nothing.
+TEST(Predict, LinuxcncHalvesTheAccelerationOfWhatMayBlend) {
+  EXPECT_NEAR(predict_with(kLinuxcnc, "G61\nG0 X200\nM2\n", Controller::linuxcnc).cycle_time, 2.1, 5e-3);
+  EXPECT_NEAR(predict_with(kLinuxcnc, "G64\nG0 X200\nM2\n", Controller::linuxcnc).cycle_time, 2.2, 5e-3);
+}
+
+TEST(Predict, LinuxcncsStartupCodeHoldsUntilTheProgramSaysElse) {
+  const std::string startup = std::string(kLinuxcnc) + "[RS274NGC]\nRS274NGC_STARTUP_CODE = G21 G61\n";
+  EXPECT_NEAR(predict_with(startup.c_str(), "G0 X200\nM2\n", Controller::linuxcnc).cycle_time, 2.1, 5e-3);
+  EXPECT_NEAR(predict_with(startup.c_str(), "G64\nG0 X200\nM2\n", Controller::linuxcnc).cycle_time, 2.2, 5e-3);
+}
+
+// A square corner: with more tolerance it is rounded faster, and lines between points of a line are one.
+TEST(Predict, ToleranceBuysTimeInLinuxcnc) {
+  double before = 1e9;
+  for (const char* mode : {"G64 P0.01", "G64 P0.1", "G64 P1"}) {
+    const double time =
+        predict_with(kLinuxcnc, std::string(mode) + "\nF6000\nG1 X50\nG1 Y50\nG1 X0\nG1 Y0\nM2\n", Controller::linuxcnc).cycle_time;
+    EXPECT_LT(time, before) << mode;
+    before = time;
+  }
+  std::string points = "G64 P0.01\nF6000\n";
+  for (int i = 1; i <= 50; ++i) points += "G1 X" + std::to_string(i) + "\n";
+  EXPECT_EQ(predict_with(kLinuxcnc, points, Controller::linuxcnc).blocks, 1u);
 }
 
 TEST(Predict, CommentsHideCodes) {
