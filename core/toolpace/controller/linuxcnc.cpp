@@ -91,6 +91,8 @@ class LinuxcncModel {
     limits.axis_acceleration = linuxcnc_.axis_acceleration.head<3>();
     limits.axis_velocity = linuxcnc_.axis_velocity.head<3>();
     limits.cycle = linuxcnc_.period;
+    limits.kink_ratio = linuxcnc_.kink_ratio;
+    limits.feed_scale = linuxcnc_.feed_scale;
     limits.gap_cycles = linuxcnc_.gap_cycles;
     limits.arc_blends = linuxcnc_.arc_blends != 0;
     return limits;
@@ -270,7 +272,9 @@ class LinuxcncModel {
       return least;
     };
     const double a = in_plane(linuxcnc_.axis_acceleration);
-    const double v = std::min(in_plane(linuxcnc_.axis_velocity), std::sqrt(kNormalShare * a * s.radius));
+    const double slope = height / s.sweep;
+    s.bend = s.radius + slope * slope / s.radius;
+    const double v = std::min(in_plane(linuxcnc_.axis_velocity), std::sqrt(kNormalShare * a * s.bend));
     double axial_time = 0, axial_push = 0;
     for (Eigen::Index k = 0; k < 3; ++k) {
       axial_time = std::max(axial_time, std::abs(rise[k]) / linuxcnc_.axis_velocity[k]);

@@ -10,7 +10,6 @@
 namespace toolpace::detail::controller {
 namespace {
 
-constexpr double kKinkShare = 0.1;         // ARC_BLEND_KINK_RATIO
 constexpr double kReversal = 2.0 * std::numbers::pi / 180.0;  // [rad]
 constexpr double kLeastAngle = 1e-3;       // [rad]
 constexpr double kLeastBlend = 1e-6;       // [mm]
@@ -69,14 +68,14 @@ Kink check_kink(Segment& before, Segment& next, const JointLimits& limits) {
     set_ending(before, next, Ending::stop);
     return Kink::none;
   }
-  const double speed = std::min(before.target(), next.target());
+  const double speed = std::min(before.target(limits.feed_scale), next.target(limits.feed_scale));
   const double jump = speed / limits.cycle + next.acceleration;
   const Eigen::Vector3d change = (next.start_tangent - before.end_tangent) * jump;
   double share = change.cwiseAbs().cwiseQuotient(limits.axis_acceleration).maxCoeff();
   if (before.shape == Shape::arc || next.shape == Shape::arc) share /= kTangentialShare;
-  const bool is_tangent = share < kKinkShare;
-  before.kink_speed = is_tangent ? speed : speed * kKinkShare / share;
-  const double loss = is_tangent ? share : kKinkShare;
+  const bool is_tangent = share < limits.kink_ratio;
+  before.kink_speed = is_tangent ? speed : speed * limits.kink_ratio / share;
+  const double loss = is_tangent ? share : limits.kink_ratio;
   before.kink_loss = std::max(before.kink_loss, loss);
   next.kink_loss_before = std::max(next.kink_loss_before, loss);
   if (is_tangent) set_ending(before, next, Ending::tangent);
@@ -124,7 +123,7 @@ bool find_corner(const Segment& a, const Segment& b, const JointLimits& limits, 
     const double base = (b.start_tangent * v2 - a.end_tangent * v1).norm();
     altitude = base > 0 ? v1 * v2 * std::sin(c.phi) / base : 0;
   }
-  c.most = std::min(c.wanted, std::max(altitude, planar));
+  c.most = std::min(c.wanted * limits.feed_scale, std::max(altitude, planar));
   return c.theta >= kLeastAngle && c.phi >= kLeastAngle;
 }
 
@@ -185,9 +184,9 @@ bool make_blend(const Segment& a, const Segment& b, const JointLimits& limits, S
 
 }  // namespace
 
-ParabolicSpeeds parabolic_speeds(const Segment& a, const Segment& b) {
-  const auto reach = [](const Segment& s) {
-    return std::min(std::sqrt(s.path_acceleration() * s.length * (s.is_final ? 1.0 : 0.5)), s.target());
+ParabolicSpeeds parabolic_speeds(const Segment& a, const Segment& b, double scale) {
+  const auto reach = [scale](const Segment& s) {
+    return std::min(std::sqrt(s.path_acceleration() * s.length * (s.is_final ? 1.0 : 0.5)), s.target(scale));
   };
   const double a1 = a.path_acceleration(), a2 = b.path_acceleration(), v1 = reach(a), v2 = reach(b);
   const double time = std::min(std::min(a.length / v1, b.length / v2), std::max(v1 / a1, v2 / a2));
@@ -205,10 +204,10 @@ ParabolicSpeeds parabolic_speeds(const Segment& a, const Segment& b) {
 void finalize(Segment& s, double cycle) {
   if (s.is_final) return;
   if (s.shape == Shape::arc) {
-    const double a = s.overall_acceleration(), wanted = s.top * s.top / s.radius;
+    const double a = s.overall_acceleration(), wanted = s.top * s.top / s.bend;
     s.tangential = kTangentialShare;
     if (wanted > kNormalShare * a) {
-      s.top = std::sqrt(kNormalShare * a * s.radius);
+      s.top = std::sqrt(kNormalShare * a * s.bend);
     } else {
       s.tangential = std::sqrt(1.0 - (wanted / a) * (wanted / a));
     }
@@ -224,7 +223,7 @@ bool join(Segment& before, Segment& next, const JointLimits& limits, Segment& bl
   Corner corner;
   const bool has_arc = make_blend(before, next, limits, blend, corner);
   const double by_arc = has_arc ? blend.top : 0.0, as_tangent = before.kink_speed;
-  const double parabolic = 0.5 * parabolic_speeds(before, next).net;
+  const double parabolic = 0.5 * parabolic_speeds(before, next, limits.feed_scale).net;
   if (parabolic >= as_tangent && parabolic >= by_arc) {
     remove_kink(before, next);
     set_ending(before, next, Ending::parabolic);

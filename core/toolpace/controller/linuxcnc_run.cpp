@@ -79,7 +79,7 @@ double LinuxcncRun::looked_ahead(std::size_t index) const {
   };
   // Of the last one only a half is sure.
   const Segment& last = queue_[tail];
-  double speed2 = std::min({limit2(tail), last.path_acceleration() * last.length, last.target() * last.target()});
+  double speed2 = std::min({limit2(tail), last.path_acceleration() * last.length, last.target(limits_.feed_scale) * last.target(limits_.feed_scale)});
   if (queue_[tail - 1].ending != Ending::tangent) speed2 = 0;
   for (std::size_t k = tail - 1; k > index; --k) {
     if (queue_[k - 1].ending != Ending::tangent) {

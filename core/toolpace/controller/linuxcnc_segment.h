@@ -35,6 +35,7 @@ struct Segment {
   Eigen::Vector3d from, to;
   Eigen::Vector3d centre, normal;           ///< of an arc; normal so that it turns counter-clockwise
   double radius = 0, sweep = 0;             ///< of an arc [mm, rad]
+  double bend = 0;                          ///< [mm] the radius that counts for its speed; a helix' is larger
   TimeLimit cruise = TimeLimit::feed;
 
   // While it runs:
@@ -51,13 +52,16 @@ struct Segment {
     return acceleration * part * (blends_before || ending == Ending::parabolic ? 0.5 : 1.0);
   }
   double path_acceleration() const { return overall_acceleration() * (is_round() ? tangential : 1.0); }
-  double target() const { return std::min(wanted, top); }
+  /// @param scale  of what is programmed
+  double target(double scale = 1.0) const { return std::min(wanted * scale, top); }
 };
 
 /// How LinuxCNC joins two segments that follow each other.
 struct JointLimits {
   Eigen::Vector3d axis_acceleration, axis_velocity;
   double cycle = 0.001;        ///< [s]
+  double kink_ratio = 0.1;     ///< share of the acceleration that a kink may take
+  double feed_scale = 1;       ///< corners are laid out for this much of the programmed feed
   double gap_cycles = 4;       ///< a line shorter than these becomes part of the blend behind it
   bool arc_blends = true;
 };
@@ -74,7 +78,7 @@ bool join(Segment& before, Segment& next, const JointLimits& limits, Segment& bl
 struct ParabolicSpeeds {
   double first, second, net;
 };
-ParabolicSpeeds parabolic_speeds(const Segment& a, const Segment& b);
+ParabolicSpeeds parabolic_speeds(const Segment& a, const Segment& b, double scale = 1.0);
 
 /// Its length changes no more: what follows from it.
 void finalize(Segment& segment, double cycle);

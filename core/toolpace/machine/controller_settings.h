@@ -61,7 +61,8 @@ struct LinuxcncSettings {
   AxisVector axis_acceleration;                  ///< [mm/s², rad/s²]
   double depth = 50;                             ///< [TRAJ] ARC_BLEND_OPTIMIZATION_DEPTH [blocks]
   double arc_blends = 1;                         ///< [TRAJ] ARC_BLEND_ENABLE
-  double arc_blend_fallback = 0;                 ///< [TRAJ] ARC_BLEND_FALLBACK_ENABLE
+  double feed_scale = 1;                         ///< [DISPLAY] MAX_FEED_OVERRIDE: corners are laid out for that
+  double kink_ratio = 0.1;                       ///< [TRAJ] ARC_BLEND_KINK_RATIO, 0.001 … 0.7071
   double gap_cycles = 4;                         ///< [TRAJ] ARC_BLEND_GAP_CYCLES
   double ramp_frequency = 100;                   ///< [TRAJ] ARC_BLEND_RAMP_FREQ [Hz]
   std::string startup_code;                      ///< [RS274NGC] RS274NGC_STARTUP_CODE

@@ -12,13 +12,14 @@
 
 namespace toolpace {
 
-enum class MachineFormat : std::uint8_t { toml, linuxcnc, grbl };
+enum class MachineFormat : std::uint8_t { toml, linuxcnc, grbl, klipper, marlin };
 
 /// By the extension (.toml, .ini; in any case), else by what stands in the text: lines such as $110=6000 are grbl's,
-/// a section that LinuxCNC knows is its. Everything else is TOML.
+/// a section that LinuxCNC knows is its, and as controller_of_settings() tells. Everything else is TOML.
 MachineFormat machine_format(const std::filesystem::path& name, std::string_view text);
 
-/// Errors: of parse_setup(), import_linuxcnc_ini(), import_grbl_dump().
+/// Klipper's and Marlin's settings are those of controller_setup().
+/// Errors: of parse_setup(), import_linuxcnc_ini(), import_grbl_dump(), parse_controller_settings().
 Result<Setup> parse_machine(std::string_view text, const std::string& name);
 /// Errors: io, cancelled, those of parse_machine().
 Result<Setup> read_machine(const std::filesystem::path& file, const Monitor& monitor = {});

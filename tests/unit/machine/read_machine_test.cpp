@@ -128,6 +128,8 @@ TEST(ReadMachine, WhoseFileItIsIsToldByItsExtensionAndElseByItsText) {
   EXPECT_EQ(machine_format("config", kIni), MachineFormat::linuxcnc);
   EXPECT_EQ(machine_format("-", "[path]\nmax_speed_mm_s = 1\n"), MachineFormat::toml);
   EXPECT_EQ(machine_format("empty", ""), MachineFormat::toml);
+  EXPECT_EQ(machine_format("printer.cfg", "[printer]\nmax_velocity: 300\n"), MachineFormat::klipper);
+  EXPECT_EQ(machine_format("report", "echo: M203 X500 Y500 Z5\n"), MachineFormat::marlin);
 }
 
 TEST(ReadMachine, TravelOutOfOrderIsRefusedWithItsLine) {
@@ -178,6 +180,22 @@ TEST(ReadMachine, AFileOfMoreThanAMebibyteIsNoMachine) {
   std::ofstream(file) << std::string((std::size_t{1} << 20) + 1, '#');
   EXPECT_EQ(read_machine(file).error().code, "machine-syntax");
   std::filesystem::remove(file);
+}
+
+TEST(ReadMachine, PrintersAreMachinesToo) {
+  const auto klipper = parse_machine(
+      "[printer]\nmax_velocity: 300\nmax_accel: 4000\nmax_z_velocity: 15\nmax_z_accel: 100\n", "printer.cfg");
+  ASSERT_TRUE(klipper) << klipper.error().message;
+  EXPECT_EQ(klipper->machine.path.speed, 300);
+  EXPECT_EQ(klipper->machine.path.acceleration, 4000);
+  EXPECT_EQ(klipper->machine.axes[2].speed, 15);
+  EXPECT_EQ(klipper->machine.axes[0].speed, kUnlimited);
+  EXPECT_EQ(klipper->options.law, LawKind::trapezoid);
+  const auto marlin = parse_machine("echo: M203 X200 Y210 Z5\necho: M201 X1000 Y1100 Z50\necho: M204 P800 T900\n", "report");
+  ASSERT_TRUE(marlin) << marlin.error().message;
+  EXPECT_EQ(marlin->machine.axes[1].speed, 210);
+  EXPECT_EQ(marlin->machine.axes[2].acceleration, 50);
+  EXPECT_EQ(marlin->machine.path.acceleration, 800);
 }
 
 }  // namespace
