@@ -226,6 +226,38 @@
     <context>
         <name>codes</name>
         <message>
+            <source>controller-refuses</source>
+            <translation>控制器拒绝这一步</translation>
+        </message>
+        <message>
+            <source>settings-classic-jerk</source>
+            <translation>采用经典 jerk，未建模</translation>
+        </message>
+        <message>
+            <source>settings-defaulted</source>
+            <translation>文件中没有，取控制器的默认值</translation>
+        </message>
+        <message>
+            <source>settings-foreign</source>
+            <translation>是别的控制器的设置</translation>
+        </message>
+        <message>
+            <source>settings-kinematics</source>
+            <translation>运动学可能另有限制</translation>
+        </message>
+        <message>
+            <source>settings-missing</source>
+            <translation>缺少必需的设置</translation>
+        </message>
+        <message>
+            <source>settings-not-known</source>
+            <translation>控制器没有这些设置</translation>
+        </message>
+        <message>
+            <source>settings-unknown</source>
+            <translation>认不出是哪种控制器的设置</translation>
+        </message>
+        <message>
             <source>file-changed</source>
             <translation>读取时文件被更改</translation>
         </message>
@@ -1416,6 +1448,26 @@
     </context>
     <context>
         <name>remedies</name>
+        <message>
+            <source>add [gcode_arcs] to the printer.cfg</source>
+            <translation>在 printer.cfg 中加入 [gcode_arcs]</translation>
+        </message>
+        <message>
+            <source>give M205 J of a firmware with junction deviation</source>
+            <translation>给出采用 junction deviation 的固件的 M205 J</translation>
+        </message>
+        <message>
+            <source>give an answer to $$, a printer.cfg, a report of M503 or a LinuxCNC .ini</source>
+            <translation>给出 $$ 的回答、printer.cfg、M503 报告或 LinuxCNC 的 .ini</translation>
+        </message>
+        <message>
+            <source>give the printer.cfg that has it</source>
+            <translation>给出含有它的 printer.cfg</translation>
+        </message>
+        <message>
+            <source>give --controller %1, or another file</source>
+            <translation>写 --controller %1，或换一个文件</translation>
+        </message>
         <message>
             <source>give a shorter --tacc-ms and --tdec-ms</source>
             <translation>请减小 --tacc-ms 和 --tdec-ms</translation>

@@ -13,6 +13,7 @@ namespace toolpace::detail::controller {
 namespace {
 
 constexpr double kLeastWay = 1e-9;       // [mm] shorter moves are none
+constexpr double kMostChords = 1e7;      // of an arc: more would be a mistake of the program or the settings
 constexpr double kFirstSpeed = 25.0;     // [mm/s] until the first F
 
 class KlipperModel {
@@ -67,7 +68,7 @@ class KlipperModel {
     }
     const ChordArc arc(moves_, row, position_, moves_.modes[moves_.mode[row]].plane == 18);
     const double length = std::hypot(arc.radius * arc.sweep, arc.rise);
-    const auto count = static_cast<std::size_t>(std::max(1.0, std::floor(length / klipper_.arc_resolution)));
+    const auto count = static_cast<std::size_t>(std::clamp(std::floor(length / klipper_.arc_resolution), 1.0, kMostChords));
     arc.for_each_chord(count, [&](const Eigen::Vector3d& to) { run_line(to, row, moves_.feed[row]); });
     return {};
   }

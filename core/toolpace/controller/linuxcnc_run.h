@@ -23,6 +23,7 @@ class LinuxcncRun {
   void run_first();
   void step();
   void run_regular(Segment& now, Segment* next);
+  void skip_cruise(Segment& now, const Segment* next);
   void run_split(Segment& now, Segment* next);
   void update(Segment& now, const Segment* next);
   void check_end(Segment& now, const Segment* next) const;

@@ -16,6 +16,7 @@ constexpr double kSmallSegment = 1.0;             // [mm] shorter ones count as 
 constexpr double kSmallTurn = -0.7071067812;      // cosine of 135°: deflections below 45°
 constexpr double kMarlinFirstSpeed = 25.0;        // [mm/s] until the first F
 constexpr double kLeastChord = 0.1, kMostChord = 1.0, kChordsOfCircle = 72;  // Configuration_adv.h
+constexpr double kMostChordsOfArc = 1e7;
 constexpr double kLeastSpeed2 = 0.05 * 0.05;      // MINIMUM_PLANNER_SPEED
 constexpr std::size_t kMarlinRoom = 127;
 
@@ -81,7 +82,7 @@ class MarlinModel {
     const double flat = arc.radius * arc.sweep;
     const double least = std::ceil(kChordsOfCircle * arc.sweep / kTwoPi);
     const double nominal = std::max(std::floor(flat / kMostChord), least);
-    const double chord = std::clamp(flat / nominal, kLeastChord, kMostChord);
+    const double chord = std::max(std::clamp(flat / nominal, kLeastChord, kMostChord), flat / kMostChordsOfArc);
     const double whole = std::max(1.0, std::floor(flat / chord + 1e-9));
     const auto count = static_cast<std::size_t>(whole);
     const double part = std::min(1.0, chord * whole / flat) / whole;
