@@ -17,6 +17,7 @@
 #include "toolpace/base/input_file.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/controller/prediction.h"
+#include "toolpace/controller/refusals.h"
 #include "toolpace/tune/what_if.h"
 
 namespace toolpace::cli {
@@ -92,6 +93,12 @@ Json what_if_json(const Told& told) {
   return list;
 }
 
+Json refusals_json(const std::vector<Refusal>& list) {
+  Json json = Json::array();
+  for (const Refusal& r : list) json.push_back({{"line", r.line}, {"code", r.code()}, {"message", r.message}});
+  return json;
+}
+
 Json predict_json(const PredictFlags& flags, const Reading& reading, const ControllerSettings& settings, const Told& told) {
   const Prediction& p = told.prediction;
   Json limits = Json::object();
@@ -117,6 +124,7 @@ Json predict_json(const PredictFlags& flags, const Reading& reading, const Contr
             {"unused", settings.unused},
             {"unknown", settings.unknown},
             {"defaulted", settings.defaulted}}},
+          {"refusals", refusals_json(refusals(p.controller, reading))},
           {"warnings", diagnostics_json(told.warnings)}};
 }
 
@@ -131,7 +139,14 @@ void print_rows(const Told& told) {
   if (told.as_setpoints) fmt::print("  as setpoints {:.4f} s: this planner on the same limits\n", *told.as_setpoints);
 }
 
-void print_prediction(const PredictFlags& flags, const ControllerSettings& settings, const Told& told) {
+void print_refusals(const std::vector<Refusal>& list, std::string_view title) {
+  for (std::size_t i = 0; i < std::min(list.size(), kShownRows); ++i) {
+    fmt::print("  {:<13}line {}: {} ({})\n", i == 0 ? "refused" : "", list[i].line, list[i].code(), list[i].message);
+  }
+  if (list.size() > kShownRows) fmt::print("  {:<13}and {} more lines that {} refuses\n", "", list.size() - kShownRows, title);
+}
+
+void print_prediction(const PredictFlags& flags, const Reading& reading, const ControllerSettings& settings, const Told& told) {
   const Prediction& p = told.prediction;
   fmt::print("{}\n  controller   {}, {}\n", flags.reading.program, controller_title(settings.controller), flags.settings);
   fmt::print("  path         {} blocks\n", p.blocks);
@@ -144,6 +159,7 @@ void print_prediction(const PredictFlags& flags, const ControllerSettings& setti
                  100 * p.time_by_limit[i] / p.cycle_time);
     }
   }
+  print_refusals(refusals(p.controller, reading), controller_title(p.controller));
   print_rows(told);
 }
 
@@ -209,7 +225,7 @@ Done run_predict(PredictFlags flags) {
     with_reading.warnings.insert(with_reading.warnings.begin(), reading->diagnostics.begin(), reading->diagnostics.end());
     print_json(predict_json(flags, *reading, *settings, with_reading));
   } else {
-    print_prediction(flags, *settings, *told);
+    print_prediction(flags, *reading, *settings, *told);
   }
   return reading->refused ? kBadInput : kFine;
 }

@@ -76,6 +76,17 @@ class Predict(CommandLineTest):
         self.assertEqual(told["blocks"], 1)
         self.assertEqual(told["warnings"][0]["line"], 3)
 
+    def test_what_grbl_refuses_is_told_by_its_numbers(self):
+        program = self.file("odd.nc", "G21 G90\nG1 X5 F600\nM77\nG1 X6 Q4\nG81 X1 Z-1 R1\nG1 G2 X7\n")
+        run = self.run_toolpace("predict", program, "--settings", GRBL, "--json", "--no-what-if")
+        self.assertEqual(run.code, BAD_INPUT, run.err)
+        self.assertEqual([(r["line"], r["code"]) for r in run.json()["refusals"]],
+                         [(3, "error:20"), (4, "error:36"), (5, "error:20"), (6, "error:21")])
+        run = self.run_toolpace("predict", program, "--settings", GRBL, "--no-what-if")
+        self.assertIn(b"line 6: error:21 (more than one g-code command", run.out)
+        clean = self.predict(SQUARE, "--settings", GRBL, "--no-what-if")
+        self.assertEqual(clean["refusals"], [])
+
     def test_files_that_are_not_there_or_no_settings(self):
         self.expect_failure(self.run_toolpace("predict", SQUARE, "--settings", "none.txt"), FILE_TROUBLE, "none.txt")
         self.expect_failure(self.run_toolpace("predict", "none.ngc", "--settings", GRBL), FILE_TROUBLE, "none.ngc")
