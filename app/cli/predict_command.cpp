@@ -66,15 +66,17 @@ Result<PredictOptions> options_of(const PredictFlags& flags) {
   PredictOptions options;
   const auto check = [](const char* flag, double value, double most) -> Result<void> {
     if (value > 0 && value <= most) return {};
-    return tl::unexpected(usage_error("bad-flag", fmt::format("{} is {}, but it must be above 0 and at most {}", flag,
-                                                              to_text(value), to_text(most)), ""));
+    return tl::unexpected(usage_error(
+        "bad-flag", fmt::format("{} is {}, but it must be above 0 and at most {}", flag, to_text(value), to_text(most)),
+        ""));
   };
   if (flags.baud) {
     if (auto fine = check("--baud", *flags.baud, kMostBaud); !fine) return tl::unexpected(fine.error());
     options.baud = flags.baud;
   }
   if (flags.block_time_ms) {
-    if (auto fine = check("--block-time-ms", *flags.block_time_ms, kMostBlockTime); !fine) return tl::unexpected(fine.error());
+    if (auto fine = check("--block-time-ms", *flags.block_time_ms, kMostBlockTime); !fine)
+      return tl::unexpected(fine.error());
     options.block_time = *flags.block_time_ms * 1e-3;
   }
   return options;
@@ -83,11 +85,19 @@ Result<PredictOptions> options_of(const PredictFlags& flags) {
 Json what_if_json(const Told& told) {
   Json list = Json::array();
   for (const WhatIf& row : told.rows) {
-    list.push_back({{"setting", row.setting}, {"title", row.title}, {"unit", row.unit}, {"from", row.from}, {"to", row.to},
+    list.push_back({{"setting", row.setting},
+                    {"title", row.title},
+                    {"unit", row.unit},
+                    {"from", row.from},
+                    {"to", row.to},
                     {"cycle_time_s", row.cycle_time}});
   }
   if (told.as_setpoints) {
-    list.push_back({{"setting", kAsSetpoints}, {"title", kAsSetpoints}, {"unit", ""}, {"from", nullptr}, {"to", nullptr},
+    list.push_back({{"setting", kAsSetpoints},
+                    {"title", kAsSetpoints},
+                    {"unit", ""},
+                    {"from", nullptr},
+                    {"to", nullptr},
                     {"cycle_time_s", *told.as_setpoints}});
   }
   return list;
@@ -99,7 +109,8 @@ Json refusals_json(const std::vector<Refusal>& list) {
   return json;
 }
 
-Json predict_json(const PredictFlags& flags, const Reading& reading, const ControllerSettings& settings, const Told& told) {
+Json predict_json(const PredictFlags& flags, const Reading& reading, const ControllerSettings& settings,
+                  const Told& told) {
   const Prediction& p = told.prediction;
   Json limits = Json::object();
   for (std::size_t i = 0; i < kTimeLimitCount; ++i) {
@@ -133,8 +144,9 @@ void print_rows(const Told& told) {
   std::size_t shown = 0;
   for (const WhatIf& row : told.rows) {
     if (row.cycle_time >= now * (1 - 1e-6) || shown++ == kShownRows) break;
-    fmt::print("  {:<13} {} ({}) {:.6g} -> {:.6g}{}: {:.4f} s, saves {:.4f} s\n", shown == 1 ? "what if" : "", row.setting,
-               row.title, row.from, row.to, row.unit == "1" || row.unit.empty() ? "" : " " + row.unit, row.cycle_time, now - row.cycle_time);
+    fmt::print("  {:<13} {} ({}) {:.6g} -> {:.6g}{}: {:.4f} s, saves {:.4f} s\n", shown == 1 ? "what if" : "",
+               row.setting, row.title, row.from, row.to, row.unit == "1" || row.unit.empty() ? "" : " " + row.unit,
+               row.cycle_time, now - row.cycle_time);
   }
   if (told.as_setpoints) fmt::print("  as setpoints {:.4f} s: this planner on the same limits\n", *told.as_setpoints);
 }
@@ -143,16 +155,20 @@ void print_refusals(const std::vector<Refusal>& list, std::string_view title) {
   for (std::size_t i = 0; i < std::min(list.size(), kShownRows); ++i) {
     fmt::print("  {:<13}line {}: {} ({})\n", i == 0 ? "refused" : "", list[i].line, list[i].code(), list[i].message);
   }
-  if (list.size() > kShownRows) fmt::print("  {:<13}and {} more lines that {} refuses\n", "", list.size() - kShownRows, title);
+  if (list.size() > kShownRows)
+    fmt::print("  {:<13}and {} more lines that {} refuses\n", "", list.size() - kShownRows, title);
 }
 
-void print_prediction(const PredictFlags& flags, const Reading& reading, const ControllerSettings& settings, const Told& told) {
+void print_prediction(const PredictFlags& flags, const Reading& reading, const ControllerSettings& settings,
+                      const Told& told) {
   const Prediction& p = told.prediction;
-  fmt::print("{}\n  controller   {}, {}\n", flags.reading.program, controller_title(settings.controller), flags.settings);
+  fmt::print("{}\n  controller   {}, {}\n", flags.reading.program, controller_title(settings.controller),
+             flags.settings);
   fmt::print("  path         {} blocks\n", p.blocks);
-  fmt::print("  cycle time   {:.4f} s  (feed {:.4f}, rapid {:.4f}, dwell {:.4f})\n", p.cycle_time, p.feed_time, p.rapid_time,
-             p.dwell_time);
-  if (flags.baud || flags.block_time_ms) fmt::print("  starved      {:.4f} s  (blocks did not arrive in time)\n", p.starved);
+  fmt::print("  cycle time   {:.4f} s  (feed {:.4f}, rapid {:.4f}, dwell {:.4f})\n", p.cycle_time, p.feed_time,
+             p.rapid_time, p.dwell_time);
+  if (flags.baud || flags.block_time_ms)
+    fmt::print("  starved      {:.4f} s  (blocks did not arrive in time)\n", p.starved);
   for (std::size_t i = 0; i < kTimeLimitCount; ++i) {
     if (p.time_by_limit[i] > 0) {
       fmt::print("  {:<13} {:.4f} s  ({:.1f} %)\n", time_limit_name(static_cast<TimeLimit>(i)), p.time_by_limit[i],
@@ -169,10 +185,14 @@ void warn_of_what_is_left_out(const PredictFlags& flags, const ProgramText& text
   const auto warn = [&](const char* code, std::string message) {
     warnings.push_back({Severity::warning, code, std::move(message), "", {flags.reading.program, 0, 0}, {}});
   };
-  if (dialect_of(settings.controller) == Dialect::marlin && (text.all_codes & kExtruderWord) != 0) {
-    warn("extruder-not-counted", "moves of the extruder alone, and its limits, are not counted");
+  const auto* klipper = std::get_if<KlipperSettings>(&settings.values);
+  const bool counts_extruder = klipper && klipper->has_extruder;
+  if (dialect_of(settings.controller) == Dialect::marlin && !counts_extruder && (text.all_codes & kExtruderWord) != 0) {
+    warn("extruder-not-counted", klipper ? "there is no [extruder] in the printer.cfg: E is not counted"
+                                         : "moves of the extruder alone, and its limits, are not counted");
   }
-  const bool reads_from_disk = settings.controller == Controller::klipper || settings.controller == Controller::linuxcnc;
+  const bool reads_from_disk =
+      settings.controller == Controller::klipper || settings.controller == Controller::linuxcnc;
   if (reads_from_disk && flags.baud) {
     warn("link-not-used", fmt::format("{} reads programs from its own disk: --baud changes nothing",
                                       controller_title(settings.controller)));
@@ -180,7 +200,7 @@ void warn_of_what_is_left_out(const PredictFlags& flags, const ProgramText& text
 }
 
 tl::expected<Told, Failure> told_of(const PredictFlags& flags, const std::shared_ptr<const Reading>& reading,
-                                 const ProgramText& text, const ControllerSettings& settings) {
+                                    const ProgramText& text, const ControllerSettings& settings) {
   auto options = options_of(flags);
   if (!options) return tl::unexpected<Failure>(options.error());
   auto prediction = predict(*reading, text, settings, *options, terminal_monitor("predicting"));
@@ -201,8 +221,12 @@ tl::expected<Told, Failure> told_of(const PredictFlags& flags, const std::shared
   } else if (planned.error().kind == ErrorKind::cancelled) {
     return tl::unexpected<Failure>(planned.error());
   } else {
-    told.warnings.push_back({Severity::warning, planned.error().code, "no setpoints to compare with: " + planned.error().message,
-                             planned.error().remedy, planned.error().where, {}});
+    told.warnings.push_back({Severity::warning,
+                             planned.error().code,
+                             "no setpoints to compare with: " + planned.error().message,
+                             planned.error().remedy,
+                             planned.error().where,
+                             {}});
   }
   return told;
 }
@@ -211,7 +235,8 @@ Done run_predict(PredictFlags flags) {
   const auto settings = settings_of(flags);
   if (!settings) return tl::unexpected(settings.error());
   if (auto options = options_of(flags); !options) return tl::unexpected(options.error());
-  if (flags.reading.dialect == "auto") flags.reading.dialect = std::string(dialect_name(dialect_of(settings->controller)));
+  if (flags.reading.dialect == "auto")
+    flags.reading.dialect = std::string(dialect_name(dialect_of(settings->controller)));
   const auto content = read_whole_file(flags.reading.program, terminal_monitor("reading"));
   if (!content) return tl::unexpected(content.error());
   auto read = flags.reading.read(content->bytes());
@@ -222,7 +247,8 @@ Done run_predict(PredictFlags flags) {
   report(told->warnings);
   if (flags.json) {
     Told with_reading = *told;
-    with_reading.warnings.insert(with_reading.warnings.begin(), reading->diagnostics.begin(), reading->diagnostics.end());
+    with_reading.warnings.insert(with_reading.warnings.begin(), reading->diagnostics.begin(),
+                                 reading->diagnostics.end());
     print_json(predict_json(flags, *reading, *settings, with_reading));
   } else {
     print_prediction(flags, *reading, *settings, *told);
@@ -234,18 +260,22 @@ Done run_predict(PredictFlags flags) {
 
 void add_predict_command(CommandLine& line) {
   auto flags = std::make_shared<PredictFlags>();
-  Command command = line.add("predict", "Predict how long a real controller takes for a program, and what its settings would give",
-                             [flags] { return run_predict(*flags); });
+  Command command =
+      line.add("predict", "Predict how long a real controller takes for a program, and what its settings would give",
+               [flags] { return run_predict(*flags); });
   command.input("--settings FILE", flags->settings, "the settings file",
-                "The controller's own settings: an answer to $$, a printer.cfg, a report of M503, a LinuxCNC .ini", Need::required);
-  command.word("--controller NAME", flags->controller, "One of " + controller_names() + "; default: as the settings tell");
+                "The controller's own settings: an answer to $$, a printer.cfg, a report of M503, a LinuxCNC .ini",
+                Need::required);
+  command.word("--controller NAME", flags->controller,
+               "One of " + controller_names() + "; default: as the settings tell");
   command.number("--baud B", flags->baud, "Serial link, bit/s at 10 bits a byte; default: blocks are always there");
   command.number("--block-time-ms T", flags->block_time_ms, "What the controller needs to read a block; default 0");
   command.toggle("--no-what-if", flags->no_what_if, "Leave out what other settings would give");
   command.json(flags->json, "Print one JSON object");
   flags->reading.add_to(command);
   command.footer(
-      "A program is read in the controller's dialect where --dialect names no other. One with errors is predicted up to the\n"
+      "A program is read in the controller's dialect where --dialect names no other. One with errors is predicted up "
+      "to the\n"
       "first one, and the exit code is 3.\n\n"
       "Examples:\n"
       "  toolpace predict part.ngc --settings mill-settings.txt\n"

@@ -45,7 +45,8 @@ constexpr const char* kGrbl = "$11=0.01\n$100=80\n$101=80\n$110=6000\n$111=6000\
 constexpr const char* kKlipper = "[printer]\nmax_velocity: 300\nmax_accel: 3000\n";
 constexpr const char* kMarlin = "echo: M203 X300 Y300 Z5\n";
 constexpr const char* kLinuxcnc =
-    "[TRAJ]\n[AXIS_X]\nMAX_VELOCITY = 100\nMAX_ACCELERATION = 1000\n[AXIS_Y]\nMAX_VELOCITY = 100\nMAX_ACCELERATION = 1000\n";
+    "[TRAJ]\n[AXIS_X]\nMAX_VELOCITY = 100\nMAX_ACCELERATION = 1000\n[AXIS_Y]\nMAX_VELOCITY = 100\nMAX_ACCELERATION = "
+    "1000\n";
 
 BENCHMARK_CAPTURE(predict_blocks, grbl, kGrbl, Controller::grbl)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(predict_blocks, grblhal, kGrbl, Controller::grblhal)->Unit(benchmark::kMillisecond);

@@ -13,21 +13,24 @@
 namespace toolpace::detail::controller {
 namespace {
 
-constexpr double kStraight = 0.999999;          // cosine beyond which two directions are one
-constexpr double kDwellStep = 0.05;             // [s]
-constexpr double kNeverIdle = 0.2545;           // [s] $1=255 and what rounds to it
-constexpr double kLeastFeed = 1.0 / 60.0;       // [mm/s]
+constexpr double kStraight = 0.999999;     // cosine beyond which two directions are one
+constexpr double kDwellStep = 0.05;        // [s]
+constexpr double kNeverIdle = 0.2545;      // [s] $1=255 and what rounds to it
+constexpr double kLeastFeed = 1.0 / 60.0;  // [mm/s]
 // A step is made in the midst of its time; measured.
 constexpr double kAfterLastStep = 0.5, kHalAfterLastStep = 0.375;
-constexpr double kIdleAfterLastStep = 0.125;    // slow steps take 8 interrupts
-constexpr double kGrblClock = 16e6;             // [Hz] of the timer of steps; grblHAL's boards have faster ones
+constexpr double kIdleAfterLastStep = 0.125;  // slow steps take 8 interrupts
+constexpr double kGrblClock = 16e6;           // [Hz] of the timer of steps; grblHAL's boards have faster ones
 constexpr std::size_t kGrblRoom = 127, kGrblhalRoom = 1023;  // bytes that a sender puts into the receive buffer
 
 class GrblModel {
  public:
   explicit GrblModel(const ModelInput& input)
-      : input_(input), moves_(input.reading.moves), grbl_(std::get<GrblSettings>(input.settings.values)),
-        is_hal_(input.settings.controller == Controller::grblhal), tally_(moves_.size(), input.options),
+      : input_(input),
+        moves_(input.reading.moves),
+        grbl_(std::get<GrblSettings>(input.settings.values)),
+        is_hal_(input.settings.controller == Controller::grblhal),
+        tally_(moves_.size(), input.options),
         planner_(std::max<std::size_t>(static_cast<std::size_t>(grbl_.buffer), 2) - 1, tally_, input.options,
                  is_hal_ ? kGrblhalRoom : kGrblRoom, is_hal_ ? 0.0 : kGrblClock) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -14,7 +14,8 @@ constexpr double kOfTheMoveBefore = -1;    // stands for a cruise speed
 void KlipperQueue::add(KlipperMove move, double junction_deviation) {
   move.junction_deviation = junction_deviation;
   move.max_start2 = move.max_smoothed2 = 0.0;
-  if (moves_.size() > first_) join(moves_.back(), move);
+  // The extruder alone begins and ends at rest.
+  if (moves_.size() > first_ && !move.is_extruder_alone && !moves_.back().is_extruder_alone) join(moves_.back(), move);
   moves_.push_back(move);
   if (moves_.size() - first_ < std::max(flush_at_, kMovesAFlush)) return;
   flush(true);
@@ -25,6 +26,8 @@ void KlipperQueue::add(KlipperMove move, double junction_deviation) {
 void KlipperQueue::join(const KlipperMove& before, KlipperMove& move) const {
   const double plain2 = std::min({move.max_cruise2, before.max_cruise2, before.max_start2 + before.delta2});
   double corner2 = plain2;
+  const double jump = std::abs(move.extrusion - before.extrusion);
+  const double extruder2 = jump > 0 ? (move.extruder_step / jump) * (move.extruder_step / jump) : plain2;
   const double cosine = -before.direction.dot(move.direction);
   const double sine_half = std::sqrt(std::max(0.5 * (1.0 - cosine), 0.0));
   const double cosine_half = std::sqrt(std::max(0.5 * (1.0 + cosine), 0.0));
@@ -35,6 +38,7 @@ void KlipperQueue::join(const KlipperMove& before, KlipperMove& move) const {
                         radius * before.junction_deviation * before.acceleration, move.delta2 * quarter_tangent,
                         before.delta2 * quarter_tangent});
   }
+  corner2 = std::min(corner2, extruder2);
   move.max_start2 = std::min(plain2, corner2);
   move.starts_at_corner = corner2 < plain2;
   move.max_smoothed2 = std::min(move.max_start2, before.max_smoothed2 + before.smooth_delta2);
@@ -87,9 +91,11 @@ void KlipperQueue::run(std::size_t count) {
     t.cruise = cruise_way / t.peak;
     const bool is_last = i + 1 == moves_.size();
     const TimeLimit why = is_last ? TimeLimit::stops
-                          : moves_[i + 1].starts_at_corner && end2 >= moves_[i + 1].max_start2 ? TimeLimit::corner
-                                                                                               : TimeLimit::acceleration;
-    tally_.add_block(t, move.row, move.is_rapid, cruise2 < move.max_cruise2 ? TimeLimit::acceleration : move.cruise, why);
+                          : moves_[i + 1].starts_at_corner && end2 >= moves_[i + 1].max_start2
+                              ? TimeLimit::corner
+                              : TimeLimit::acceleration;
+    tally_.add_block(t, move.row, move.is_rapid, cruise2 < move.max_cruise2 ? TimeLimit::acceleration : move.cruise,
+                     why);
   }
   first_ = count;
   // Run moves leave memory now and then.

@@ -17,6 +17,9 @@ struct KlipperMove {
   double delta2;         ///< what the length can change at full acceleration
   double smooth_delta2;  ///< at the lower one of the second pass
   double junction_deviation;
+  double extrusion;      ///< [mm] of filament a mm of way, negative where it is drawn back; ±1 of the extruder alone
+  double extruder_step;  ///< [mm/s] by which the extruder's speed may jump between two moves
+  bool is_extruder_alone;
   double max_start2, max_smoothed2;
   std::uint32_t row;
   bool is_rapid, starts_at_corner;

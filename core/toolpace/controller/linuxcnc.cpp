@@ -19,8 +19,8 @@ namespace {
 
 // The interpreter's waits, in its own cycles, and what motion needs to come to rest, in the servo thread's; measured.
 constexpr double kCyclesToSeeRest = 1.5, kCyclesOfSpindle = 3.0, kCyclesToRest = 2.0;
-constexpr std::size_t kLongestChain = 100;   // points that lines may be merged from
-constexpr double kZero = 1e-9;               // [mm, rad]
+constexpr std::size_t kLongestChain = 100;  // points that lines may be merged from
+constexpr double kZero = 1e-9;              // [mm, rad]
 
 /// The number behind a letter in a line of codes, if it is there.
 std::optional<double> word_of(const std::string& codes, char letter) {
@@ -62,8 +62,12 @@ struct Chain {
 class LinuxcncModel {
  public:
   explicit LinuxcncModel(const ModelInput& input)
-      : input_(input), moves_(input.reading.moves), linuxcnc_(std::get<LinuxcncSettings>(input.settings.values)),
-        tally_(moves_.size(), input.options), run_(linuxcnc_, joint_limits(), tally_), position_(moves_.start),
+      : input_(input),
+        moves_(input.reading.moves),
+        linuxcnc_(std::get<LinuxcncSettings>(input.settings.values)),
+        tally_(moves_.size(), input.options),
+        run_(linuxcnc_, joint_limits(), tally_),
+        position_(moves_.start),
         startup_(startup_mode(linuxcnc_.startup_code)) {}
 
   Result<Prediction> run() {
@@ -100,7 +104,10 @@ class LinuxcncModel {
 
   void run_row(std::size_t row) {
     switch (moves_.kind[row]) {
-      case MoveKind::rapid: flush(); add_line(moves_.end[row], row, kUnlimited, true); break;
+      case MoveKind::rapid:
+        flush();
+        add_line(moves_.end[row], row, kUnlimited, true);
+        break;
       case MoveKind::arc: add_arc(row); break;
       case MoveKind::dwell:
         wait(0);

@@ -11,17 +11,17 @@ namespace toolpace::detail::controller {
 namespace {
 
 constexpr double kReversal = 2.0 * std::numbers::pi / 180.0;  // [rad]
-constexpr double kLeastAngle = 1e-3;       // [rad]
-constexpr double kLeastBlend = 1e-6;       // [mm]
-constexpr double kLeastRadius = 1e-12;     // [mm]
-constexpr double kToleranceShare = 0.25;   // of a length, where no tolerance is given
-constexpr double kTakenShare = 0.5;        // of a segment that a blend may take
-constexpr double kLeastCycles = 1.02;      // of a segment
+constexpr double kLeastAngle = 1e-3;                          // [rad]
+constexpr double kLeastBlend = 1e-6;                          // [mm]
+constexpr double kLeastRadius = 1e-12;                        // [mm]
+constexpr double kToleranceShare = 0.25;                      // of a length, where no tolerance is given
+constexpr double kTakenShare = 0.5;                           // of a segment that a blend may take
+constexpr double kLeastCycles = 1.02;                         // of a segment
 
 /// A corner as if both sides were lines.
 struct Corner {
-  double theta = 0;   ///< half the angle between the two, π/2 where they are straight
-  double phi = 0;     ///< the angle by which the path turns
+  double theta = 0;  ///< half the angle between the two, π/2 where they are straight
+  double phi = 0;    ///< the angle by which the path turns
   double tolerance = 0;
   double first = 0, second = 0;  ///< [mm] that may be taken of each
   double acceleration = 0, wanted = 0, most = 0;

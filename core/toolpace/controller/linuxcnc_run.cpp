@@ -6,10 +6,10 @@
 namespace toolpace::detail::controller {
 namespace {
 
-constexpr double kEndOfWay = 1e-12;    // [mm]
-constexpr double kLeastSpeed = 1e-8;   // [mm/s]
-constexpr double kLeastTime = 1e-12;   // [s]
-constexpr std::size_t kAhead = 4;      // segments besides those of the look-ahead
+constexpr double kEndOfWay = 1e-12;   // [mm]
+constexpr double kLeastSpeed = 1e-8;  // [mm/s]
+constexpr double kLeastTime = 1e-12;  // [s]
+constexpr std::size_t kAhead = 4;     // segments besides those of the look-ahead
 
 }  // namespace
 
@@ -80,7 +80,8 @@ double LinuxcncRun::looked_ahead(std::size_t index) const {
   };
   // Of the last one only a half is sure.
   const Segment& last = queue_[tail];
-  double speed2 = std::min({limit2(tail), last.path_acceleration() * last.length, last.target(limits_.feed_scale) * last.target(limits_.feed_scale)});
+  double speed2 = std::min({limit2(tail), last.path_acceleration() * last.length,
+                            last.target(limits_.feed_scale) * last.target(limits_.feed_scale)});
   if (queue_[tail - 1].ending != Ending::tangent) speed2 = 0;
   for (std::size_t k = tail - 1; k > index; --k) {
     if (queue_[k - 1].ending != Ending::tangent) {
@@ -185,7 +186,8 @@ void LinuxcncRun::check_end(Segment& now, const Segment* next) const {
     return;
   }
   if (rests) return;
-  double end = now.ending == Ending::tangent && next ? std::min({std::max(now.final, 0.0), now.target(), next->target()}) : 0.0;
+  double end =
+      now.ending == Ending::tangent && next ? std::min({std::max(now.final, 0.0), now.target(), next->target()}) : 0.0;
   const double mean = 0.5 * (now.speed + end);
   if (mean <= kLeastSpeed) return;
   double dt = std::max(0.5 * kLeastTime, left / mean);

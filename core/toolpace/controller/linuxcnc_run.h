@@ -11,7 +11,10 @@ namespace toolpace::detail::controller {
 class LinuxcncRun {
  public:
   LinuxcncRun(const LinuxcncSettings& settings, const JointLimits& limits, Tally& tally)
-      : limits_(limits), tally_(tally), cycle_(settings.period), depth_(static_cast<std::size_t>(settings.depth)),
+      : limits_(limits),
+        tally_(tally),
+        cycle_(settings.period),
+        depth_(static_cast<std::size_t>(settings.depth)),
         cutoff_(settings.ramp_frequency > 0 ? 1.0 / settings.ramp_frequency : 0.0) {}
 
   void add(Segment segment);

@@ -27,22 +27,23 @@ struct Segment {
   double wanted = 0;      ///< [mm/s] of the program
   double top = 0;         ///< [mm/s] most
   double acceleration = 0;
-  double tangential = 1;                    ///< share of the acceleration that is left along an arc
-  double kink_speed = -1;                   ///< [mm/s] at its end where that is passed as if it were tangent; −1 = not known
+  double tangential = 1;   ///< share of the acceleration that is left along an arc
+  double kink_speed = -1;  ///< [mm/s] at its end where that is passed as if it were tangent; −1 = not known
   double kink_loss = 0, kink_loss_before = 0;  ///< shares of the acceleration that kinks at its ends take
-  double tolerance = 0;                     ///< [mm] of G64 P; 0 = none
+  double tolerance = 0;                        ///< [mm] of G64 P; 0 = none
   Eigen::Vector3d start_tangent, end_tangent, start_pull, end_pull;  ///< pull: of acceleration, with that of an arc
   Eigen::Vector3d from, to;
-  Eigen::Vector3d centre, normal;           ///< of an arc; normal so that it turns counter-clockwise
-  double radius = 0, sweep = 0;             ///< of an arc [mm, rad]
-  double bend = 0;                          ///< [mm] the radius that counts for its speed; a helix' is larger
+  Eigen::Vector3d centre, normal;  ///< of an arc; normal so that it turns counter-clockwise
+  double radius = 0, sweep = 0;    ///< of an arc [mm, rad]
+  double bend = 0;                 ///< [mm] the radius that counts for its speed; a helix' is larger
   TimeLimit cruise = TimeLimit::feed;
 
   // While it runs:
   double progress = 0, speed = 0, blend_speed = 0, end_speed = 0;
   double cycle = 0;   ///< [s] of its next step
   double final = -1;  ///< [mm/s] that the look-ahead lets it end with; −1 = not known
-  bool is_active = false, is_splitting = false, is_done = false, slows_down = false, blends_next = false, is_ramp = false;
+  bool is_active = false, is_splitting = false, is_done = false, slows_down = false, blends_next = false,
+       is_ramp = false;
 
   bool is_round() const { return shape != Shape::line; }
 
@@ -59,10 +60,10 @@ struct Segment {
 /// How LinuxCNC joins two segments that follow each other.
 struct JointLimits {
   Eigen::Vector3d axis_acceleration, axis_velocity;
-  double cycle = 0.001;        ///< [s]
-  double kink_ratio = 0.1;     ///< share of the acceleration that a kink may take
-  double feed_scale = 1;       ///< corners are laid out for this much of the programmed feed
-  double gap_cycles = 4;       ///< a line shorter than these becomes part of the blend behind it
+  double cycle = 0.001;     ///< [s]
+  double kink_ratio = 0.1;  ///< share of the acceleration that a kink may take
+  double feed_scale = 1;    ///< corners are laid out for this much of the programmed feed
+  double gap_cycles = 4;    ///< a line shorter than these becomes part of the blend behind it
   bool arc_blends = true;
 };
 

@@ -12,18 +12,20 @@ namespace toolpace::detail::controller {
 namespace {
 
 constexpr double kMarlinStraight = 0.999999;
-constexpr double kSmallSegment = 1.0;             // [mm] shorter ones count as parts of an arc
-constexpr double kSmallTurn = -0.7071067812;      // cosine of 135°: deflections below 45°
-constexpr double kMarlinFirstSpeed = 25.0;        // [mm/s] until the first F
+constexpr double kSmallSegment = 1.0;         // [mm] shorter ones count as parts of an arc
+constexpr double kSmallTurn = -0.7071067812;  // cosine of 135°: deflections below 45°
+constexpr double kMarlinFirstSpeed = 25.0;    // [mm/s] until the first F
 constexpr double kLeastChord = 0.1, kMostChord = 1.0, kChordsOfCircle = 72;  // Configuration_adv.h
 constexpr double kMostChordsOfArc = 1e7;
-constexpr double kLeastSpeed2 = 0.05 * 0.05;      // MINIMUM_PLANNER_SPEED
+constexpr double kLeastSpeed2 = 0.05 * 0.05;  // MINIMUM_PLANNER_SPEED
 constexpr std::size_t kMarlinRoom = 127;
 
 class MarlinModel {
  public:
   explicit MarlinModel(const ModelInput& input)
-      : input_(input), moves_(input.reading.moves), marlin_(std::get<MarlinSettings>(input.settings.values)),
+      : input_(input),
+        moves_(input.reading.moves),
+        marlin_(std::get<MarlinSettings>(input.settings.values)),
         tally_(moves_.size(), input.options),
         planner_(static_cast<std::size_t>(std::max(marlin_.buffer, 3.0)) - 1, tally_, input.options, kMarlinRoom) {
     for (std::size_t k = 0; k < 3; ++k) steps_[static_cast<Eigen::Index>(k)] = marlin_.steps[k];
@@ -109,8 +111,8 @@ class MarlinModel {
     block.cruise = wanted > rate ? TimeLimit::axis_speed : block.is_rapid ? TimeLimit::rapid : TimeLimit::feed;
     const double nominal = std::min(wanted, rate);
     block.nominal2 = nominal * nominal;
-    block.acceleration = lowest(direction, limits_.axis_acceleration,
-                                extrudes_ ? limits_.acceleration : limits_.travel_acceleration);
+    block.acceleration =
+        lowest(direction, limits_.axis_acceleration, extrudes_ ? limits_.acceleration : limits_.travel_acceleration);
     // A single step takes a time, so nothing is slower than that.
     const double steps = (target - position_).cwiseAbs().maxCoeff();
     block.rest2 = std::min(block.nominal2, std::max(kLeastSpeed2, 0.5 * block.acceleration * length / steps));

@@ -34,9 +34,9 @@ inline constexpr std::size_t kTimeLimitCount = 9;
 std::string_view time_limit_name(TimeLimit limit);
 
 struct PredictOptions {
-  std::optional<double> baud;         ///< [bit/s] of a serial link, 10 bits a byte; none = blocks are always there
-  std::optional<double> block_time;   ///< [s] that the controller needs to read a block; none = 0
-  bool keeps_blocks = false;          ///< fills Prediction::row_time
+  std::optional<double> baud;        ///< [bit/s] of a serial link, 10 bits a byte; none = blocks are always there
+  std::optional<double> block_time;  ///< [s] that the controller needs to read a block; none = 0
+  bool keeps_blocks = false;         ///< fills Prediction::row_time
 };
 
 /// Times are from the first step of motion to the last, pauses included.
@@ -44,9 +44,9 @@ struct Prediction {
   Controller controller = Controller::grbl;
   std::size_t blocks = 0;  ///< planned by the controller: chords of arcs are blocks of their own
   double cycle_time = 0, feed_time = 0, rapid_time = 0, dwell_time = 0;  ///< [s]
-  double starved = 0;                                    ///< [s] lost because blocks did not arrive in time
+  double starved = 0;                                      ///< [s] lost because blocks did not arrive in time
   std::array<double, kTimeLimitCount> time_by_limit = {};  ///< [s]
-  std::vector<double> row_time;                          ///< [s] of each row of the moves
+  std::vector<double> row_time;                            ///< [s] of each row of the moves
   Diagnostics warnings;
 };
 

@@ -1,6 +1,10 @@
 #include "toolpace/controller/program_text.h"
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "toolpace/base/numbers.h"
 
 namespace toolpace {
 namespace {
@@ -31,7 +35,8 @@ std::uint8_t bits_of_m(int code) {
 std::uint8_t bits_of_g(int code) {
   if (code >= 540 && code <= 599) return kOffsetCode;
   if (code == 610 || code == 611 || code == 640) return kPathCode;
-  const bool moves_the_origin = code == 100 || code == 280 || code == 300 || code == 431 || (code >= 920 && code <= 923);
+  const bool moves_the_origin =
+      code == 100 || code == 280 || code == 300 || code == 431 || (code >= 920 && code <= 923);
   return static_cast<std::uint8_t>(moves_the_origin ? kOriginCode : 0);
 }
 
@@ -55,10 +60,59 @@ std::uint8_t codes_of(std::string_view line) {
   return bits;
 }
 
+/// Follows E through a program.
+class ExtruderScan {
+ public:
+  /// @return how much a line feeds [mm]
+  double run(std::string_view line) {
+    std::optional<double> e;
+    bool sets_origin = false;
+    for (std::size_t i = 0; i < line.size();) {
+      const char c = static_cast<char>(std::toupper(static_cast<unsigned char>(line[i++])));
+      if (c == ';') break;
+      if (c == '(') {
+        i = std::min(line.find(')', i), line.size());
+      } else if (c == 'G') {
+        const int code = code_in_tenths(line, i);
+        if (code == 200 || code == 210) unit_ = code == 200 ? 25.4 : 1.0;
+        if (code == 900 || code == 910) is_relative_ = code == 910;
+        sets_origin = sets_origin || code == 920;
+      } else if (c == 'M') {
+        const int code = code_in_tenths(line, i);
+        if (code == 820 || code == 830) has_relative_e_ = code == 830;
+      } else if (c == 'E') {
+        const std::size_t end = std::min(line.find_first_not_of("0123456789.+-", i), line.size());
+        e = parse_number(line.substr(i, end - i));
+        i = end;
+      }
+    }
+    if (!e) return 0;
+    const double value = *e * unit_;
+    const double fed = sets_origin ? 0.0 : is_relative_ || has_relative_e_ ? value : value - position_;
+    position_ = sets_origin ? value : position_ + fed;
+    return fed;
+  }
+
+ private:
+  double position_ = 0, unit_ = 1;
+  bool is_relative_ = false, has_relative_e_ = false;
+};
+
+void scan_extruder(std::string_view text, ProgramText& result) {
+  ExtruderScan scan;
+  result.extrusion.reserve(result.lines());
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1);
+    result.extrusion.push_back(static_cast<float>(scan.run(text.substr(0, end + 1))));
+    text.remove_prefix(end + 1);
+  }
+}
+
 }  // namespace
 
 ProgramText scan_program(std::string_view text) {
   ProgramText result;
+  const std::string_view all = text;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
     const std::size_t size = end == std::string_view::npos ? text.size() : end + 1;
@@ -67,6 +121,7 @@ ProgramText scan_program(std::string_view text) {
     result.all_codes |= result.codes.back();
     text.remove_prefix(size);
   }
+  if ((result.all_codes & kExtruderWord) != 0) scan_extruder(all, result);
   return result;
 }
 

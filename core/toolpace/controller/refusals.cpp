@@ -65,7 +65,8 @@ std::vector<Refusal> refusals(Controller controller, const Reading& reading) {
   std::vector<Refusal> list;
   if (controller != Controller::grbl && controller != Controller::grblhal) return list;
   for (const Diagnostic& d : reading.diagnostics) {
-    const auto row = std::find_if(kGrblErrors.begin(), kGrblErrors.end(), [&](const GrblError& e) { return e.code == d.code; });
+    const auto row =
+        std::find_if(kGrblErrors.begin(), kGrblErrors.end(), [&](const GrblError& e) { return e.code == d.code; });
     if (row == kGrblErrors.end() && d.severity != Severity::error) continue;
     const int number = row == kGrblErrors.end() ? kInvalidStatement : row->number;
     // A line is refused once.

@@ -20,6 +20,12 @@ class RowWalk {
     for (; last_ < line; ++last_) take(last_ + 1);
   }
 
+  /// The same for the lines behind the last row.
+  template <class Take>
+  void advance_to_end(const Take& take) {
+    for (; last_ < text_.lines(); ++last_) take(last_ + 1);
+  }
+
   /// The bits of a line.
   std::uint8_t codes(std::size_t line) const { return line <= text_.lines() ? text_.codes[line - 1] : std::uint8_t{0}; }
   std::size_t bytes(std::size_t line) const { return line <= text_.lines() ? text_.bytes[line - 1] : 0u; }

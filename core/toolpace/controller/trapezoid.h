@@ -9,8 +9,8 @@ namespace toolpace::detail::controller {
 /// Times of the three parts of a block [s].
 struct Trapezoid {
   double up = 0, cruise = 0, down = 0;
-  double peak = 0;            ///< [mm/s]
-  bool has_plateau = false;   ///< the nominal speed is reached
+  double peak = 0;           ///< [mm/s]
+  bool has_plateau = false;  ///< the nominal speed is reached
 
   double total() const { return up + cruise + down; }
 };

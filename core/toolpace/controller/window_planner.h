@@ -37,7 +37,8 @@ class WindowPlanner {
  public:
   /// @param depth  blocks that the ring holds, the running one among them
   /// @param clock  [Hz] of the timer of steps; 0 = one that does not round
-  WindowPlanner(std::size_t depth, Tally& tally, const PredictOptions& options, std::size_t receive_room, double clock = 0)
+  WindowPlanner(std::size_t depth, Tally& tally, const PredictOptions& options, std::size_t receive_room,
+                double clock = 0)
       : ring_(depth), tally_(tally), timer_(clock), block_time_(options.block_time.value_or(0.0)) {
     if (options.baud) link_.emplace(*options.baud / 10.0, receive_room);
   }

@@ -33,7 +33,8 @@ std::optional<Controller> told_by(std::string_view line) {
   const auto starts = [&](std::string_view section) { return line.starts_with(section); };
   if (std::any_of(kLinuxcnc.begin(), kLinuxcnc.end(), starts)) return Controller::linuxcnc;
   if (std::any_of(kKlipper.begin(), kKlipper.end(), starts)) return Controller::klipper;
-  if (const auto setting = grbl_setting_in(line)) return is_setting_of_grbl(setting->first) ? Controller::grbl : Controller::grblhal;
+  if (const auto setting = grbl_setting_in(line))
+    return is_setting_of_grbl(setting->first) ? Controller::grbl : Controller::grblhal;
   const auto report = marlin_words_in(line);
   if (report && (has_section(line, "echo:") || report->words.size() > 1)) return Controller::marlin;
   return std::nullopt;
@@ -41,13 +42,9 @@ std::optional<Controller> told_by(std::string_view line) {
 
 }  // namespace
 
-std::string_view controller_name(Controller controller) {
-  return kNames[static_cast<std::size_t>(controller)].name;
-}
+std::string_view controller_name(Controller controller) { return kNames[static_cast<std::size_t>(controller)].name; }
 
-std::string_view controller_title(Controller controller) {
-  return kNames[static_cast<std::size_t>(controller)].title;
-}
+std::string_view controller_title(Controller controller) { return kNames[static_cast<std::size_t>(controller)].title; }
 
 std::optional<Controller> controller_named(std::string_view name) {
   const auto at = std::find_if(kNames.begin(), kNames.end(), [&](const Names& n) { return n.name == name; });

@@ -12,13 +12,15 @@ using Parameters = std::vector<ControllerParameter>;
 
 constexpr double kMostSetting = 1e9;
 constexpr double kLeastSetting = 1e-6;
-constexpr const char* kSwitch = "";  // the unit of what is on or off
+constexpr const char* kBuiltIn = "1/mm";  // of what is built so: nobody tries another value
+constexpr const char* kSwitch = "";       // the unit of what is on or off
 
 void add_by_axis(Parameters& list, const std::string& head, const char* title, const char* unit, double size,
                  XyzValues& values, bool by_letter) {
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::string end = by_letter ? std::string(1, kAxisNames[k]) : std::to_string(k);
-    list.push_back({head + end, std::string(1, kAxisNames[k]) + " " + title, unit, size, &values[k], kLeastSetting, kMostSetting});
+    list.push_back(
+        {head + end, std::string(1, kAxisNames[k]) + " " + title, unit, size, &values[k], kLeastSetting, kMostSetting});
   }
 }
 
@@ -37,13 +39,26 @@ Parameters list_of(GrblSettings& s, Controller controller) {
 }
 
 Parameters list_of(KlipperSettings& s) {
-  return {{"[printer] max_velocity", "speed", "mm/s", 1, &s.max_velocity, kLeastSetting, kMostSetting},
-          {"[printer] max_accel", "acceleration", "mm/s²", 1, &s.max_accel, kLeastSetting, kMostSetting},
-          {"[printer] max_z_velocity", "Z speed", "mm/s", 1, &s.max_z_velocity, kLeastSetting, kMostSetting},
-          {"[printer] max_z_accel", "Z acceleration", "mm/s²", 1, &s.max_z_accel, kLeastSetting, kMostSetting},
-          {"[printer] square_corner_velocity", "square corner velocity", "mm/s", 1, &s.square_corner_velocity, 0, kMostSetting},
-          {"[printer] minimum_cruise_ratio", "minimum cruise ratio", "1", 1, &s.minimum_cruise_ratio, 0, 0.999, {0}},
-          {"[gcode_arcs] resolution", "arc resolution", "mm", 1, &s.arc_resolution, 1e-3, kMostSetting}};
+  Parameters list = {
+      {"[printer] max_velocity", "speed", "mm/s", 1, &s.max_velocity, kLeastSetting, kMostSetting},
+      {"[printer] max_accel", "acceleration", "mm/s²", 1, &s.max_accel, kLeastSetting, kMostSetting},
+      {"[printer] max_z_velocity", "Z speed", "mm/s", 1, &s.max_z_velocity, kLeastSetting, kMostSetting},
+      {"[printer] max_z_accel", "Z acceleration", "mm/s²", 1, &s.max_z_accel, kLeastSetting, kMostSetting},
+      {"[printer] square_corner_velocity", "square corner velocity", "mm/s", 1, &s.square_corner_velocity, 0,
+       kMostSetting},
+      {"[printer] minimum_cruise_ratio", "minimum cruise ratio", "1", 1, &s.minimum_cruise_ratio, 0, 0.999, {0}},
+      {"[gcode_arcs] resolution", "arc resolution", "mm", 1, &s.arc_resolution, 1e-3, kMostSetting}};
+  if (!s.has_extruder) return list;
+  list.insert(list.end(),
+              {{"[extruder] nozzle_diameter", "nozzle", kBuiltIn, 1, &s.nozzle, kLeastSetting, kMostSetting},
+               {"[extruder] filament_diameter", "filament", kBuiltIn, 1, &s.filament, kLeastSetting, kMostSetting},
+               {"[extruder] max_extrude_only_velocity", "speed of the extruder alone", "mm/s", 1,
+                &s.max_extrude_only_velocity, 0, kMostSetting},
+               {"[extruder] max_extrude_only_accel", "acceleration of the extruder alone", "mm/s²", 1,
+                &s.max_extrude_only_accel, 0, kMostSetting},
+               {"[extruder] instantaneous_corner_velocity", "extruder's step of speed at corners", "mm/s", 1,
+                &s.instantaneous_corner_velocity, 0, kMostSetting}});
+  return list;
 }
 
 Parameters list_of(MarlinSettings& s) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "toolpace/base/numbers.h"
 #include "toolpace/machine/read_machine.h"
@@ -60,15 +61,16 @@ class Filling {
     const auto number = number_of(at->second.text);
     if (!number) {
       return tl::unexpected(settings_error(
-          "import-value", fmt::format("{} is '{}', which is no number", parameter.key, at->second.text.substr(0, kShownLetters)),
+          "import-value",
+          fmt::format("{} is '{}', which is no number", parameter.key, at->second.text.substr(0, kShownLetters)),
           "correct the controller's settings", {name_, at->second.line, 0}));
     }
     if (!(*number >= parameter.least && *number <= parameter.most)) {
-      return tl::unexpected(settings_error(
-          "import-value",
-          fmt::format("{} is {}, but it must be from {} to {}", parameter.key, to_text(*number), to_text(parameter.least),
-                      to_text(parameter.most)),
-          "correct the controller's settings", {name_, at->second.line, 0}));
+      return tl::unexpected(
+          settings_error("import-value",
+                         fmt::format("{} is {}, but it must be from {} to {}", parameter.key, to_text(*number),
+                                     to_text(parameter.least), to_text(parameter.most)),
+                         "correct the controller's settings", {name_, at->second.line, 0}));
     }
     *parameter.value = *number * parameter.size;
     return {};
@@ -125,17 +127,30 @@ Result<void> fill_grbl(ControllerSettings& s, const ImportedValues& values, cons
   return {};
 }
 
+/// Moves of the extruder alone may feed as much as the widest line takes. @source Klipper, klippy/kinematics/extruder.py
+void set_extruder_defaults(KlipperSettings& k) {
+  const double area = 0.25 * std::numbers::pi * k.filament * k.filament, ratio = 4.0 * k.nozzle * k.nozzle / area;
+  if (k.max_extrude_only_velocity == 0) k.max_extrude_only_velocity = k.max_velocity * ratio;
+  if (k.max_extrude_only_accel == 0) k.max_extrude_only_accel = k.max_accel * ratio;
+}
 
 Result<void> fill_klipper(ControllerSettings& s, const ImportedValues& values, const std::string& name) {
   KlipperSettings& k = s.values.emplace<KlipperSettings>();
+  const auto has_section = [&](std::string_view section) {
+    return std::any_of(values.begin(), values.end(), [&](const auto& v) { return v.first.starts_with(section); });
+  };
+  k.has_extruder = has_section("extruder.");
+  k.has_arcs = has_section("gcode_arcs.");
   Filling filling(s, values, name);
   if (auto fine = filling.take_all(); !fine) return fine;
   for (const char* key : {"max_velocity", "max_accel"}) {
     if (filling.has(std::string("printer.") + key)) continue;
-    return tl::unexpected(settings_error("settings-missing", fmt::format("[printer] has no {}, which Klipper asks for", key),
+    return tl::unexpected(settings_error("settings-missing",
+                                         fmt::format("[printer] has no {}, which Klipper asks for", key),
                                          "give the printer.cfg that has it", {name, 0, 0}));
   }
   const auto is_missing = [&](const char* key) { return !filling.has(std::string("printer.") + key); };
+  if (k.has_extruder) set_extruder_defaults(k);
   if (is_missing("max_z_velocity")) k.max_z_velocity = k.max_velocity;
   if (is_missing("max_z_accel")) k.max_z_accel = k.max_accel;
   // Until 2024 the ratio was told as an acceleration.
@@ -151,7 +166,6 @@ Result<void> fill_klipper(ControllerSettings& s, const ImportedValues& values, c
     }
     k.minimum_cruise_ratio = 1.0 - std::min(1.0, *number / k.max_accel);
   }
-  k.has_arcs = std::any_of(values.begin(), values.end(), [](const auto& v) { return v.first.starts_with("gcode_arcs."); });
   if (const auto at = values.find("printer.kinematics"); at != values.end()) {
     k.kinematics = at->second.text;
     filling.note_taken("printer.kinematics");
@@ -159,9 +173,13 @@ Result<void> fill_klipper(ControllerSettings& s, const ImportedValues& values, c
   }
   constexpr std::array<std::string_view, 4> kStraight = {"cartesian", "corexy", "corexz", "hybrid_corexy"};
   if (std::find(kStraight.begin(), kStraight.end(), k.kinematics) == kStraight.end()) {
-    s.warnings.push_back({Severity::warning, "settings-kinematics",
-                          fmt::format("kinematics '{}' may have limits of their own, which are not counted", k.kinematics),
-                          "", {name, 0, 0}, {}});
+    s.warnings.push_back(
+        {Severity::warning,
+         "settings-kinematics",
+         fmt::format("kinematics '{}' may have limits of their own, which are not counted", k.kinematics),
+         "",
+         {name, 0, 0},
+         {}});
   }
   filling.tell_rest([](const std::string&) { return true; });  // sections of a printer.cfg are without number
   return {};
@@ -173,10 +191,13 @@ Result<void> fill_marlin(ControllerSettings& s, const ImportedValues& values, co
   if (auto fine = filling.take_all(); !fine) return fine;
   filling.tell_rest([](const std::string&) { return true; });
   if (!filling.has("M205 J") && filling.has("M205 X")) {
-    s.warnings.push_back({Severity::warning, "settings-classic-jerk",
+    s.warnings.push_back({Severity::warning,
+                          "settings-classic-jerk",
                           "corners go by classic jerk (M205 X Y Z) there, which is not modelled: the default junction "
                           "deviation is taken",
-                          "give M205 J of a firmware with junction deviation", {name, 0, 0}, {}});
+                          "give M205 J of a firmware with junction deviation",
+                          {name, 0, 0},
+                          {}});
   }
   return {};
 }
@@ -195,7 +216,8 @@ Result<void> fill_linuxcnc(ControllerSettings& s, const ImportedValues& values, 
   s.warnings = setup->warnings;
   Filling filling(s, values, name);
   for (const ControllerParameter& p : parameters(s)) {
-    const bool is_imported = p.key.ends_with("VELOCITY") || p.key.ends_with("ACCELERATION") || p.key.ends_with("PERIOD");
+    const bool is_imported =
+        p.key.ends_with("VELOCITY") || p.key.ends_with("ACCELERATION") || p.key.ends_with("PERIOD");
     if (!is_imported) {
       if (auto fine = filling.take(p); !fine) return fine;
       continue;
@@ -250,7 +272,8 @@ Result<ControllerSettings> parse_controller_settings(std::string_view text, cons
   }
   if (controller && !is_same_form(*controller, *told)) {
     return tl::unexpected(settings_error(
-        "settings-foreign", fmt::format("these are settings of {}, not of {}", controller_title(*told), controller_title(*controller)),
+        "settings-foreign",
+        fmt::format("these are settings of {}, not of {}", controller_title(*told), controller_title(*controller)),
         fmt::format("give --controller {}, or another file", controller_name(*told)), {name, 0, 0}));
   }
   ControllerSettings settings;

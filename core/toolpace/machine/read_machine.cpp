@@ -69,7 +69,8 @@ Result<Setup> read_machine(const std::filesystem::path& file, const Monitor& mon
   const auto text = read_settings_text(file, monitor);
   if (!text) return tl::unexpected(text.error());
   // Only files may include others.
-  if (machine_format(file, *text) == MachineFormat::klipper) return import_controller(read_controller_settings(file, {}, monitor));
+  if (machine_format(file, *text) == MachineFormat::klipper)
+    return import_controller(read_controller_settings(file, {}, monitor));
   return parse_machine(*text, file.string());
 }
 

@@ -33,8 +33,8 @@ ReadIncluded IncludedFiles::reader() {
 std::vector<std::string> IncludedFiles::read(std::string_view name) {
   const std::filesystem::path path = folder_ / std::filesystem::path(std::string(name));
   // A pattern may fit nothing; a name that fits nothing is a mistake.
-  const auto files = is_pattern(path.filename().string()) ? files_that_fit(path)
-                                                           : std::vector<std::filesystem::path>{path};
+  const auto files =
+      is_pattern(path.filename().string()) ? files_that_fit(path) : std::vector<std::filesystem::path>{path};
   std::vector<std::string> texts;
   for (const auto& file : files) {
     auto text = read_settings_text(file, monitor_);

@@ -13,7 +13,8 @@ namespace toolpace {
 /// Reads them, relative to the folder of the file that a person named. The first one that cannot be read is kept as an error.
 class IncludedFiles {
  public:
-  IncludedFiles(const std::filesystem::path& file, const Monitor& monitor) : folder_(file.parent_path()), monitor_(monitor) {}
+  IncludedFiles(const std::filesystem::path& file, const Monitor& monitor)
+      : folder_(file.parent_path()), monitor_(monitor) {}
 
   /// @pre this object lives longer
   ReadIncluded reader();

@@ -107,7 +107,9 @@ class KlipperReader {
     }
   }
 
-  static std::string_view without_comment(std::string_view line) { return trimmed(line.substr(0, line.find_first_of("#;"))); }
+  static std::string_view without_comment(std::string_view line) {
+    return trimmed(line.substr(0, line.find_first_of("#;")));
+  }
 
   const ReadIncluded& included_;
   ImportedValues values_, saved_;
@@ -129,8 +131,9 @@ std::optional<std::pair<std::string, std::string>> grbl_setting_in(std::string_v
 }
 
 bool is_setting_of_grbl(std::string_view key) {
-  constexpr std::array<int, 34> kSettings = {0,  1,  2,  3,  4,  5,  6,   10,  11,  12,  13,  20,  21,  22,  23,  24,  25,
-                                             26, 27, 30, 31, 32, 100, 101, 102, 110, 111, 112, 120, 121, 122, 130, 131, 132};
+  constexpr std::array<int, 34> kSettings = {0,   1,   2,   3,   4,   5,   6,   10,  11,  12, 13,  20,
+                                             21,  22,  23,  24,  25,  26,  27,  30,  31,  32, 100, 101,
+                                             102, 110, 111, 112, 120, 121, 122, 130, 131, 132};
   const std::string number(key.substr(1));
   return std::any_of(kSettings.begin(), kSettings.end(), [&](int k) { return std::to_string(k) == number; });
 }
@@ -142,7 +145,8 @@ ImportedValues read_grbl_values(std::string_view text) {
     while (!line.empty()) {
       const std::size_t comma = line.find(",\"$");
       auto setting = grbl_setting_in(line.substr(0, comma));
-      if (setting) values.insert_or_assign(std::move(setting->first), ImportedValue{std::move(setting->second), number});
+      if (setting)
+        values.insert_or_assign(std::move(setting->first), ImportedValue{std::move(setting->second), number});
       if (comma == std::string_view::npos) return;
       line.remove_prefix(comma + 1);
     }

@@ -26,8 +26,8 @@ ImportedValues read_grbl_values(std::string_view text);
 
 /// One command of a report of M503: its number and words, as "M203 X500.00 Y500.00".
 struct MarlinWords {
-  std::string code;                                   ///< "M203"
-  std::vector<std::pair<char, std::string>> words;    ///< letter and number
+  std::string code;                                 ///< "M203"
+  std::vector<std::pair<char, std::string>> words;  ///< letter and number
 };
 /// What a line of a report says, with what a console puts before it; nothing where it is no command of settings.
 std::optional<MarlinWords> marlin_words_in(std::string_view line);

@@ -26,9 +26,12 @@ std::vector<double> values_to_try(const ControllerParameter& p) {
   if (*p.unit != '\0' && std::isfinite(now) && now > 0) {
     values.insert(values.end(), {now * (1 + kTenth), now * (1 - kTenth), next_round_value(now)});
   }
-  std::erase_if(values, [&](double v) { return v < p.least || v > p.most || std::abs(v - now) <= kSame * std::abs(now); });
+  std::erase_if(values,
+                [&](double v) { return v < p.least || v > p.most || std::abs(v - now) <= kSame * std::abs(now); });
   std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end(), [](double a, double b) { return std::abs(a - b) <= kSame * std::abs(a); }), values.end());
+  values.erase(std::unique(values.begin(), values.end(),
+                           [](double a, double b) { return std::abs(a - b) <= kSame * std::abs(a); }),
+               values.end());
   return values;
 }
 
@@ -63,7 +66,8 @@ Result<std::vector<WhatIf>> what_if(const Reading& reading, const ProgramText& t
     }
     *p.value = before;
   }
-  std::stable_sort(rows.begin(), rows.end(), [](const WhatIf& a, const WhatIf& b) { return a.cycle_time < b.cycle_time; });
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const WhatIf& a, const WhatIf& b) { return a.cycle_time < b.cycle_time; });
   return rows;
 }
 

@@ -36,8 +36,10 @@ inline std::vector<MeasuredTime> measured_times() {
     if (cells.size() < 8 || cells[0] == "controller") continue;
     MeasuredTime time;
     const std::string& name = cells[0];
-    time.controller = name == "grbl" ? Controller::grbl : name == "grblHAL" ? Controller::grblhal
-                      : name == "Klipper" ? Controller::klipper : Controller::linuxcnc;
+    time.controller = name == "grbl"      ? Controller::grbl
+                      : name == "grblHAL" ? Controller::grblhal
+                      : name == "Klipper" ? Controller::klipper
+                                          : Controller::linuxcnc;
     time.program = cells[2];
     const std::size_t blank = cells[3].find(' ');
     time.settings = cells[3].substr(0, blank);
@@ -54,7 +56,9 @@ inline std::vector<MeasuredTime> measured_times() {
 }
 
 inline std::filesystem::path settings_file(const MeasuredTime& time) {
-  const char* suffix = time.controller == Controller::klipper ? ".cfg" : time.controller == Controller::linuxcnc ? ".ini" : ".txt";
+  const char* suffix = time.controller == Controller::klipper    ? ".cfg"
+                       : time.controller == Controller::linuxcnc ? ".ini"
+                                                                 : ".txt";
   return controller_data() / "settings" / (time.settings + suffix);
 }
 

@@ -25,8 +25,7 @@ std::vector<Error> errors_of(const Wanted& wanted) {
   for (const MeasuredTime& time : test::measured_times()) {
     if (!wanted(time)) continue;
     const double off = std::abs(test::prediction_of(time).cycle_time - time.cycle_time);
-    errors.push_back({off / time.cycle_time, off,
-                      time.settings + " " + time.control + " " + time.program});
+    errors.push_back({off / time.cycle_time, off, time.settings + " " + time.control + " " + time.program});
   }
   std::sort(errors.begin(), errors.end(), [](const Error& a, const Error& b) { return a.relative < b.relative; });
   return errors;
@@ -36,7 +35,8 @@ void expect_close(const std::vector<Error>& errors, std::size_t rows, double med
   ASSERT_EQ(errors.size(), rows);
   EXPECT_LE(errors[rows / 2].relative, median);
   for (const Error& error : errors) {
-    EXPECT_TRUE(error.relative <= worst || error.seconds <= 0.005) << error.name << ": " << error.relative * 100 << " %";
+    EXPECT_TRUE(error.relative <= worst || error.seconds <= 0.005)
+        << error.name << ": " << error.relative * 100 << " %";
   }
 }
 
@@ -44,7 +44,9 @@ auto rows_of(Controller controller, bool is_linked) {
   return [=](const MeasuredTime& time) { return time.controller == controller && time.baud.has_value() == is_linked; };
 }
 
-TEST(MeasuredTimes, GrblIsMetToAThousandth) { expect_close(errors_of(rows_of(Controller::grbl, false)), 58, 1e-3, 1e-2); }
+TEST(MeasuredTimes, GrblIsMetToAThousandth) {
+  expect_close(errors_of(rows_of(Controller::grbl, false)), 58, 1e-3, 1e-2);
+}
 
 TEST(MeasuredTimes, GrblBehindASlowLinkIsMetToTwoHundredths) {
   expect_close(errors_of(rows_of(Controller::grbl, true)), 58, 1e-3, 2e-2);

@@ -12,7 +12,8 @@ namespace toolpace {
 namespace {
 
 constexpr const char* kGrbl =
-    "$1=25\n$11=0.01\n$12=0.002\n$100=80\n$101=80\n$102=400\n$110=6000\n$111=6000\n$112=600\n$120=500\n$121=500\n$122=50\n";
+    "$1=25\n$11=0.01\n$12=0.002\n$100=80\n$101=80\n$102=400\n$110=6000\n$111=6000\n$112=600\n$120=500\n$121=500\n$122="
+    "50\n";
 constexpr const char* kKlipper =
     "[printer]\nkinematics: cartesian\nmax_velocity: 100\nmax_accel: 1000\nmax_z_velocity: 10\nmax_z_accel: 100\n"
     "minimum_cruise_ratio: 0\n[gcode_arcs]\n";
@@ -90,6 +91,31 @@ TEST(Predict, FHoldsForRapidsOfPrinters) {
   EXPECT_NEAR(p.rapid_time, 2 * (100.0 / 20 + 20.0 / 1000), 1e-9);
 }
 
+// Filament is drawn back 2 mm at 40 mm/s between two strokes of 50 mm at 50 mm/s, each from rest to rest: 50/50 +
+// 50/1000. The extruder alone: 2/40 + 40/1500 with its own acceleration.
+TEST(Predict, KlippersExtruderAloneBeginsAndEndsAtRest) {
+  const std::string settings = std::string(kKlipper) +
+                               "[extruder]\nnozzle_diameter: 0.4\nfilament_diameter: 1.75\n"
+                               "max_extrude_only_velocity: 60\nmax_extrude_only_accel: 1500\n";
+  const std::string program = "M83\nG1 X50 E2 F3000\nG1 E-2 F2400\nG1 X100 E2 F3000\n";
+  EXPECT_NEAR(predict_with(settings.c_str(), program, Controller::klipper).cycle_time,
+              2 * (1.0 + 0.05) + 2.0 / 40 + 40.0 / 1500, 1e-6);
+  EXPECT_NEAR(predict_with(kKlipper, program, Controller::klipper).cycle_time, 100.0 / 50 + 0.05, 1e-6)
+      << "no extruder";
+}
+
+// The extruder's speed may jump by 1 mm/s: from 0.04 mm a mm to none that is passed at 25 mm/s and not at 50.
+TEST(Predict, KlippersExtruderSlowsChangesOfFlow) {
+  const std::string settings = std::string(kKlipper) + "[extruder]\nnozzle_diameter: 0.4\nfilament_diameter: 1.75\n";
+  const auto time = [&](const char* end) {
+    const std::string program = std::string("M82\nG92 E0\nG1 X50 E2 F3000\nG1 X100 ") + end;
+    return predict_with(settings.c_str(), program, Controller::klipper).cycle_time;
+  };
+  EXPECT_NEAR(time("E4\n"), 2.05, 1e-6);
+  // Down to 25 mm/s and up again: 25 ms each over (2500 − 625)/2000 mm instead of at 50 mm/s.
+  EXPECT_NEAR(time("E2\n") - time("E4\n"), 2 * (0.025 - 1875.0 / 2000 / 50), 1e-6);
+}
+
 TEST(Predict, M400IsAStopOfPrinters) {
   const double with = predict_with(kKlipper, "G1 X50 F3000\nM400\nG1 X100\n", Controller::klipper).cycle_time;
   const double without = predict_with(kKlipper, "G1 X50 F3000\nG1 X100\n", Controller::klipper).cycle_time;
@@ -112,8 +138,10 @@ TEST(Predict, GrblWaitsForItsSpindleAndNotForNothing) {
 }
 
 TEST(Predict, TimesByLimitAddUp) {
-  for (const auto& [settings, controller] : {std::pair(kGrbl, Controller::grbl), std::pair(kGrbl, Controller::grblhal),
-                                             std::pair(kLinuxcnc, Controller::linuxcnc), std::pair(kKlipper, Controller::klipper), std::pair(kMarlin, Controller::marlin)}) {
+  for (const auto& [settings, controller] :
+       {std::pair(kGrbl, Controller::grbl), std::pair(kGrbl, Controller::grblhal),
+        std::pair(kLinuxcnc, Controller::linuxcnc), std::pair(kKlipper, Controller::klipper),
+        std::pair(kMarlin, Controller::marlin)}) {
     const bool is_printer = dialect_of(controller) == Dialect::marlin;
     PredictOptions options;
     options.keeps_blocks = true;
@@ -129,8 +157,8 @@ TEST(Predict, TimesByLimitAddUp) {
 TEST(Predict, NothingBeatsTheFeed) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     for (const auto& [settings, controller] :
-         {std::pair(kGrbl, Controller::grbl), std::pair(kKlipper, Controller::klipper), std::pair(kMarlin, Controller::marlin),
-          std::pair(kLinuxcnc, Controller::linuxcnc)}) {
+         {std::pair(kGrbl, Controller::grbl), std::pair(kKlipper, Controller::klipper),
+          std::pair(kMarlin, Controller::marlin), std::pair(kLinuxcnc, Controller::linuxcnc)}) {
       // Blends of LinuxCNC cut corners, so that the way is shorter.
       const std::string program = (controller == Controller::linuxcnc ? "G61\n" : "") +
                                   random_program(seed, 200, dialect_of(controller) == Dialect::marlin);
@@ -227,13 +255,22 @@ TEST(Predict, ToleranceBuysTimeInLinuxcnc) {
   double before = 1e9;
   for (const char* mode : {"G64 P0.01", "G64 P0.1", "G64 P1"}) {
     const double time =
-        predict_with(kLinuxcnc, std::string(mode) + "\nF6000\nG1 X50\nG1 Y50\nG1 X0\nG1 Y0\nM2\n", Controller::linuxcnc).cycle_time;
+        predict_with(kLinuxcnc, std::string(mode) + "\nF6000\nG1 X50\nG1 Y50\nG1 X0\nG1 Y0\nM2\n", Controller::linuxcnc)
+            .cycle_time;
     EXPECT_LT(time, before) << mode;
     before = time;
   }
   std::string points = "G64 P0.01\nF6000\n";
   for (int i = 1; i <= 50; ++i) points += "G1 X" + std::to_string(i) + "\n";
   EXPECT_EQ(predict_with(kLinuxcnc, points, Controller::linuxcnc).blocks, 1u);
+}
+
+TEST(Predict, EIsFollowedAsPrintersDo) {
+  const ProgramText text =
+      scan_program("G1 X1 E1\nG1 X2 E3 ; E9\nG92 E0\nG1 E.5\nM83\nG1 E-2\nM82\nG1 E0\nG91\nG1 E1\nG20\ng1 e1\n");
+  const std::vector<float> fed = {1, 2, 0, 0.5F, 0, -2, 0, 1.5F, 0, 1, 0, 25.4F};
+  ASSERT_EQ(text.extrusion.size(), fed.size());
+  for (std::size_t i = 0; i < fed.size(); ++i) EXPECT_FLOAT_EQ(text.extrusion[i], fed[i]) << "line " << i + 1;
 }
 
 TEST(Predict, CommentsHideCodes) {

@@ -57,7 +57,8 @@ TEST(ControllerSettings, GrblSpeaksInMillimetresAMinute) {
 
 TEST(ControllerSettings, WhatConsolesPutAroundDoesNotMatter) {
   for (const char* text :
-       {"$110=6000.000\n$11=0.020\n", ">>> $$\n$110 = 6000.000    (X-axis maximum rate, mm/min)\n$11 = 0.020 (Junction)\nok\n",
+       {"$110=6000.000\n$11=0.020\n",
+        ">>> $$\n$110 = 6000.000    (X-axis maximum rate, mm/min)\n$11 = 0.020 (Junction)\nok\n",
         "[10:31:02] $110=6000.000 (x max rate, mm/min)\r\n[10:31:02] $11=0.020\r\n<Idle|MPos:0,0,0>\r\n",
         "{\"$110\":\"6000.000\",\"$11\":\"0.020\"}", "{\n  \"$110\": \"6000.000\",\n  \"$11\": \"0.020\"\n}\n"}) {
     const auto settings = parse_controller_settings(text, "dump");
