@@ -24,6 +24,7 @@ namespace toolpace::cli {
 namespace {
 
 constexpr double kToleranceOfSetpoints = 0.01;  // [mm] at corners of "as setpoints"
+constexpr double kLongestRefined = 20'000;      // [s] of motion that are planned as well as can be
 constexpr std::size_t kShownRows = 8;
 constexpr double kMostBaud = 1e12;
 constexpr double kMostBlockTime = 1e6;  // [ms]
@@ -214,7 +215,9 @@ tl::expected<Told, Failure> told_of(const PredictFlags& flags, const std::shared
   end_progress();
   if (!rows) return tl::unexpected<Failure>(rows.error());
   told.rows = std::move(*rows);
-  const auto planned = cycle_time_as_setpoints(reading, settings, kToleranceOfSetpoints, terminal_monitor("planning"));
+  const bool refined = told.prediction.cycle_time < kLongestRefined;
+  const auto planned =
+      cycle_time_as_setpoints(reading, settings, kToleranceOfSetpoints, refined, terminal_monitor("planning"));
   end_progress();
   if (planned) {
     told.as_setpoints = *planned;

@@ -72,12 +72,13 @@ Result<std::vector<WhatIf>> what_if(const Reading& reading, const ProgramText& t
 }
 
 Result<double> cycle_time_as_setpoints(std::shared_ptr<const Reading> reading, const ControllerSettings& settings,
-                                       double tolerance, const Monitor& monitor) {
+                                       double tolerance, bool refined, const Monitor& monitor) {
   const Setup setup = controller_setup(settings);
   auto job = std::make_shared<Job>();
   job->program = std::move(reading);
   job->machine = setup.machine;
   job->options = setup.options;
+  job->refined = refined;
   job->options.ramps = Ramps::span;
   job->options.corner.rule = CornerRule::blend;
   job->options.corner.tolerance = tolerance;

@@ -25,9 +25,10 @@ Result<std::vector<WhatIf>> what_if(const Reading& reading, const ProgramText& t
                                     const PredictOptions& options, const Monitor& monitor = {});
 
 /// The same program as setpoints of this planner on the limits of the controller [s]: trapezoids across blocks, corners
-/// rounded within `tolerance` [mm]. Errors: of run().
+/// rounded within `tolerance` [mm]. @param refined  corners are timed anew under the axes' own limits (Job::refined), which takes
+/// half a millisecond a second of motion. Errors: of run().
 Result<double> cycle_time_as_setpoints(std::shared_ptr<const Reading> reading, const ControllerSettings& settings,
-                                       double tolerance, const Monitor& monitor = {});
+                                       double tolerance, bool refined, const Monitor& monitor = {});
 
 /// The next value above that a person would type: 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten. @pre value > 0
 double next_round_value(double value);
