@@ -62,6 +62,7 @@ void Actions::addPlan() {
 }
 
 void Actions::addView() {
+  hold_heights = addToggle("holdHeightsAction", "");
   fit = add("fitAction", "fit", {QKeySequence(Qt::Key_F)});
   view_xy = add("viewXyAction", "", {QKeySequence(Qt::Key_Z)});
   view_xz = add("viewXzAction", "", {QKeySequence(Qt::Key_Y)});
@@ -71,6 +72,7 @@ void Actions::addView() {
   dark = addToggle("darkAction", "theme", {QKeySequence("Ctrl+D")});
   touch = addToggle("touchAction", "");
   inch = addToggle("inchAction", "", {QKeySequence("Ctrl+U")});
+  per_minute = addToggle("perMinuteAction", "");
   english = addToggle("englishAction", "");
   chinese = addToggle("chineseAction", "");
   auto* languages = new QActionGroup(this);
@@ -147,6 +149,7 @@ void Actions::retranslate() {
   hold->setText(tr("Feed &hold at the cursor"));
   no_hold->setText(tr("Take the feed h&old away"));
   fit->setText(tr("&Fit"));
+  hold_heights->setText(tr("&Keep the heights of the plots"));
   view_xy->setText(tr("View along &Z (XY)"));
   view_xz->setText(tr("View along &Y (XZ)"));
   view_yz->setText(tr("View along &X (YZ)"));
@@ -155,6 +158,7 @@ void Actions::retranslate() {
   dark->setText(tr("&Dark theme"));
   touch->setText(tr("&Touch mode"));
   inch->setText(tr("Show &inches"));
+  per_minute->setText(tr("Speeds a &minute"));
   english->setText("English");
   chinese->setText("简体中文");
   reset_layout->setText(tr("&Reset the layout"));

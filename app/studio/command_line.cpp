@@ -71,7 +71,8 @@ void add_options(QCommandLineParser& parser) {
                      {"language", "en or zh_CN", "LANGUAGE"},
                      {"theme", "light or dark", "THEME"},
                      {"touch", "controls large enough for fingers"},
-                     {"inch", "show inches"}});
+                     {"inch", "show inches"},
+                     {"per-minute", "show speeds a minute instead of a second"}});
 }
 
 /// Qt's help wants an application, for its name alone; this kind needs no display.
@@ -94,6 +95,7 @@ Result<Request> read_options(const QCommandLineParser& parser) {
   request.theme = parser.value("theme");
   request.touch = parser.isSet("touch");
   request.inch = parser.isSet("inch");
+  request.per_minute = parser.isSet("per-minute");
   if (parser.isSet("size")) {
     const auto size = parse_size(parser.value("size"));
     if (!size) return tl::unexpected(usage("--size is no size", "give WIDTHxHEIGHT, such as 1280x800"));

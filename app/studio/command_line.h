@@ -15,7 +15,7 @@ enum ExitCode : int { kFine = 0, kBadUsage = 2, kBadInput = 3, kFileTrouble = 4,
 struct Request {
   QString program, machine, screenshot, language, theme;
   std::optional<QSize> size;  ///< none: as the window was left
-  bool touch = false, inch = false;
+  bool touch = false, inch = false, per_minute = false;
   QString answer;  ///< text of --help or --version: print it and leave
 };
 

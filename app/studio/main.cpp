@@ -39,6 +39,7 @@ int run(QApplication& application, const Request& request) {
   if (!request.theme.isEmpty()) window.setDark(request.theme == "dark");
   if (request.touch) window.setTouch(true);
   if (request.inch) window.setInch(true);
+  if (request.per_minute) window.setPerMinute(true);
   std::optional<toolpace::Error> failure;
   QObject::connect(&window, &MainWindow::failed, [&failure](const toolpace::Error& error) { failure = error; });
   if (!request.machine.isEmpty() && !window.openMachine(request.machine)) return report(*failure);

@@ -72,7 +72,7 @@ MainWindow::MainWindow(bool remember)
   actions_->dark->setChecked(preferences_.dark);
   actions_->touch->setChecked(preferences_.touch);
   applyAppearance();
-  setInch(preferences_.inch);
+  showUnits();
   if (const auto map = ui::colour_map_named(preferences_.colour_map)) contour_->setColourMap(*map);
   resize(kFirstSize);
   if (!preferences_.geometry.isEmpty()) restoreGeometry(preferences_.geometry);
@@ -115,7 +115,7 @@ void MainWindow::showRotaryAxes() {
 }
 
 void MainWindow::showPlan() {
-  nc_->view().setColourMap(contour_->colourMap());
+  nc_->setColourMap(contour_->colourMap());
   showPlans();
   const bool has_plan = static_cast<bool>(workspace_.plan());
   actions_->pin->setEnabled(has_plan);
@@ -196,7 +196,7 @@ void MainWindow::showTitle() {
   program.isModified() ? titles_["programDock"]->setBadge(tr("edited"), tr("Changes that are not saved"))
                        : showDialect();
   actions_->save_program->setEnabled(program.isModified() || program.path().isEmpty());
-  machine_button_->setText(tr("Machine: %1").arg(machineName() + (machine_.isModified() ? "*" : "")));
+  machine_button_->setText(machineName() + (machine_.isModified() ? "*" : ""));
   actions_->save_machine->setEnabled(machine_.isModified() || machine_.path().isEmpty());
 }
 

@@ -80,6 +80,7 @@ class MainWindow : public QMainWindow {
   void setDark(bool dark);
   void setTouch(bool touch);
   void setInch(bool inch);
+  void setPerMinute(bool per_minute);
   void setLanguage(const QString& language);  ///< "en" or "zh_CN"
   /// True when nothing is being read or planned any more.
   bool isSettled() const { return !workspace_.isBusy() && !exporter_.isBusy(); }
@@ -116,6 +117,7 @@ class MainWindow : public QMainWindow {
   // main_window_look.cpp
   void dressApplication();
   void applyAppearance();
+  void showUnits();
   void retranslate();
   // main_window_layout.cpp
   void buildPanels();
@@ -223,7 +225,8 @@ class MainWindow : public QMainWindow {
   QMenuBar* menu_bar_ = nullptr;  // in the tool bar: one row of chrome instead of two
   QMenu *file_menu_, *edit_menu_, *plan_menu_, *view_menu_, *help_menu_, *recent_menu_, *machine_menu_, *export_menu_,
       *setpoint_menu_, *panels_menu_, *preset_menu_, *language_menu_;
-  QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *unit_button_ = nullptr, *export_button_ = nullptr;
+  QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *unit_button_ = nullptr, *speed_unit_button_ = nullptr,
+              *export_button_ = nullptr;
   std::optional<double> program_share_;  // of the window's width, as a person has it
   QSize at_press_;                       // of program and plots, when a mouse button went down
   double plot_share_ = 0.5;              // of the height between the bars

@@ -83,9 +83,9 @@ void MainWindow::buildMenus() {
   plan_menu_->addActions({docks_["singleMoveDock"]->toggleViewAction(), docks_["stepperDock"]->toggleViewAction(),
                           docks_["drivesDock"]->toggleViewAction()});
   view_menu_ = menu("viewMenu");
-  view_menu_->addActions({a.fit, a.view_xy, a.view_xz, a.view_yz, a.view_zx, a.view_iso});
+  view_menu_->addActions({a.fit, a.hold_heights, a.view_xy, a.view_xz, a.view_yz, a.view_zx, a.view_iso});
   view_menu_->addSeparator();
-  view_menu_->addActions({a.dark, a.touch, a.inch});
+  view_menu_->addActions({a.dark, a.touch, a.inch, a.per_minute});
   view_menu_->addMenu(language_menu_);
   view_menu_->addSeparator();
   view_menu_->addMenu(panels_menu_);
@@ -117,6 +117,10 @@ void MainWindow::buildToolBar() {
   unit_button_->setObjectName("unitButton");
   connect(unit_button_, &QToolButton::clicked, a.inch, &QAction::trigger);
   tool_bar_->addWidget(unit_button_);
+  speed_unit_button_ = new QToolButton(tool_bar_);
+  speed_unit_button_->setObjectName("speedUnitButton");
+  connect(speed_unit_button_, &QToolButton::clicked, a.per_minute, &QAction::trigger);
+  tool_bar_->addWidget(speed_unit_button_);
   tool_bar_->addAction(a.dark);
   tool_bar_->addSeparator();
   machine_button_ = menu_button("machineButton", machine_menu_, tool_bar_);

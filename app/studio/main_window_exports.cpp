@@ -172,10 +172,10 @@ bool MainWindow::saveReport(const QString& path) {
   ReportParts parts{workspace_.plan(),
                     workspace_.pinned(),
                     workspace_.document()->name,
-                    machine_button_->text(),
+                    tr("Machine: %1").arg(machine_button_->text()),
                     png(contour_->grab()),
                     png(profile_->grab()),
-                    preferences_.inch ? ui::LengthUnit::inch : ui::LengthUnit::mm};
+                    preferences_.units};
   const bool pages = path.endsWith(".pdf", Qt::CaseInsensitive);
   const QByteArray bytes = pages ? report_pdf(parts) : report_html(parts).toUtf8();
   const auto written = write_whole_file(path.toStdString(), bytes.toStdString());

@@ -66,12 +66,23 @@ void MainWindow::applyAppearance() {
 }
 
 void MainWindow::setInch(bool inch) {
-  preferences_.inch = inch;
-  actions_->inch->setChecked(inch);
-  const auto unit = inch ? ui::LengthUnit::inch : ui::LengthUnit::mm;
-  for (ui::PlanView* view : plan_views_) view->setLengthUnit(unit);
-  reading_->setLengthUnit(unit);
-  unit_button_->setText(inch ? "in" : "mm");
+  preferences_.units.inch = inch;
+  showUnits();
+}
+
+void MainWindow::setPerMinute(bool per_minute) {
+  preferences_.units.per_minute = per_minute;
+  showUnits();
+}
+
+void MainWindow::showUnits() {
+  const ui::Units units = preferences_.units;
+  actions_->inch->setChecked(units.inch);
+  actions_->per_minute->setChecked(units.per_minute);
+  for (ui::PlanView* view : plan_views_) view->setUnits(units);
+  reading_->setUnits(units);
+  unit_button_->setText(ui::display_unit(ui::Quantity::length, units).text);
+  speed_unit_button_->setText(ui::display_unit(ui::Quantity::speed, units).text);
 }
 
 void MainWindow::setLanguage(const QString& language) {
@@ -114,6 +125,7 @@ void MainWindow::retranslate() {
   export_button_->setToolTip(tr("Save setpoints and pictures"));
   ui::name_control(machine_button_, tr("Machine"), tr("Machine file: limits and defaults"));
   ui::name_control(unit_button_, tr("Switch between millimetres and inches"));
+  ui::name_control(speed_unit_button_, tr("Switch between speeds a second and a minute"));
   tool_bar_->setWindowTitle(tr("Tools"));
   showProblems();
   showTitle();

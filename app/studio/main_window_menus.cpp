@@ -32,7 +32,7 @@ void MainWindow::showPlotMenu(const QPoint& at) {
   menu.addActions({actions_->no_hold});
   menu.addSeparator();
   menu.addAction(tr("Cursor here"), this, [this, time] { workspace_.setCursorTime(*time); });
-  menu.addActions({actions_->fit, actions_->export_plots});
+  menu.addActions({actions_->fit, actions_->hold_heights, actions_->export_plots});
   menu.exec(profile_->mapToGlobal(at));
 }
 

@@ -13,6 +13,7 @@
 #include "panels/transport_bar.h"
 #include "panels/tuning_panel.h"
 #include "panels/what_if_panel.h"
+#include "plots/profile_plot.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
 
@@ -67,7 +68,7 @@ void MainWindow::connectPanels() {
   connect(contour_, &ui::ContourView::colourByChanged, &workspace_, &ui::Workspace::setShown);
   connect(contour_, &ui::ContourView::colourMapChanged, this, [this](ui::ColourMap map) {
     preferences_.colour_map = ui::colour_map_name(map);
-    nc_->view().setColourMap(map);
+    nc_->setColourMap(map);
   });
   connect(circle_, &ui::CirclePanel::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
   connect(profile_, &ui::ProfileView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
@@ -152,6 +153,8 @@ void MainWindow::connectActions() {
   });
   on(a.hold, [this] { holdAt(workspace_.cursorTime()); });
   on(a.no_hold, [this] { holdAt(std::nullopt); });
+  on(a.hold_heights, [this](bool held) { profile_->plot().setHeightsHeld(held); });
+  connect(&profile_->plot(), &ui::ProfilePlot::heightsHeld, a.hold_heights, &QAction::setChecked);
   on(a.fit, [this] { contour_->fit(), profile_->fit(); });
   on(a.view_xy, [this] { contour_->setView(ui::View::xy); });
   on(a.view_xz, [this] { contour_->setView(ui::View::xz); });
@@ -161,6 +164,7 @@ void MainWindow::connectActions() {
   on(a.dark, [this](bool dark) { setDark(dark); });
   on(a.touch, [this](bool touch) { setTouch(touch); });
   on(a.inch, [this](bool inch) { setInch(inch); });
+  on(a.per_minute, [this](bool per_minute) { setPerMinute(per_minute); });
   on(a.english, [this] { setLanguage("en"); });
   on(a.chinese, [this] { setLanguage("zh_CN"); });
   on(a.reset_layout, [this] { resetLayout(); });

@@ -17,7 +17,7 @@ Preferences load_preferences() {
   Preferences p;
   p.dark = s.value("window/dark", false).toBool();
   p.touch = s.value("window/touch", false).toBool();
-  p.inch = s.value("window/inch", false).toBool();
+  p.units = {s.value("window/inch", false).toBool(), s.value("window/per_minute", false).toBool()};
   p.welcomed = s.value("window/welcomed", false).toBool();
   p.language = s.value("window/language").toString();
   p.colour_map = s.value("window/colour_map", "cividis").toString();
@@ -39,7 +39,8 @@ void save_preferences(const Preferences& p) {
   QSettings s = settings();
   s.setValue("window/dark", p.dark);
   s.setValue("window/touch", p.touch);
-  s.setValue("window/inch", p.inch);
+  s.setValue("window/inch", p.units.inch);
+  s.setValue("window/per_minute", p.units.per_minute);
   s.setValue("window/welcomed", p.welcomed);
   s.setValue("window/language", p.language);
   s.setValue("window/colour_map", p.colour_map);

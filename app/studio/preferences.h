@@ -5,12 +5,14 @@
 #include <QString>
 #include <QStringList>
 
+#include "models/units.h"
+
 namespace toolpace::studio {
 
 struct Preferences {
   bool dark = false;
   bool touch = false;
-  bool inch = false;
+  ui::Units units;
   bool welcomed = false;                                 ///< the example need not say that it is one
   QString language;                                      ///< "en", "zh_CN"; empty = that of the system
   QString colour_map;                                    ///< "cividis", "viridis", "turbo"

@@ -12,7 +12,7 @@ struct ReportParts {
   ui::Planned plan, pinned;
   QString program, machine;
   QByteArray contour_png, plots_png;
-  ui::LengthUnit unit = ui::LengthUnit::mm;
+  ui::Units unit;
 };
 
 /// One HTML page with its pictures inside, in the language of the window. Precondition: there is a plan.

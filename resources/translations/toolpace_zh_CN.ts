@@ -222,6 +222,50 @@
             <source>Steps of %1</source>
             <translation>%1 的步数</translation>
         </message>
+        <message>
+            <source>Interpolation period</source>
+            <translation>插补周期</translation>
+        </message>
+        <message>
+            <source>Time of a tool change</source>
+            <translation>换刀时间</translation>
+        </message>
+        <message>
+            <source>Rapid override</source>
+            <translation>快移倍率</translation>
+        </message>
+        <message>
+            <source>Position gain of %1</source>
+            <translation>%1 位置增益</translation>
+        </message>
+        <message>
+            <source>Speed feed forward of %1</source>
+            <translation>%1 速度前馈</translation>
+        </message>
+        <message>
+            <source>Acceleration feed forward of %1</source>
+            <translation>%1 加速度前馈</translation>
+        </message>
+        <message>
+            <source>Bandwidth of %1</source>
+            <translation>%1 带宽</translation>
+        </message>
+        <message>
+            <source>Damping of %1</source>
+            <translation>%1 阻尼</translation>
+        </message>
+        <message>
+            <source>Backlash of %1</source>
+            <translation>%1 反向间隙</translation>
+        </message>
+        <message>
+            <source>Resonance of %1</source>
+            <translation>%1 谐振频率</translation>
+        </message>
+        <message>
+            <source>Damping of the resonance of %1</source>
+            <translation>%1 谐振阻尼</translation>
+        </message>
     </context>
     <context>
         <name>codes</name>
@@ -3015,6 +3059,14 @@
             <source>View as at a &amp;lathe (ZX)</source>
             <translation>车床视图 (ZX)(&amp;L)</translation>
         </message>
+        <message>
+            <source>Speeds a &amp;minute</source>
+            <translation>速度按每分钟显示(&amp;M)</translation>
+        </message>
+        <message>
+            <source>&amp;Keep the heights of the plots</source>
+            <translation>保持图的高度(&amp;K)</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::MainWindow</name>
@@ -3330,6 +3382,10 @@
             <source>Copy the results</source>
             <translation>复制结果</translation>
         </message>
+        <message>
+            <source>Switch between speeds a second and a minute</source>
+            <translation>切换每秒与每分钟的速度</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::Report</name>
@@ -3517,6 +3573,30 @@
             <source>As at a lathe: Z to the right, X upwards (L)</source>
             <translation>车床视图：Z 向右，X 向上 (L)</translation>
         </message>
+        <message>
+            <source>Values with a sign have colours of their own: grey is zero</source>
+            <translation>有正负的量有自己的颜色：灰色为零</translation>
+        </message>
+        <message>
+            <source>Limits have colours of their own</source>
+            <translation>各限制有自己的颜色</translation>
+        </message>
+        <message>
+            <source>rapids</source>
+            <translation>快移</translation>
+        </message>
+        <message>
+            <source>Lines of the preview</source>
+            <translation>预览中的线</translation>
+        </message>
+        <message>
+            <source>drives</source>
+            <translation>驱动</translation>
+        </message>
+        <message>
+            <source>Dashed: rapids, and the plan that is pinned as B. Red: where the simulated drives go, enlarged</source>
+            <translation>虚线：快移，以及固定为 B 的规划。红色：放大后的仿真驱动轨迹</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::LimitRibbon</name>
@@ -3663,6 +3743,22 @@
             <source>drop an NC program here</source>
             <translation>将 NC 程序拖放到这里</translation>
         </message>
+        <message>
+            <source>mean speed</source>
+            <translation>平均速度</translation>
+        </message>
+        <message>
+            <source>time lost</source>
+            <translation>损失时间</translation>
+        </message>
+        <message>
+            <source>Bars beside the lines</source>
+            <translation>行旁的条</translation>
+        </message>
+        <message>
+            <source>Colour: mean speed of the line, as in the preview; bar: how much longer it takes than at its feed</source>
+            <translation>颜色：该行平均速度，与预览相同；条：比按进给多用的时间</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::NcView</name>
@@ -3685,6 +3781,10 @@
         <message>
             <source>rests for %1 s</source>
             <translation>停留 %1 s</translation>
+        </message>
+        <message>
+            <source>from %1 on</source>
+            <translation>从 %1 开始</translation>
         </message>
     </context>
     <context>
@@ -3812,6 +3912,22 @@
             <source>Show the whole program</source>
             <translation>显示整个程序</translation>
         </message>
+        <message>
+            <source>allowed</source>
+            <translation>允许值</translation>
+        </message>
+        <message>
+            <source>Lines of the plots</source>
+            <translation>图中的线</translation>
+        </message>
+        <message>
+            <source>feed</source>
+            <translation>进给</translation>
+        </message>
+        <message>
+            <source>A: this plan, B: the one that is pinned. Dashed grey: what feed, machine and curves allow in each block; pale: the programmed feed</source>
+            <translation>A：当前规划，B：固定的规划。灰色虚线：进给、机床和曲率在各段允许的值；浅色：编程进给</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::ResultModel</name>
@@ -3900,24 +4016,12 @@
             <translation>偏离路径</translation>
         </message>
         <message>
-            <source>From the first move to the last, dwells and tool changes included</source>
-            <translation>从第一个到最后一个移动，含暂停与换刀</translation>
-        </message>
-        <message>
-            <source>Time in moves with a feed: G1, G2, G3, splines</source>
-            <translation>有进给的移动所用时间：G1、G2、G3、样条</translation>
-        </message>
-        <message>
             <source>Time in rapid moves: G0</source>
             <translation>快移所用时间：G0</translation>
         </message>
         <message>
             <source>Time at rest: G4, tool changes</source>
             <translation>静止时间：G4、换刀</translation>
-        </message>
-        <message>
-            <source>No plan that keeps these limits and this tolerance is faster than this</source>
-            <translation>遵守这些限制和公差的规划都不会比这更快</translation>
         </message>
         <message>
             <source>Cycle time / lower bound − 1: what a better plan could save at most</source>
@@ -3940,14 +4044,6 @@
             <translation>沿路径最大 |j| = |da/dt|</translation>
         </message>
         <message>
-            <source>Limits that the setpoints break, found by an independent check of them</source>
-            <translation>独立检查发现的设定点超限</translation>
-        </message>
-        <message>
-            <source>Cutting: largest distance of the simulated drives from the commanded path, being late left out</source>
-            <translation>切削时：仿真驱动偏离指令路径的最大距离，不计滞后</translation>
-        </message>
-        <message>
             <source>· in rapids</source>
             <translation>· 快移时</translation>
         </message>
@@ -3958,18 +4054,6 @@
         <message>
             <source>How far the straight lines between setpoints cut off the planned motion, about (v·Ts)²/8r on an arc</source>
             <translation>设定点之间的直线偏离规划运动多少，圆弧上约 (v·Ts)²/8r</translation>
-        </message>
-        <message>
-            <source>Largest distance of the setpoints from the programmed path, as the check measures it</source>
-            <translation>检查测得的设定点与编程路径的最大距离</translation>
-        </message>
-        <message>
-            <source>Path length / cycle time</source>
-            <translation>路径长度 / 循环时间</translation>
-        </message>
-        <message>
-            <source>As it is run, rapids included</source>
-            <translation>实际走过的长度，含快移</translation>
         </message>
         <message>
             <source>Motion blocks of the program</source>
@@ -3994,6 +4078,50 @@
         <message>
             <source>There is no such figure for this plan</source>
             <translation>此规划没有这个数值</translation>
+        </message>
+        <message>
+            <source>Settings that differ</source>
+            <translation>不同的设置</translation>
+        </message>
+        <message>
+            <source>What decides plans A and B, where it is not the same</source>
+            <translation>决定规划 A 与 B 而又不同的设置</translation>
+        </message>
+        <message>
+            <source>A %1 · B %2</source>
+            <translation>A %1 · B %2</translation>
+        </message>
+        <message>
+            <source>From the first move to the last, dwells and tool changes included: T = Σ Δt</source>
+            <translation>从第一个到最后一个动作，含暂停和换刀：T = Σ Δt</translation>
+        </message>
+        <message>
+            <source>Time in moves with a feed: G1, G2, G3, splines; Σ Δt of these</source>
+            <translation>有进给的动作所用时间：G1、G2、G3、样条；其 Σ Δt</translation>
+        </message>
+        <message>
+            <source>No plan that keeps these limits and this tolerance is faster than this: T ≥ bound</source>
+            <translation>遵守这些限制和公差的规划都不会比这更快：T ≥ 下限</translation>
+        </message>
+        <message>
+            <source>Limits that the setpoints break, found by an independent check of them: |Δx/Δt| &gt; v and so on</source>
+            <translation>独立检查发现设定点超出的限制：|Δx/Δt| &gt; v 等</translation>
+        </message>
+        <message>
+            <source>Cutting: largest distance of the simulated drives from the commanded path, max |actual − path|; being late is left out</source>
+            <translation>切削时仿真驱动偏离指令路径的最大距离，max |实际 − 路径|；滞后不计</translation>
+        </message>
+        <message>
+            <source>Largest distance of the setpoints from the programmed path, as the check measures it: max |setpoint − path|</source>
+            <translation>设定点偏离编程路径的最大距离，由检查测得：max |设定点 − 路径|</translation>
+        </message>
+        <message>
+            <source>As it is run, rapids included: s = ∫ v dt</source>
+            <translation>按实际运行，含快移：s = ∫ v dt</translation>
+        </message>
+        <message>
+            <source>Path length / cycle time: s / T</source>
+            <translation>路径长度 / 循环时间：s / T</translation>
         </message>
     </context>
     <context>
@@ -4529,36 +4657,8 @@
             <translation>速度规律</translation>
         </message>
         <message>
-            <source>end inside their block</source>
-            <translation>在程序段内完成</translation>
-        </message>
-        <message>
-            <source>run across blocks</source>
-            <translation>跨程序段</translation>
-        </message>
-        <message>
             <source>Corners</source>
             <translation>拐角</translation>
-        </message>
-        <message>
-            <source>exact stop</source>
-            <translation>准停</translation>
-        </message>
-        <message>
-            <source>servo step (a·Ts)</source>
-            <translation>伺服步进 (a·Ts)</translation>
-        </message>
-        <message>
-            <source>junction deviation</source>
-            <translation>拐角偏差</translation>
-        </message>
-        <message>
-            <source>blend in tolerance</source>
-            <translation>公差内过渡</translation>
-        </message>
-        <message>
-            <source>smooth in tolerance</source>
-            <translation>公差内光顺</translation>
         </message>
         <message>
             <source>Feed</source>
@@ -4591,6 +4691,22 @@
         <message>
             <source>This law has no use for it</source>
             <translation>此规律不使用它</translation>
+        </message>
+        <message>
+            <source>G64 P of the program rules: %1</source>
+            <translation>程序的 G64 P 有效：%1</translation>
+        </message>
+        <message>
+            <source>G64 P of the program rules in %1 of %2 blocks: %3</source>
+            <translation>程序的 G64 P 在 %2 段中的 %1 段有效：%3</translation>
+        </message>
+        <message>
+            <source>The tolerance of the job holds where the program names none</source>
+            <translation>程序没有给出公差的地方使用作业的公差</translation>
+        </message>
+        <message>
+            <source>G64 P of the program rules in every block</source>
+            <translation>程序的 G64 P 在每一段都有效</translation>
         </message>
     </context>
     <context>
@@ -5361,6 +5477,143 @@
         <message>
             <source>Do not show this again</source>
             <translation>不再显示</translation>
+        </message>
+    </context>
+    <context>
+        <name>OptionNames</name>
+        <message>
+            <source>exact stop</source>
+            <translation>准停</translation>
+        </message>
+        <message>
+            <source>servo step (a·Ts)</source>
+            <translation>伺服步进 (a·Ts)</translation>
+        </message>
+        <message>
+            <source>junction deviation</source>
+            <translation>拐角偏差</translation>
+        </message>
+        <message>
+            <source>blend in tolerance</source>
+            <translation>公差内过渡</translation>
+        </message>
+        <message>
+            <source>smooth in tolerance</source>
+            <translation>公差内光顺</translation>
+        </message>
+        <message>
+            <source>end inside their block</source>
+            <translation>在程序段内完成</translation>
+        </message>
+        <message>
+            <source>run across blocks</source>
+            <translation>跨程序段</translation>
+        </message>
+    </context>
+    <context>
+        <name>SettingDifferences</name>
+        <message>
+            <source>Program</source>
+            <translation>程序</translation>
+        </message>
+        <message>
+            <source>Machine</source>
+            <translation>机床</translation>
+        </message>
+        <message>
+            <source>Law</source>
+            <translation>规律</translation>
+        </message>
+        <message>
+            <source>Look-ahead</source>
+            <translation>前瞻</translation>
+        </message>
+        <message>
+            <source>Ramps</source>
+            <translation>加减速</translation>
+        </message>
+        <message>
+            <source>Corners</source>
+            <translation>拐角</translation>
+        </message>
+        <message>
+            <source>Speed step at corners</source>
+            <translation>拐角速度阶跃</translation>
+        </message>
+        <message>
+            <source>Feed hold</source>
+            <translation>进给保持</translation>
+        </message>
+    </context>
+    <context>
+        <name>ParameterTips</name>
+        <message>
+            <source>How a ramp changes the speed: its duration T(Δv), and v = v₀ + Δv·f(t/T)</source>
+            <translation>加减速如何改变速度：时长 T(Δv)，v = v₀ + Δv·f(t/T)</translation>
+        </message>
+        <message>
+            <source>A ramp up lasts as long, whatever the change of speed: its peak acceleration is 2·Δv/Tacc</source>
+            <translation>无论速度变化多少，加速都持续这么久：峰值加速度为 2·Δv/Tacc</translation>
+        </message>
+        <message>
+            <source>A ramp down lasts as long, whatever the change of speed: its peak deceleration is 2·Δv/Tdec</source>
+            <translation>无论速度变化多少，减速都持续这么久：峰值减速度为 2·Δv/Tdec</translation>
+        </message>
+        <message>
+            <source>The path is never sped up harder: dv/dt ≤ Am</source>
+            <translation>沿路径加速不会更猛：dv/dt ≤ Am</translation>
+        </message>
+        <message>
+            <source>The path is never slowed down harder: −dv/dt ≤ Dm</source>
+            <translation>沿路径减速不会更猛：−dv/dt ≤ Dm</translation>
+        </message>
+        <message>
+            <source>The acceleration changes no faster while the path is sped up: |da/dt| ≤ Jm</source>
+            <translation>加速时加速度变化不会更快：|da/dt| ≤ Jm</translation>
+        </message>
+        <message>
+            <source>The acceleration changes no faster while the path is slowed down: |da/dt| ≤ Jd</source>
+            <translation>减速时加速度变化不会更快：|da/dt| ≤ Jd</translation>
+        </message>
+        <message>
+            <source>No block is run faster, whatever its feed: v ≤ Vmax</source>
+            <translation>无论进给多大，任何程序段都不会更快：v ≤ Vmax</translation>
+        </message>
+        <message>
+            <source>Time between two setpoints; on an arc of radius r the chord between them is (v·Ts)²/(8·r) off</source>
+            <translation>两个设定点之间的时间；在半径 r 的圆弧上，其弦偏离 (v·Ts)²/(8·r)</translation>
+        </message>
+        <message>
+            <source>So many blocks are known ahead: v ≤ reach(0, Σ L), from which the tool comes to rest at the end of the last one</source>
+            <translation>预先知道这么多程序段：v ≤ reach(0, Σ L)，刀具能在最后一段末尾停住</translation>
+        </message>
+        <message>
+            <source>Whether a ramp has to fit its block, (v₀ + v₁)/2·T(|v₁ − v₀|) ≤ L, or may go on in the next ones</source>
+            <translation>加减速必须在本段内完成，(v₀ + v₁)/2·T(|v₁ − v₀|) ≤ L，还是可以延续到后面的段</translation>
+        </message>
+        <message>
+            <source>How a corner of angle α is passed: at rest, v = 0; servo step, v·|Δu| ≤ a·Ts; junction deviation, v² ≤ a·δ·cos(α/2)/(1 − cos(α/2)); or rounded inside the tolerance</source>
+            <translation>如何通过角度为 α 的拐角：停止，v = 0；伺服步进，v·|Δu| ≤ a·Ts；拐角偏差，v² ≤ a·δ·cos(α/2)/(1 − cos(α/2))；或在公差内倒圆</translation>
+        </message>
+        <message>
+            <source>From this time on the path is slowed down to rest, and stays there: v → 0 under Dm and Jd</source>
+            <translation>从此刻起沿路径减速至停止并保持：v → 0，受 Dm 与 Jd 限制</translation>
+        </message>
+        <message>
+            <source>Rounded corners stay this close to the programmed path: distance ≤ tolerance; a G64 P of the program comes first</source>
+            <translation>倒圆的拐角与编程路径的距离 ≤ 公差；程序中的 G64 P 优先</translation>
+        </message>
+        <message>
+            <source>Passing a corner of angle α as if on a circle this far from it: v² ≤ a·δ·cos(α/2)/(1 − cos(α/2))</source>
+            <translation>通过角度为 α 的拐角时，如同走在距拐角这么远的圆上：v² ≤ a·δ·cos(α/2)/(1 − cos(α/2))</translation>
+        </message>
+        <message>
+            <source>Programmed feeds are multiplied by it: v ≤ F · override</source>
+            <translation>编程进给乘以此值：v ≤ F · 倍率</translation>
+        </message>
+        <message>
+            <source>Rapid traverse is multiplied by it: v ≤ rapid · override</source>
+            <translation>快移速度乘以此值：v ≤ 快移 · 倍率</translation>
         </message>
     </context>
 </TS>

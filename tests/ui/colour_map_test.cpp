@@ -29,6 +29,24 @@ class ColourMapTest : public QObject {
     QVERIFY(qAbs(contrast(qRgb(0x77, 0x77, 0x77), qRgb(255, 255, 255)) - 4.48) < 0.01);
   }
 
+  void signed_values_are_grey_at_zero_and_can_be_seen_everywhere() {
+    for (const bool dark : {false, true}) {
+      const QRgb ground = (dark ? dark_theme() : light_theme()).surface.rgb();
+      const auto table = diverging_table(dark ? Ground::dark : Ground::light);
+      QCOMPARE(table[127], table[128]);
+      const QColor zero(table[128]);
+      QVERIFY2(zero.saturation() < 40, "zero is neutral");
+      for (std::size_t level = 0; level < table.size(); ++level) QVERIFY(contrast(table[level], ground) >= 2.0);
+      // Further from zero, further from the ground: of two levels the outer one stands out more.
+      constexpr std::size_t kStep = 8;  // one level alone is lost in rounding
+      for (std::size_t level = kStep; level < 128; ++level) {
+        QVERIFY(contrast(table[level - kStep], ground) > contrast(table[level], ground));
+        QVERIFY(contrast(table[255 + kStep - level], ground) > contrast(table[255 - level], ground));
+      }
+      QVERIFY(qBlue(table[0]) > qRed(table[0]) && qRed(table[255]) > qBlue(table[255]));
+    }
+  }
+
   void every_level_can_be_seen_on_its_ground() {
     for (const bool dark : {false, true}) {
       const QRgb ground = (dark ? dark_theme() : light_theme()).surface.rgb();

@@ -149,6 +149,8 @@ class ContourViewTest : public QObject {
     QTest::keyClick(by, Qt::Key_Down);
     QCOMPARE(view->colourBy(), ColourBy::acceleration);
     QCOMPARE(changed.count(), 1);
+    QVERIFY(!view->findChild<QComboBox*>("colourMap")->isEnabled());
+    QTest::keyClick(by, Qt::Key_Up);
     const QImage cividis = view->canvas().render({200, 160}, 1);
     auto* map = view->findChild<QComboBox*>("colourMap");
     map->setFocus();

@@ -180,7 +180,7 @@ class ProfileViewTest : public QObject {
     view->setCursorTime(1.0);
     auto* readout = view->findChild<QLabel*>("profileReadout");
     QVERIFY2(readout->text().contains("mm/s"), qPrintable(readout->text()));
-    view->setLengthUnit(LengthUnit::inch);
+    view->setUnits({.inch = true});
     QVERIFY2(readout->text().contains("in/s") && !readout->text().contains("mm"), qPrintable(readout->text()));
     QVERIFY(view->plot().axisRect(0)->axis(QCPAxis::atLeft)->label().contains("in/s"));
   }

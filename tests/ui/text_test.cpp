@@ -129,7 +129,9 @@ class TextCheck {
         const QFontMetrics metrics =
             font.isValid() ? QFontMetrics(font.value<QFont>().resolve(table.font())) : table.fontMetrics();
         const QString text = index.data().toString();
-        need(table, text, metrics.horizontalAdvance(text) + kCellPadding, room);
+        int wide = room;
+        for (int more = 1; more < table.columnSpan(row, column); ++more) wide += head.sectionSize(column + more);
+        need(table, text, metrics.horizontalAdvance(text) + kCellPadding, wide);
       }
     }
   }

@@ -82,6 +82,25 @@ ColourTable colour_table(ColourMap map, Ground ground) {
   return table;
 }
 
+ColourTable diverging_table(Ground ground) {
+  struct Arms {
+    QRgb below, half_below, zero, half_above, above;
+  };
+  constexpr Arms kOnLight = {0xff08306b, 0xff2f7fc4, 0xffa9aeb5, 0xffd9772b, 0xff7f2704};
+  constexpr Arms kOnDark = {0xffc6e2ff, 0xff5aa2f0, 0xff686d74, 0xfff0913a, 0xffffe3c2};
+  const Arms& arms = ground == Ground::light ? kOnLight : kOnDark;
+  const std::array<QRgb, 5> stops = {arms.below, arms.half_below, arms.zero, arms.half_above, arms.above};
+  ColourTable table;
+  for (std::size_t level = 0; level < table.size(); ++level) {
+    // Both levels in the middle are zero: a value of 0 is rounded to the upper one.
+    const double from_zero = std::max(std::abs(static_cast<double>(level) - 127.5) - 0.5, 0.0) / 127.0;
+    const double place = 2 + (level < 128 ? -2 : 2) * from_zero;
+    const auto lower = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+    table[level] = mix(stops[lower], stops[lower + 1], place - static_cast<double>(lower));
+  }
+  return table;
+}
+
 double luminance(QRgb colour) {
   return 0.2126 * linear(qRed(colour)) + 0.7152 * linear(qGreen(colour)) + 0.0722 * linear(qBlue(colour));
 }

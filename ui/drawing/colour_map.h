@@ -28,6 +28,11 @@ QRgb map_colour(ColourMap map, double fraction);
 /// cividis and viridis still rises from level to level.
 ColourTable colour_table(ColourMap map, Ground ground);
 
+/// Of values with a sign: blue below zero, orange above it, and at zero (levels 127 and 128) a grey that stands back. Each has a
+/// contrast of at least 2 against the ground, and to its ends it grows. Blue and orange differ for colour-blind eyes, too.
+/// @source Moreland 2009, Diverging color maps for scientific visualization: two hues that meet in a neutral one
+ColourTable diverging_table(Ground ground);
+
 /// Contrast of two colours, 1 … 21. @source WCAG 2.1, relative luminance
 double contrast(QRgb a, QRgb b);
 

@@ -21,7 +21,7 @@ class PlanView {
   /// Where the cursor stands; nothing = there is no plan.
   virtual void showInstant(const std::optional<Instant>& /*instant*/) {}
   virtual void setTheme(const Theme& /*theme*/) {}
-  virtual void setLengthUnit(LengthUnit /*unit*/) {}
+  virtual void setUnits(Units /*unit*/) {}
 };
 
 }  // namespace toolpace::ui

@@ -14,6 +14,8 @@ namespace toolpace::ui {
 
 enum class ColourBy : std::uint8_t { speed, acceleration, jerk, limit, contour_error };
 inline constexpr std::size_t kColourings = 5;
+/// Values on both sides of zero, which want a map that tells the sides apart.
+constexpr bool is_signed(ColourBy by) { return by == ColourBy::acceleration || by == ColourBy::jerk; }
 
 /// Where the tool really went, as a drive simulation found it.
 struct ErrorTrace {

@@ -10,7 +10,7 @@ void LossModel::setTimeline(std::shared_ptr<const Timeline> timeline) {
   endResetModel();
 }
 
-void LossModel::setUnit(LengthUnit unit) {
+void LossModel::setUnit(Units unit) {
   beginResetModel();
   unit_ = unit;
   endResetModel();
@@ -44,7 +44,8 @@ QVariant LossModel::data(const QModelIndex& index, int role) const {
   switch (index.column()) {
     case kLine: return QString::number(line);
     case kAsked:
-    case kMean: return QString::number(value * display_unit(Quantity::speed, unit_).factor, 'f', 2);
+    case kMean: return QString::number(value * display_unit(Quantity::speed, unit_).factor, 'f',
+                                       decimals_of(Quantity::speed, 2, unit_));
     default: return QString::number(value, 'f', 3);
   }
 }

@@ -19,7 +19,7 @@ class LossModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
 
   void setTimeline(std::shared_ptr<const Timeline> timeline);
-  void setUnit(LengthUnit unit);
+  void setUnit(Units unit);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -30,7 +30,7 @@ class LossModel : public QAbstractTableModel {
   double number(std::uint32_t line, int column) const;
 
   std::shared_ptr<const Timeline> timeline_;
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
 };
 
 }  // namespace toolpace::ui

@@ -12,7 +12,22 @@ struct Name {
   const char* title;
 };
 
+constexpr std::array kServoNames = {
+    Name{"kv_1_s", QT_TRANSLATE_NOOP("ParameterNames", "Position gain of %1")},
+    Name{"velocity_feed_forward", QT_TRANSLATE_NOOP("ParameterNames", "Speed feed forward of %1")},
+    Name{"acceleration_feed_forward", QT_TRANSLATE_NOOP("ParameterNames", "Acceleration feed forward of %1")},
+    Name{"bandwidth_hz", QT_TRANSLATE_NOOP("ParameterNames", "Bandwidth of %1")},
+    Name{"damping", QT_TRANSLATE_NOOP("ParameterNames", "Damping of %1")},
+    Name{"backlash_mm", QT_TRANSLATE_NOOP("ParameterNames", "Backlash of %1")},
+    Name{"backlash_deg", QT_TRANSLATE_NOOP("ParameterNames", "Backlash of %1")},
+    Name{"resonance_hz", QT_TRANSLATE_NOOP("ParameterNames", "Resonance of %1")},
+    Name{"resonance_damping", QT_TRANSLATE_NOOP("ParameterNames", "Damping of the resonance of %1")}};
+
 constexpr std::array kPathNames = {
+    Name{"machine.period_ms", QT_TRANSLATE_NOOP("ParameterNames", "Interpolation period")},
+    Name{"machine.tool_change_s", QT_TRANSLATE_NOOP("ParameterNames", "Time of a tool change")},
+    Name{"rapid_percent", QT_TRANSLATE_NOOP("ParameterNames", "Rapid override")},
+    Name{"override_percent", QT_TRANSLATE_NOOP("ParameterNames", "Feed override")},
     Name{"path.max_speed_mm_s", QT_TRANSLATE_NOOP("ParameterNames", "Top speed of the path")},
     Name{"path.max_acceleration_mm_s2", QT_TRANSLATE_NOOP("ParameterNames", "Acceleration of the path")},
     Name{"path.max_deceleration_mm_s2", QT_TRANSLATE_NOOP("ParameterNames", "Deceleration of the path")},
@@ -33,6 +48,12 @@ QString parameter_name(const std::string& key) {
     if (key == name.key) return QCoreApplication::translate("ParameterNames", name.title);
   }
   const QStringList parts = QString::fromStdString(key).split('.');
+  if (parts.size() == 3 && parts[0] == "servo") {
+    for (const Name& name : kServoNames) {
+      if (parts[2] == QLatin1String(name.key))
+        return QCoreApplication::translate("ParameterNames", name.title).arg(parts[1]);
+    }
+  }
   if (parts.size() != 3 || parts[0] != "axes") return QString::fromStdString(key);
   if (parts[2].startsWith("max_speed"))
     return QCoreApplication::translate("ParameterNames", "Speed of %1").arg(parts[1]);

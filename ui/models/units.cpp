@@ -9,7 +9,7 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr double kMmPerInch = 25.4;
+constexpr double kMmPerInch = 25.4, kSecondsPerMinute = 60;
 
 QString grouped(QString digits) {
   const qsizetype point = digits.indexOf('.');
@@ -22,17 +22,18 @@ QString grouped(QString digits) {
 
 }  // namespace
 
-DisplayUnit display_unit(Quantity quantity, LengthUnit unit) {
-  const bool inch = unit == LengthUnit::inch;
-  const double factor = inch ? 1 / kMmPerInch : 1.0;
-  const QString name = inch ? "in" : "mm";
+DisplayUnit display_unit(Quantity quantity, Units unit) {
+    const double factor = unit.inch ? 1 / kMmPerInch : 1.0;
+  const QString name = unit.inch ? "in" : "mm";
+  const double a_time = unit.per_minute ? kSecondsPerMinute : 1.0;
+  const QString time = unit.per_minute ? "/min" : "/s";
   switch (quantity) {
     case Quantity::length: return {factor, name};
-    case Quantity::speed: return {factor, name + "/s"};
+    case Quantity::speed: return {factor * a_time, name + time};
     case Quantity::acceleration: return {factor, name + "/s²"};
     case Quantity::jerk: return {factor, name + "/s³"};
     case Quantity::angle: return {1 / kRadiansPerDegree, "°"};
-    case Quantity::angular_speed: return {1 / kRadiansPerDegree, "°/s"};
+    case Quantity::angular_speed: return {a_time / kRadiansPerDegree, "°" + time};
     case Quantity::angular_acceleration: return {1 / kRadiansPerDegree, "°/s²"};
     case Quantity::angular_jerk: return {1 / kRadiansPerDegree, "°/s³"};
     case Quantity::time: break;
@@ -40,8 +41,14 @@ DisplayUnit display_unit(Quantity quantity, LengthUnit unit) {
   return {1.0, "s"};
 }
 
-DisplayUnit error_unit(LengthUnit unit) {
-  return unit == LengthUnit::inch ? DisplayUnit{1e3 / kMmPerInch, "mil"} : DisplayUnit{1e3, "µm"};
+DisplayUnit error_unit(Units unit) {
+  return unit.inch ? DisplayUnit{1e3 / kMmPerInch, "mil"} : DisplayUnit{1e3, "µm"};
+}
+
+int decimals_of(Quantity quantity, int metric, Units units) {
+  const bool turns = rotary(quantity) == quantity;  // and time, which has no other unit
+  const bool is_speed = quantity == Quantity::speed || quantity == Quantity::angular_speed;
+  return std::max(metric + (units.inch && !turns ? 1 : 0) - (units.per_minute && is_speed ? 1 : 0), 0);
 }
 
 Quantity rotary(Quantity quantity) {
@@ -69,7 +76,7 @@ QString number_text(double value, int digits) {
   return grouped(text == "-0" ? "0" : text);
 }
 
-QString value_text(double core_value, Quantity quantity, LengthUnit unit, int digits) {
+QString value_text(double core_value, Quantity quantity, Units unit, int digits) {
   const auto shown = display_unit(quantity, unit);
   return number_text(core_value * shown.factor, digits) + " " + shown.text;
 }

@@ -99,10 +99,10 @@ void AxesGrid::setRotaryAxes(const std::array<bool, 3>& shown) {
   rotary_->setVisible(shown[0] || shown[1] || shown[2]);
 }
 
-void AxesGrid::setLengthUnit(LengthUnit unit) {
+void AxesGrid::setUnits(Units unit) {
   unit_ = unit;
   for (auto& row : fields_) {
-    for (auto* field : row) field->setLengthUnit(unit);
+    for (auto* field : row) field->setUnits(unit);
   }
   show_units();
 }

@@ -23,7 +23,7 @@ class AxesGrid : public QWidget {
   void setMachine(const Machine& machine);
   /// Which of A, B, C have a row; X, Y, Z always have.
   void setRotaryAxes(const std::array<bool, 3>& shown);
-  void setLengthUnit(LengthUnit unit);
+  void setUnits(Units unit);
   void retranslate();
 
  signals:
@@ -40,7 +40,7 @@ class AxesGrid : public QWidget {
   std::array<QLabel*, kLimits> heads_ = {};
   std::array<QLabel*, kLimits> rotary_heads_ = {};
   QWidget* rotary_;
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
 };
 
 }  // namespace toolpace::ui

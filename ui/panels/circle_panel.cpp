@@ -131,7 +131,7 @@ void CirclePanel::showFigures() {
   title_->setText(tr("line %1 · R %2 · %3°")
                       .arg(circle.line)
                       .arg(value_text(circle.start_radius, Quantity::length, unit_, 4), number_text(degrees, 4)));
-  const bool inch = unit_ == LengthUnit::inch;
+  const bool inch = unit_.inch;
   const DisplayUnit unit{inch ? 1e3 * display_unit(Quantity::length, unit_).factor : 1e3, inch ? "mil" : "µm"};
   const auto signed_text = [&](double error) {
     return QString(error < 0 ? "−" : "+") + number_text(std::abs(error) * unit.factor, 3);
@@ -149,7 +149,7 @@ void CirclePanel::showFigures() {
       which + "\n" + tr("most %1   ·   least %2").arg(extreme(roundness_->highest), extreme(roundness_->lowest)));
 }
 
-void CirclePanel::setLengthUnit(LengthUnit unit) {
+void CirclePanel::setUnits(Units unit) {
   unit_ = unit;
   plot_->setUnit(unit);
   showFigures();

@@ -21,7 +21,7 @@ class CirclePanel : public QWidget, public PlanView {
   void showPlans(const Planned& plan, const Planned& pinned) override;
   /// Shows the circle that is cut at this instant, if there is one.
   void showInstant(const std::optional<Instant>& instant) override;
-  void setLengthUnit(LengthUnit unit) override;
+  void setUnits(Units unit) override;
   void setTheme(const Theme& theme) override;
   const Roundness& roundness() const { return *roundness_; }
 
@@ -47,7 +47,7 @@ class CirclePanel : public QWidget, public PlanView {
   double cursor_ = 0;
   bool stale_ = true;  // the plan is another than the one measured
   std::shared_ptr<const Roundness> roundness_ = std::make_shared<Roundness>();
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
 };
 
 }  // namespace toolpace::ui

@@ -120,10 +120,10 @@ void DrivesPage::showPlans(const Planned& plan, const Planned&) {
   showErrors();
 }
 
-void DrivesPage::setLengthUnit(LengthUnit unit) {
+void DrivesPage::setUnits(Units unit) {
   unit_ = unit;
   for (auto& row : fields_) {
-    for (auto* field : row) field->setLengthUnit(unit);
+    for (auto* field : row) field->setUnits(unit);
   }
   retranslate();
 }

@@ -19,7 +19,7 @@ class DrivesPage : public QWidget, public PlanView {
   explicit DrivesPage(TuningModel& model, QWidget* parent = nullptr);
 
   void showPlans(const Planned& plan, const Planned& pinned) override;
-  void setLengthUnit(LengthUnit unit) override;
+  void setUnits(Units unit) override;
   /// Which of A, B, C have a column; X, Y, Z always have.
   void setRotaryAxes(const std::array<bool, 3>& shown);
 
@@ -41,7 +41,7 @@ class DrivesPage : public QWidget, public PlanView {
   std::array<std::array<NumberField*, kAxisCount>, kParameters> fields_ = {};
   QLabel* errors_;
   Planned plan_;
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
 };
 
 }  // namespace toolpace::ui

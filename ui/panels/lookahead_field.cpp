@@ -27,6 +27,7 @@ LookaheadField::LookaheadField(QWidget* parent)
   row->addWidget(slider_, 1);
   row->addWidget(field_);
   row->addWidget(all_);
+  setObjectName("lookaheadField");
   slider_->setObjectName("lookaheadSlider");
   slider_->setRange(0, kSteps);
   slider_->setPageStep(kSteps / 20);

@@ -62,7 +62,7 @@ void LossPanel::paintEvent(QPaintEvent* event) {
   QWidget::paintEvent(event);
 }
 
-void LossPanel::setLengthUnit(LengthUnit unit) { model_->setUnit(unit); }
+void LossPanel::setUnits(Units unit) { model_->setUnit(unit); }
 
 void LossPanel::showTotal() {
   table_->setAccessibleName(tr("Time lost by each NC line"));

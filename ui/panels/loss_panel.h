@@ -18,7 +18,7 @@ class LossPanel : public QWidget, public PlanView {
   explicit LossPanel(QWidget* parent = nullptr);
 
   void showPlans(const Planned& plan, const Planned& pinned) override;
-  void setLengthUnit(LengthUnit unit) override;
+  void setUnits(Units unit) override;
 
  signals:
   void lineRequested(int line);

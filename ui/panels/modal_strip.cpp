@@ -74,6 +74,13 @@ QString meaning_of(std::int16_t code) {
   }
 }
 
+/// " P0.05" in the program's units; nothing where G64 names no tolerance.
+QString tolerance_text(const ModalSnapshot& s) {
+  constexpr double kMmPerInch = 25.4;
+  if (!(s.tolerance > 0)) return {};
+  return QStringLiteral("&nbsp;P") + number_text(s.units == 200 ? s.tolerance / kMmPerInch : s.tolerance, 6);
+}
+
 QString feed_unit(const ModalSnapshot& s) {
   const QString length = s.units == 200 ? "in" : "mm";
   if (s.feed_mode == 930) return "1/min";
@@ -114,7 +121,8 @@ QString ModalStrip::codes() const {
     const bool stands_out = group.code != group.usual;
     if (!group.always && !stands_out) continue;
     const bool motion = texts.isEmpty();  // what the line does comes first
-    const QString code = code_text(group.code);
+    QString code = code_text(group.code);
+    if (group.code == 640) code += tolerance_text(*snapshot_);
     texts << (stands_out || motion ? QString("<span style='color:%1'>%2</span>").arg(theme_.text.name(), code) : code);
   }
   return texts.join(' ');
@@ -135,7 +143,8 @@ QString ModalStrip::meanings() const {
   QString rows;
   for (const Group& group : groups_of(*snapshot_)) {
     rows += QString("<tr><td>%1&nbsp;&nbsp;</td><td>%2&nbsp;&nbsp;</td><td>%3</td></tr>")
-                .arg(code_text(group.code), group.title, meaning_of(group.code));
+                .arg(code_text(group.code) + (group.code == 640 ? tolerance_text(*snapshot_) : QString()), group.title,
+                     meaning_of(group.code));
   }
   return "<table>" + rows + "</table>";
 }

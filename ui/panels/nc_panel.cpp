@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "models/block_name.h"
+#include "theme/control_name.h"
 
 namespace toolpace::ui {
 
@@ -13,6 +14,7 @@ NcPanel::NcPanel(QWidget* parent)
     : QWidget(parent),
       change_bar_(new ChangeBar("changeBar", this)),
       view_(new NcView(this)),
+      key_(new LineKey("gutterKey", this)),
       modal_(new ModalStrip(this)),
       bar_(new QWidget(this)),
       text_(new QLineEdit(bar_)),
@@ -35,6 +37,11 @@ NcPanel::NcPanel(QWidget* parent)
   column->addWidget(change_bar_);
   column->addWidget(bar_);
   column->addWidget(view_, 1);
+  auto* key_row = new QHBoxLayout;
+  key_row->setContentsMargins(8, 1, 8, 1);
+  key_row->addWidget(key_);
+  key_row->addStretch(1);
+  column->addLayout(key_row);
   column->addWidget(modal_);
   hint_->setObjectName("dropHint");
   hint_->setProperty("role", "hint");
@@ -52,14 +59,35 @@ NcPanel::NcPanel(QWidget* parent)
 void NcPanel::showPlans(const Planned& plan, const Planned&) {
   if (plan.timeline == timeline_) return;
   timeline_ = plan.timeline;
+  fillKey();
   view_->setTimeline(plan.timeline, plan ? plan.scene->range(ColourBy::speed).high : 0);
 }
 
-void NcPanel::setLengthUnit(LengthUnit unit) { view_->setUnit(unit); }
+void NcPanel::setUnits(Units unit) { view_->setUnit(unit); }
 
 void NcPanel::setTheme(const Theme& theme) {
+  theme_ = theme;
   view_->setTheme(theme);
+  fillKey();
   modal_->setTheme(theme);
+}
+
+void NcPanel::setColourMap(ColourMap map) {
+  view_->setColourMap(map);
+  fillKey();
+}
+
+void NcPanel::fillKey() {
+  QLinearGradient speeds(0, 0, 1, 0);
+  speeds.setCoordinateMode(QGradient::ObjectMode);
+  for (const int level : {0, 64, 128, 192, 255}) {
+    speeds.setColorAt(level / 255.0, QColor(view_->colours()[static_cast<std::size_t>(level)]));
+  }
+  key_->setTextColour(theme_.secondary);
+  key_->setSamples({{tr("mean speed"), {}, speeds}, {tr("time lost"), {}, NcView::lossColour(theme_)}});
+  name_control(key_, tr("Bars beside the lines"),
+               tr("Colour: mean speed of the line, as in the preview; bar: how much longer it takes than at its feed"));
+  key_->setVisible(timeline_ != nullptr);
 }
 
 void NcPanel::showModal(int line) {
@@ -119,6 +147,7 @@ void NcPanel::retranslate() {
   none_->setText(tr("not found"));
   view_->setAccessibleName(tr("NC program"));
   hint_->setText(tr("drop an NC program here"));
+  fillKey();
   view_->setEmptyHint(tr("drop an NC program here"));
 }
 

@@ -10,6 +10,7 @@
 #include "panels/change_bar.h"
 #include "panels/modal_strip.h"
 #include "panels/nc_view.h"
+#include "theme/line_key.h"
 
 namespace toolpace::ui {
 
@@ -23,7 +24,8 @@ class NcPanel : public QWidget, public PlanView {
   ChangeBar& changeBar() { return *change_bar_; }
   void showPlans(const Planned& plan, const Planned& pinned) override;
   void setTheme(const Theme& theme) override;
-  void setLengthUnit(LengthUnit unit) override;
+  void setUnits(Units unit) override;
+  void setColourMap(ColourMap map);
   void openFindBar();
   void openGoToBar();
   /// Shows below the text that a program can be dropped here.
@@ -46,13 +48,16 @@ class NcPanel : public QWidget, public PlanView {
   void retranslate();
 
   void showModal(int line);
+  void fillKey();
   std::shared_ptr<const Timeline> timeline_;
   ChangeBar* change_bar_;
   NcView* view_;
+  LineKey* key_;  // of the bars beside the lines
   ModalStrip* modal_;
   QWidget* bar_;
   QLineEdit* text_;
   QLabel *none_, *hint_;
+  Theme theme_ = light_theme();
   Bar asks_ = Bar::find;
   std::array<QString, 2> asked_;  // what was last typed into each
 };

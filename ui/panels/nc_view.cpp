@@ -176,6 +176,7 @@ QString NcView::tipOf(int line) const {
   }
   if (timeline_ && static_cast<std::size_t>(line) < timeline_->lines().size()) {
     const auto& stats = timeline_->lines()[static_cast<std::size_t>(line)];
+    if (stats.begin >= 0) lines << tr("from %1 on").arg(duration_text(stats.begin));
     if (stats.rest > 0) lines << tr("rests for %1 s").arg(stats.rest, 0, 'f', 3);
     if (stats.length > 0) {
       lines << tr("mean %1, programmed %2")

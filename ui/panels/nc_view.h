@@ -33,8 +33,10 @@ class NcView : public QAbstractScrollArea {
   void setTimeline(std::shared_ptr<const Timeline> timeline, double full_speed);
   void setProblems(const Diagnostics& problems);
   void setTheme(const Theme& theme);
+  static QColor lossColour(const Theme& theme);  ///< of the bars of time lost
   void setColourMap(ColourMap map);
-  void setUnit(LengthUnit unit) { unit_ = unit; }
+  const ColourTable& colours() const { return colours_; }
+  void setUnit(Units unit) { unit_ = unit; }
   void setEmptyHint(const QString& text);
 
   const std::shared_ptr<const Document>& document() const { return document_; }
@@ -98,7 +100,7 @@ class NcView : public QAbstractScrollArea {
   ColourMap map_ = ColourMap::cividis;
   ColourTable colours_;
   QString empty_hint_;
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
   double fastest_ = 0, worst_loss_ = 0;
   int current_ = 1, anchor_ = 1;
   QPointer<QLineEdit> editor_;

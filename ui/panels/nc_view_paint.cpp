@@ -17,6 +17,8 @@ constexpr int kSpeedWidth = 4;
 
 }  // namespace
 
+QColor NcView::lossColour(const Theme& theme) { return mixed(theme.surface, theme.warning, 0.55); }
+
 NcView::Gutter NcView::gutter() const {
   const auto digits = std::max<qsizetype>(QString::number(lineCount()).size(), 3);
   Gutter g;
@@ -73,7 +75,7 @@ void NcView::paintGutter(QPainter& painter, int line, const QRect& row, const Gu
     const int width = static_cast<int>(stats.loss() / worst_loss_ * kLossWidth + 0.5);
     const int height = row.height() / 2;
     painter.fillRect(QRect(g.loss_end - width, row.top() + (row.height() - height) / 2, width, height),
-                     mixed(theme_.surface, theme_.warning, 0.55));
+                     lossColour(theme_));
   }
 }
 

@@ -46,7 +46,7 @@ std::optional<double> parsed(QString text) {
 
 NumberField::NumberField(const QString& object_name, const QString& accessible_name, Quantity quantity, Range range,
                          QWidget* parent)
-    : QLineEdit(parent), quantity_(quantity), range_(range), unit_(display_unit(quantity, LengthUnit::mm)) {
+    : QLineEdit(parent), quantity_(quantity), range_(range), unit_(display_unit(quantity, {})) {
   setObjectName(object_name);
   setAccessibleName(accessible_name);
   setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -76,8 +76,8 @@ void NumberField::setUnlimitedText(const QString& text) {
   show_value();
 }
 
-void NumberField::setLengthUnit(LengthUnit unit) {
-  length_unit_ = unit;
+void NumberField::setUnits(Units unit) {
+  units_ = unit;
   if (!own_unit_) unit_ = display_unit(quantity_, unit);
   show_value();
   emit unitChanged();

@@ -30,7 +30,7 @@ class NumberField : public QLineEdit {
   double value() const { return value_; }
   /// A display unit of its own, such as ms for seconds.
   void setUnit(const DisplayUnit& unit);
-  void setLengthUnit(LengthUnit unit);
+  void setUnits(Units unit);
   QString unitText() const { return unit_.text; }
   /// What stands for no limit; "∞" at first.
   void setUnlimitedText(const QString& text);
@@ -65,7 +65,7 @@ class NumberField : public QLineEdit {
   Quantity quantity_;
   Range range_;
   DisplayUnit unit_;
-  LengthUnit length_unit_ = LengthUnit::mm;
+  Units units_;
   bool own_unit_ = false;
   double value_ = 0;
   QString unlimited_ = QStringLiteral("∞");

@@ -45,7 +45,7 @@ void PolarPlot::setCursorTime(std::optional<double> time) {
   update();
 }
 
-void PolarPlot::setUnit(LengthUnit unit) {
+void PolarPlot::setUnit(Units unit) {
   unit_ = unit;
   update();
 }
@@ -104,7 +104,7 @@ void PolarPlot::drawRings(QPainter& painter) const {
   painter.setPen(QPen(theme_.line, 1));
   painter.drawLine(middle - QPointF(edge, 0), middle + QPointF(edge, 0));
   painter.drawLine(middle - QPointF(0, edge), middle + QPointF(0, edge));
-  const double micron = unit_ == LengthUnit::inch ? 1e3 * display_unit(Quantity::length, unit_).factor : 1e3;
+  const double micron = unit_.inch ? 1e3 * display_unit(Quantity::length, unit_).factor : 1e3;
   const double step = round_step((edge - radius) * 0.75 / pixelsPerMm() * micron) / micron;
   for (const double error : {-step, step}) {
     const double ring = radius + error * pixelsPerMm();
@@ -113,7 +113,7 @@ void PolarPlot::drawRings(QPainter& painter) const {
     painter.drawEllipse(middle, ring, ring);
     painter.setPen(theme_.secondary);
     const QString text = (error > 0 ? "+" : "−") + number_text(step * micron, 3) +
-                         (unit_ == LengthUnit::inch ? QStringLiteral(" mil") : QStringLiteral(" µm"));
+                         (unit_.inch ? QStringLiteral(" mil") : QStringLiteral(" µm"));
     painter.drawText(QRectF(middle.x() + 4, middle.y() - ring - 8, 80, 16), Qt::AlignLeft | Qt::AlignVCenter, text);
   }
   painter.setPen(QPen(theme_.secondary, 1, Qt::DashLine));

@@ -20,7 +20,7 @@ class PolarPlot : public QWidget {
   void setRoundness(std::shared_ptr<const Roundness> roundness);
   void setEnlargement(std::optional<double> factor);  ///< nothing = as the errors ask for
   void setCursorTime(std::optional<double> time);     ///< [s]
-  void setUnit(LengthUnit unit);
+  void setUnit(Units unit);
   void setTheme(const Theme& theme);
   void setEmptyHint(const QString& text);
 
@@ -49,7 +49,7 @@ class PolarPlot : public QWidget {
 
   std::shared_ptr<const Roundness> roundness_;
   std::optional<double> factor_, cursor_;
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
   Theme theme_ = light_theme();
   QString empty_hint_;
 };

@@ -140,7 +140,7 @@ void ReadingPage::buildFolders(QGridLayout* grid) {
   });
 }
 
-void ReadingPage::setLengthUnit(LengthUnit unit) { arc_tolerance_->setLengthUnit(unit); }
+void ReadingPage::setUnits(Units unit) { arc_tolerance_->setUnits(unit); }
 
 void ReadingPage::takeFolders() {
   options_.sub_paths.clear();

@@ -23,7 +23,7 @@ class ReadingPage : public QWidget {
   explicit ReadingPage(QWidget* parent = nullptr);
 
   const ReadOptions& options() const { return options_; }
-  void setLengthUnit(LengthUnit unit);
+  void setUnits(Units unit);
   /// Where dialogs begin to look for files.
   void setFolder(const QString& folder) { folder_ = folder; }
   void chooseTools();

@@ -35,6 +35,8 @@ void ResultModel::retranslate() {
   addPeaks();
   addProven();
   addSizes();
+  if (a_ && b_)
+    differences_ = setting_differences(*a_.timeline->outcome()->job, *b_.timeline->outcome()->job, unit_);
   endResetModel();
 }
 
@@ -46,16 +48,16 @@ void ResultModel::addTimes() {
     rows_.push_back({title, tip, Quantity::time, true, quantity, read, may_be_hidden});
   };
   time(
-      tr("Cycle time"), tr("From the first move to the last, dwells and tool changes included"),
+      tr("Cycle time"), tr("From the first move to the last, dwells and tool changes included: T = Σ Δt"),
       [](P p) { return summary(p).cycle_time; }, false);
   time(
-      tr("· cutting"), tr("Time in moves with a feed: G1, G2, G3, splines"), [](P p) { return summary(p).feed_time; },
+      tr("· cutting"), tr("Time in moves with a feed: G1, G2, G3, splines; Σ Δt of these"), [](P p) { return summary(p).feed_time; },
       false);
   time(
       tr("· rapid"), tr("Time in rapid moves: G0"), [](P p) { return summary(p).rapid_time; }, true);
   time(
       tr("· dwell"), tr("Time at rest: G4, tool changes"), [](P p) { return summary(p).dwell_time; }, true);
-  time(tr("Lower bound"), tr("No plan that keeps these limits and this tolerance is faster than this"), bound, true);
+  time(tr("Lower bound"), tr("No plan that keeps these limits and this tolerance is faster than this: T ≥ bound"), bound, true);
   rows_.push_back({tr("· plan above it"), tr("Cycle time / lower bound − 1: what a better plan could save at most"),
                    Quantity::time, true, share,
                    [bound](P p) { return bound(p) == 0 ? 0.0 : summary(p).cycle_time / bound(p) - 1; }, true});
@@ -85,13 +87,13 @@ void ResultModel::addProven() {
   using P = const Planned&;
   using enum Shown;
   const auto proven = [](auto read) { return [read](P p) { return p.proof ? read(*p.proof) : std::nan(""); }; };
-  rows_.push_back({tr("Violations"), tr("Limits that the setpoints break, found by an independent check of them"),
+  rows_.push_back({tr("Violations"), tr("Limits that the setpoints break, found by an independent check of them: |Δx/Δt| > v and so on"),
                    Quantity::length, true, count, proven(violations)});
   const auto error_row = [this](const QString& title, const QString& tip, auto read, bool may_be_hidden = false) {
     rows_.push_back({title, tip, Quantity::length, true, error, read, may_be_hidden});
   };
   error_row(tr("Contour error"),
-            tr("Cutting: largest distance of the simulated drives from the commanded path, being late left out"),
+            tr("Cutting: largest distance of the simulated drives from the commanded path, max |actual − path|; being late is left out"),
             proven([](const Proof& p) { return p.contour.cutting; }));
   error_row(tr("· in rapids"), tr("The same while the tool does not cut"),
             proven([](const Proof& p) { return p.contour.rapid; }), true);
@@ -99,7 +101,7 @@ void ResultModel::addProven() {
             tr("How far the straight lines between setpoints cut off the planned motion, about (v·Ts)²/8r on an arc"),
             proven([](const Proof& p) { return p.chord_error; }));
   error_row(
-      tr("Off the path"), tr("Largest distance of the setpoints from the programmed path, as the check measures it"),
+      tr("Off the path"), tr("Largest distance of the setpoints from the programmed path, as the check measures it: max |setpoint − path|"),
       [](P p) {
         if (!leaves_programmed_path(*p.timeline->outcome())) return 0.0;
         return p.proof ? deviation(*p.proof) : std::nan("");
@@ -109,19 +111,49 @@ void ResultModel::addProven() {
 
 void ResultModel::addSizes() {
   using P = const Planned&;
-  rows_.push_back({tr("Mean speed"), tr("Path length / cycle time"), Quantity::speed, false, Shown::quantity, [](P p) {
+  rows_.push_back({tr("Mean speed"), tr("Path length / cycle time: s / T"), Quantity::speed, false, Shown::quantity, [](P p) {
                      return summary(p).cycle_time > 0 ? summary(p).path_length / summary(p).cycle_time : 0.0;
                    }});
-  rows_.push_back({tr("Path length"), tr("As it is run, rapids included"), Quantity::length, false, Shown::quantity,
+  rows_.push_back({tr("Path length"), tr("As it is run, rapids included: s = ∫ v dt"), Quantity::length, false, Shown::quantity,
                    [](P p) { return summary(p).path_length; }});
   rows_.push_back({tr("Blocks"), tr("Motion blocks of the program"), Quantity::length, false, Shown::count,
                    [](P p) { return static_cast<double>(summary(p).blocks); }});
 }
 
 void ResultModel::setPlans(const Planned& a, const Planned& b) {
+  const bool others = (a ? a.timeline->outcome()->job : nullptr) != (a_ ? a_.timeline->outcome()->job : nullptr) ||
+                      (b ? b.timeline->outcome()->job : nullptr) != (b_ ? b_.timeline->outcome()->job : nullptr);
   a_ = a;
   b_ = b;
+  if (others) compareSettings();
   if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+}
+
+void ResultModel::compareSettings() {
+  auto now = a_ && b_ ? setting_differences(*a_.timeline->outcome()->job, *b_.timeline->outcome()->job, unit_)
+                      : std::vector<SettingDifference>{};
+  if (now.empty() && differences_.empty()) return;
+  beginResetModel();
+  differences_ = std::move(now);
+  endResetModel();
+}
+
+/// A heading, and a row for each setting.
+QVariant ResultModel::settingData(int row, int column, int role) const {
+  if (column != kTitle) return {};
+  const auto at = static_cast<std::size_t>(row) - rows_.size();
+  if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignLeft | Qt::AlignVCenter);
+  if (at == 0) {
+    if (role == Qt::DisplayRole) return tr("Settings that differ");
+    if (role == Qt::ToolTipRole) return tr("What decides plans A and B, where it is not the same");
+    QFont font;
+    font.setWeight(QFont::DemiBold);
+    return role == Qt::FontRole ? QVariant(font) : QVariant();
+  }
+  if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
+  const SettingDifference& d = differences_[at - 1];
+  const QString values = tr("A %1 · B %2").arg(d.a, d.b);
+  return role == Qt::DisplayRole ? d.title + "  " + values : d.title + "\n" + values;
 }
 
 void ResultModel::setProofState(ProofService::State state) {
@@ -129,9 +161,11 @@ void ResultModel::setProofState(ProofService::State state) {
   if (!rows_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
 
-void ResultModel::setUnit(LengthUnit unit) {
+void ResultModel::setUnit(Units unit) {
   beginResetModel();
   unit_ = unit;
+  if (a_ && b_)
+    differences_ = setting_differences(*a_.timeline->outcome()->job, *b_.timeline->outcome()->job, unit_);
   endResetModel();
 }
 
@@ -142,7 +176,8 @@ void ResultModel::setTheme(const Theme& theme) {
 }
 
 int ResultModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+  if (parent.isValid()) return 0;
+  return static_cast<int>(rows_.size() + (differences_.empty() ? 0 : differences_.size() + 1));
 }
 
 int ResultModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
@@ -202,6 +237,7 @@ QString ResultModel::tipOf(const Row& row, int column) const {
 
 QVariant ResultModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
+  if (isSetting(index.row())) return settingData(index.row(), index.column(), role);
   const Row& row = rows_[static_cast<std::size_t>(index.row())];
   const bool title = index.column() == kTitle;
   if (role == Qt::TextAlignmentRole) return QVariant((title ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
@@ -233,6 +269,7 @@ QVariant ResultModel::data(const QModelIndex& index, int role) const {
 }
 
 bool ResultModel::isIdle(int row) const {
+  if (isSetting(row)) return false;
   const Row& r = rows_[static_cast<std::size_t>(row)];
   const auto idle = [&r](const Planned& plan) {
     if (!plan) return true;

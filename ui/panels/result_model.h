@@ -9,6 +9,7 @@
 
 #include "drawing/planned.h"
 #include "jobs/proof_service.h"
+#include "models/setting_differences.h"
 #include "models/units.h"
 #include "theme/theme.h"
 
@@ -25,7 +26,7 @@ class ResultModel : public QAbstractTableModel {
   void setPlans(const Planned& a, const Planned& b);
   /// Why figures of plan A that come from its proof are not there.
   void setProofState(ProofService::State state);
-  void setUnit(LengthUnit unit);
+  void setUnit(Units unit);
   void setTheme(const Theme& theme);
   void retranslate();
 
@@ -34,6 +35,8 @@ class ResultModel : public QAbstractTableModel {
   QVariant data(const QModelIndex& index, int role) const override;
   /// True for a row that says nothing: zero in every plan.
   bool isIdle(int row) const;
+  /// Below the figures: in which settings A and B differ. The text of such a row stands for all its columns.
+  bool isSetting(int row) const { return row >= static_cast<int>(rows_.size()); }
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
@@ -58,10 +61,14 @@ class ResultModel : public QAbstractTableModel {
   QString missing(bool is_a) const;
   QString tipOf(const Row& row, int column) const;
 
+  void compareSettings();
+  QVariant settingData(int row, int column, int role) const;
+
   std::vector<Row> rows_;
+  std::vector<SettingDifference> differences_;
   Planned a_, b_;
   ProofService::State proof_state_ = ProofService::State::idle;
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
   Theme theme_ = light_theme();
 };
 

@@ -146,7 +146,11 @@ void ResultsPanel::showPlans(const Planned& a, const Planned& b) {
   unpin_->setEnabled(static_cast<bool>(b_));
   for (int column : {ResultModel::kPlanB, ResultModel::kDelta}) table_->setColumnHidden(column, !b_);
   table_->horizontalHeader()->setVisible(static_cast<bool>(b_));  // one column explains itself
-  for (int row = 0; row < model_->rowCount(); ++row) table_->setRowHidden(row, model_->isIdle(row));
+  table_->clearSpans();
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    table_->setRowHidden(row, model_->isIdle(row));
+    if (model_->isSetting(row)) table_->setSpan(row, 0, 1, ResultModel::kColumns);
+  }
   showHeadline();
   showCheckBar();
   fitRows();
@@ -200,7 +204,10 @@ void ResultsPanel::showHeadline() {
   versus_->setText(QString("%1%2 s").arg(delta < 0 ? "−" : "+").arg(std::abs(delta), 0, 'f', 3));
 }
 
-void ResultsPanel::setLengthUnit(LengthUnit unit) { model_->setUnit(unit); }
+void ResultsPanel::setUnits(Units unit) {
+  model_->setUnit(unit);
+  showPlans(a_, b_);
+}
 
 void ResultsPanel::setTheme(const Theme& theme) {
   theme_ = theme;

@@ -21,7 +21,7 @@ class ResultsPanel : public QWidget, public PlanView {
   explicit ResultsPanel(QWidget* parent = nullptr);
 
   void showPlans(const Planned& a, const Planned& b) override;
-  void setLengthUnit(LengthUnit unit) override;
+  void setUnits(Units unit) override;
   void setTheme(const Theme& theme) override;
   void showProofState(ProofService::State state);
 

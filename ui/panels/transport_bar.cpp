@@ -99,7 +99,7 @@ void TransportBar::refresh() {
   const auto length = display_unit(Quantity::length, unit_);
   const auto speed = display_unit(Quantity::speed, unit_);
   const auto acceleration = display_unit(Quantity::acceleration, unit_);
-  const int decimals = unit_ == LengthUnit::inch ? 4 : 3;
+  const int decimals = decimals_of(Quantity::length, 3, unit_);
   const auto& p = instant_->position;
   time_->setText(QString("t %1 s   %2").arg(steady(kTime, instant_->time, 3), block_name_));
   QString place;
@@ -116,8 +116,8 @@ void TransportBar::refresh() {
   }
   place_->setText(place);
   motion_->setText(QString("v %1 %2   a %3 %4")
-                       .arg(steady(kSpeed, instant_->state.speed * speed.factor, 2), speed.text,
-                            steady(kAcceleration, instant_->state.acceleration * acceleration.factor, 0),
+                       .arg(steady(kSpeed, instant_->state.speed * speed.factor, decimals_of(Quantity::speed, 2, unit_)), speed.text,
+                            steady(kAcceleration, instant_->state.acceleration * acceleration.factor, decimals_of(Quantity::acceleration, 0, unit_)),
                             acceleration.text));
   instant_->cause ? showCause(*instant_->cause) : forgetCause();
 }
@@ -170,7 +170,7 @@ void TransportBar::setMessage(const QString& text) {
   message_->setToolTip(text);
 }
 
-void TransportBar::setLengthUnit(LengthUnit unit) {
+void TransportBar::setUnits(Units unit) {
   unit_ = unit;
   widths_ = {};
   refresh();

@@ -31,7 +31,7 @@ class TransportBar : public QWidget, public PlanView {
   void setTask(const QString& text);  ///< what it is busy with
   void setProgress(double fraction);
   void setMessage(const QString& text);
-  void setLengthUnit(LengthUnit unit) override;
+  void setUnits(Units unit) override;
   void setTheme(const Theme& theme) override;
 
  signals:
@@ -64,7 +64,7 @@ class TransportBar : public QWidget, public PlanView {
   QTimer patience_;  // what is done before it ends needs no bar
   std::optional<Instant> instant_;
   QString block_name_;
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
   // Characters that each number has taken so far, so that they do not jump while it plays.
   std::array<int, kNumbers> widths_ = {};
   Theme theme_ = light_theme();

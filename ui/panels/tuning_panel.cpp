@@ -6,6 +6,8 @@
 #include <QVBoxLayout>
 
 #include "models/law_names.h"
+#include "models/option_names.h"
+#include "models/parameter_tips.h"
 #include "panels/key_range.h"
 
 namespace toolpace::ui {
@@ -57,6 +59,10 @@ TuningPanel::TuningPanel(TuningModel& model, QWidget* parent) : QScrollArea(pare
   buildLimits();
   buildCorner();
   buildJob();
+  program_note_ = secondary_label({}, body);
+  program_note_->setObjectName("programTolerance");
+  program_note_->setWordWrap(true);
+  column->addWidget(program_note_);
   auto* rule = new QFrame(body);
   rule->setProperty("role", "line");
   column->addWidget(rule);
@@ -203,9 +209,11 @@ void TuningPanel::buildJob() {
            [] { return tr("Rapid"); });
 }
 
-void TuningPanel::setLengthUnit(LengthUnit unit) {
-  for (auto& entry : entries_) entry.field->setLengthUnit(unit);
-  axes_->setLengthUnit(unit);
+void TuningPanel::setUnits(Units unit) {
+  for (auto& entry : entries_) entry.field->setUnits(unit);
+  axes_->setUnits(unit);
+  units_ = unit;
+  showProgramTolerance();
 }
 
 void TuningPanel::showPlans(const Planned& plan, const Planned&) {
@@ -214,6 +222,7 @@ void TuningPanel::showPlans(const Planned& plan, const Planned&) {
   lookahead_->setBlockCount(outcome.summary.blocks);
   ignored_ = outcome.ignored;
   ignored_rule_ = outcome.job->options.corner.rule;
+  if (outcome.job->program != program_) program_tolerance_ = tolerances_of((program_ = outcome.job->program)->moves);
   showRelevant();
 }
 
@@ -260,14 +269,34 @@ void TuningPanel::showRelevant() {
     const QString reason = is_ignored(setting) ? tr("The motion through the tolerance has no use for it") : QString();
     for (QWidget* widget : {field, static_cast<QWidget*>(label)}) {
       widget->setEnabled(reason.isEmpty());
-      widget->setToolTip(reason);
+      widget->setToolTip(reason.isEmpty() ? parameter_tip(field->objectName()) : reason);
     }
   };
+  for (QWidget* widget : {static_cast<QWidget*>(corner_), static_cast<QWidget*>(corner_label_)}) {
+    widget->setToolTip(parameter_tip(corner_->objectName()));
+  }
   enable(law_, law_label_, Setting::law);
   enable(ramps_, ramps_label_, Setting::ramps);
   enable(lookahead_, lookahead_label_, Setting::lookahead);
   form_->setRowVisible(tolerance_, rule == CornerRule::blend || rule == CornerRule::smooth);
   form_->setRowVisible(deviation_, rule == CornerRule::junction);
+  showProgramTolerance();
+}
+
+/// Where the program names a tolerance, it comes before the one of the field.
+void TuningPanel::showProgramTolerance() {
+  const ProgramTolerance& p = program_tolerance_;
+  program_note_->setVisible(p.blocks > 0);
+  if (p.blocks == 0) return tolerance_->setEnabled(true);
+  const auto text = [this](double mm) { return value_text(mm, Quantity::length, units_, 4); };
+  const QString values = p.least < p.most ? text(p.least) + " … " + text(p.most) : text(p.most);
+  program_note_->setText(p.blocks == p.all ? tr("G64 P of the program rules: %1").arg(values)
+                                           : tr("G64 P of the program rules in %1 of %2 blocks: %3")
+                                                 .arg(number_text(static_cast<double>(p.blocks), 9),
+                                                      number_text(static_cast<double>(p.all), 9), values));
+  program_note_->setToolTip(tr("The tolerance of the job holds where the program names none"));
+  const QString useless = tr("G64 P of the program rules in every block");
+  form_->setRowUseless(tolerance_, p.blocks == p.all ? useless : QString());
 }
 
 void TuningPanel::resizeEvent(QResizeEvent* event) {
@@ -289,16 +318,18 @@ void TuningPanel::retranslate() {
   lookahead_->retranslate();
   ramps_label_->setText(tr("Ramps"));
   ramps_->setAccessibleName(tr("Ramps"));
-  ramps_->setItemText(0, tr("end inside their block"));
-  ramps_->setItemText(1, tr("run across blocks"));
+  for (int i = 0; i < ramps_->count(); ++i) {
+    ramps_->setItemText(i, ramps_title(static_cast<Ramps>(ramps_->itemData(i).toInt())));
+  }
   corner_label_->setText(tr("Corners"));
   corner_->setAccessibleName(tr("Corner rule"));
-  const QStringList rules = {tr("exact stop"), tr("servo step (a·Ts)"), tr("junction deviation"),
-                             tr("blend in tolerance"), tr("smooth in tolerance")};
-  for (int i = 0; i < rules.size(); ++i) corner_->setItemText(i, rules[i]);
+  for (int i = 0; i < corner_->count(); ++i) {
+    corner_->setItemText(i, corner_title(static_cast<CornerRule>(corner_->itemData(i).toInt())));
+  }
   for (auto& entry : entries_) {
     entry.label->setText(entry.symbol ? entry.symbol() : entry.title());
-    entry.label->setToolTip(entry.title());
+    const QString tip = parameter_tip(entry.field->objectName());
+    entry.label->setToolTip(entry.title() + (tip.isEmpty() ? QString() : "\n" + tip));
     entry.field->setAccessibleName(entry.title());
   }
   axes_->retranslate();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drawing/plan_view.h"
+#include "models/program_tolerance.h"
 #include "models/tuning_model.h"
 #include "panels/axes_grid.h"
 #include "panels/form_grid.h"
@@ -25,7 +26,7 @@ class TuningPanel : public QScrollArea, public PlanView {
 
   /// What the plan had no use for is shown, but not to be edited, with the reason.
   void showPlans(const Planned& plan, const Planned& pinned) override;
-  void setLengthUnit(LengthUnit unit) override;
+  void setUnits(Units unit) override;
   void setRotaryAxes(const std::array<bool, 3>& turned);  ///< by the program; the machine's own have rows, too
 
   QSize minimumSizeHint() const override;  ///< no row is cut off
@@ -58,6 +59,7 @@ class TuningPanel : public QScrollArea, public PlanView {
   void connectGestures(NumberField* field);
   void showValues();
   void showRelevant();
+  void showProgramTolerance();
   void retranslate();
 
   TuningModel& model_;
@@ -72,6 +74,10 @@ class TuningPanel : public QScrollArea, public PlanView {
   std::array<bool, 3> turned_ = {};
   Settings ignored_;                            ///< by a plan
   CornerRule ignored_rule_ = CornerRule::stop;  ///< with this corner rule
+  std::shared_ptr<const Reading> program_;  ///< of the plan
+  ProgramTolerance program_tolerance_;
+  QLabel* program_note_ = nullptr;
+  Units units_;
   NumberField *t_acc_, *t_dec_, *jerk_, *jerk_deceleration_, *tolerance_, *deviation_;
 };
 

@@ -20,7 +20,8 @@ void UnitDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   painter->save();
   painter->setFont(item.font);
   painter->setPen(theme_.secondary);
-  painter->drawText(room.adjusted(begin, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text.mid(gap + 2));
+  painter->drawText(room.adjusted(begin, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                    item.fontMetrics.elidedText(text.mid(gap + 2), Qt::ElideRight, room.width() - begin));
   painter->restore();
 }
 

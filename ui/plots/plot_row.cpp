@@ -7,6 +7,8 @@ namespace {
 
 constexpr float kDenseInk = 0.7f;  // of the strokes that stand for many phases: whole blocks of them stay calm
 constexpr int kLeastSide = 30;     // px, of a plot without its margins
+constexpr int kLabelSlack = 4;           // px, that a label stays shorter than its plot is high
+constexpr double kSmallestLabel = 0.7;  // of the size of other texts
 constexpr double kMargin = 0.09, kFloorMargin = 0.03;  // of the height
 
 void fill_graph(QCPGraph* graph, const Curve& curve, double factor) {
@@ -27,6 +29,17 @@ QString power_text(double power) {
   QString text = QStringLiteral("10");
   for (const QChar c : QString::number(std::lround(std::log10(power)))) text += digits[c.digitValue()];
   return text + ' ';
+}
+
+/// As large as the plot is high, so that it does not reach into the next one.
+void set_label(QCPAxis& axis, const QString& label) {
+  axis.setLabel(label);
+  QFont font = axis.tickLabelFont();
+  int longest = 1;
+  for (const QString& line : label.split('\n')) longest = std::max(longest, QFontMetrics(font).horizontalAdvance(line));
+  const int room = axis.axisRect()->height() - kLabelSlack;
+  font.setPointSizeF(font.pointSizeF() * std::clamp(static_cast<double>(room) / longest, kSmallestLabel, 1.0));
+  axis.setLabelFont(font);
 }
 
 QCPAxisRect* new_rect(QCustomPlot* plot, int row) {
@@ -100,8 +113,8 @@ void MotionRow::dress(const Theme& theme, const QFont& font) {
   for (std::size_t i = 0; i < kPlottedAxes; ++i) axis_[i]->setPen(pens[i]);
 }
 
-void MotionRow::scale(Extent extent, bool both_ways, LengthUnit length_unit) {
-  const DisplayUnit unit = display_unit(kMotionTracks[track_].quantity, length_unit);
+void MotionRow::scale(Extent extent, bool both_ways, Units units) {
+  const DisplayUnit unit = display_unit(kMotionTracks[track_].quantity, units);
   if (both_ways) extent.low = std::min(extent.low, -extent.high);
   if (both_ways) extent.high = std::max(extent.high, -extent.low);
   double low = extent.low * unit.factor, high = extent.high * unit.factor;
@@ -109,7 +122,7 @@ void MotionRow::scale(Extent extent, bool both_ways, LengthUnit length_unit) {
   const double power = power_of_thousand(std::max(-low, high)), height = high - low;
   factor_ = unit.factor / power;
   value()->setRange((low - (low < 0 ? kMargin : kFloorMargin) * height) / power, (high + kMargin * height) / power);
-  value()->setLabel(QString("%1\n%2%3").arg(kMotionTracks[track_].symbol, power_text(power), unit.text));
+  set_label(*value(), QString("%1\n%2%3").arg(kMotionTracks[track_].symbol, power_text(power), unit.text));
 }
 
 void MotionRow::fill(QCPGraph* graph, const Curve& curve) const { fill_graph(graph, curve, factor_); }
@@ -162,19 +175,20 @@ void ErrorRow::dress(const Theme& theme, const QFont& font) {
   curve_->setPen(QPen(theme.error, 1.2));
 }
 
-void ErrorRow::scale(LengthUnit unit) {
-  factor_ = unit == LengthUnit::mm ? 1000.0 : 1000.0 * display_unit(Quantity::length, unit).factor;
-  const double most = error_.largest() * factor_;
+void ErrorRow::scale(std::optional<double> largest, Units units) {
+  const DisplayUnit unit = error_unit(units);
+  factor_ = unit.factor;
+  const double most = largest.value_or(error_.largest()) * factor_;
   // Between two simulations the old heights stay, so that the plot does not jump.
   if (!error_.is_empty()) {
     value()->setRange(most > 0 ? -kFloorMargin * most : -kFloorMargin, most > 0 ? (1 + kMargin) * most : 1.0);
   }
-  value()->setLabel(unit == LengthUnit::mm ? QStringLiteral("e\nµm") : QStringLiteral("e\n10⁻³ in"));
+  set_label(*value(), "e\n" + unit.text);
 }
 
-void ErrorRow::show(const TimeWindow& window) {
-  if (isShown()) fill_graph(curve_, error_.curve(window), factor_);
-}
+Curve ErrorRow::curve(const TimeWindow& window) const { return isShown() ? error_.curve(window) : Curve{}; }
+
+void ErrorRow::show(const Curve& curve) { fill_graph(curve_, curve, factor_); }
 
 std::optional<double> ErrorRow::heightAt(double time) const {
   if (error_.is_empty() || !isShown()) return std::nullopt;

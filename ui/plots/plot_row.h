@@ -27,7 +27,7 @@ class MotionRow {
 
   void dress(const Theme& theme, const QFont& font);
   /// Makes `extent` fill the height. @param both_ways  axes are shown, which turn round
-  void scale(Extent extent, bool both_ways, LengthUnit unit);
+  void scale(Extent extent, bool both_ways, Units unit);
   void showOwn(const MotionCurves& curves, bool dense);
   void showOther(const MotionEnvelope& sides);
   void showCaps(const CapCurves& caps);
@@ -55,8 +55,11 @@ class ErrorRow {
   void setShown(bool shown);
   void setTrace(std::shared_ptr<const ErrorTrace> trace) { error_ = SampleSeries(std::move(trace)); }
   void dress(const Theme& theme, const QFont& font);
-  void scale(LengthUnit unit);
-  void show(const TimeWindow& window);
+  /// @param largest  that fills the height [mm]; nothing = the largest of the trace
+  void scale(std::optional<double> largest, Units units);
+  /// Nothing where it is not shown.
+  Curve curve(const TimeWindow& window) const;
+  void show(const Curve& curve);
   /// Height of the curve at a time, in the numbers of the axis; nothing where it is not shown.
   std::optional<double> heightAt(double time) const;
 

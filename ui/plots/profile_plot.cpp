@@ -10,7 +10,21 @@ namespace {
 constexpr double kLeastSpan = 1e-7;                // of the plan
 constexpr std::size_t kMostBlocksAtOnce = 20'000;  // whose axes are looked through while a picture is made
 
+void add_values(Extent& extent, const Curve& curve) {
+  for (const double value : curve.value) {
+    if (std::isfinite(value)) extent.add(static_cast<float>(value));
+  }
+}
+
 }  // namespace
+
+/// What is drawn of the visible time.
+struct ProfilePlot::Curves {
+  MotionCurves own;
+  MotionEnvelope other;
+  std::array<MotionCurves, kPlottedAxes> axes;
+  Curve error;
+};
 
 ProfilePlot::ProfilePlot(QWidget* parent) : QCustomPlot(parent) {
   setObjectName("profilePlot");
@@ -52,7 +66,6 @@ void ProfilePlot::setErrorShown(bool shown) {
 
 void ProfilePlot::setErrorTrace(std::shared_ptr<const ErrorTrace> trace) {
   error_->setTrace(std::move(trace));
-  error_->scale(unit_);
   refill();
 }
 
@@ -61,13 +74,13 @@ void ProfilePlot::setTheme(const Theme& theme) {
   dress();
 }
 
-void ProfilePlot::setUnit(LengthUnit unit) {
+void ProfilePlot::setUnit(Units unit) {
   unit_ = unit;
-  updateScales();
+  showScales();
   refill();
 }
 
-void ProfilePlot::retranslate() { updateScales(); }
+void ProfilePlot::retranslate() { time_title_->setText(tr("t  s")); }
 
 void ProfilePlot::dress() {
   setBackground(theme_.surface);
@@ -82,10 +95,8 @@ void ProfilePlot::dress() {
 double ProfilePlot::duration() const { return series_ && !series_->is_empty() ? series_->duration() : 1.0; }
 
 void ProfilePlot::setSeries(std::shared_ptr<const ProfileSeries> series) {
-  const double before = duration();
-  const bool whole = !series_ || series_->is_empty() || (range().lower <= 0 && range().upper >= before);
+  const bool whole = !series_ || series_->is_empty() || isWhole();
   series_ = std::move(series);
-  updateScales();
   whole ? fit() : setRange(range().lower, range().upper);
   refill();
 }
@@ -93,7 +104,6 @@ void ProfilePlot::setSeries(std::shared_ptr<const ProfileSeries> series) {
 void ProfilePlot::setGhost(std::shared_ptr<const ProfileSeries> series) {
   if (!ghost_ && !series) return;
   ghost_ = std::move(series);
-  updateScales();
   refill();
 }
 
@@ -103,7 +113,6 @@ void ProfilePlot::setAxisShown(std::size_t axis, bool shown) {
 }
 
 void ProfilePlot::showReadyAxes() {
-  updateScales();
   refill();
 }
 
@@ -113,23 +122,51 @@ bool ProfilePlot::isAxisDrawn(std::size_t axis) const {
          (series_->is_axis_made(axis) || series_->blocks.size() <= kMostBlocksAtOnce);
 }
 
-// The whole plan decides, not the visible part: zooming in time leaves the heights alone, so they can be compared.
-void ProfilePlot::updateScales() {
-  // An axis turns round, and on curves it may do more than the path does.
-  const bool any_axis = shown_[0] || shown_[1] || shown_[2];
+bool ProfilePlot::isWhole() const { return range().lower <= 0 && range().upper >= duration(); }
+
+void ProfilePlot::setHeightsHeld(bool held) {
+  if (held_ == held) return;
+  held_ = held;
+  emit heightsHeld(held);
+  refill();
+}
+
+/// The zero line is always in it.
+Extent ProfilePlot::wholeHeight(std::size_t track) const {
+  Extent extent;
+  extent.add(0.0f);
+  for (const auto* s : {series_.get(), ghost_.get()}) {
+    if (s && !s->is_empty()) extent.add(s->whole[track]);
+  }
+  for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
+    if (isAxisDrawn(axis)) extent.add(axis_whole(*series_, axis)[track]);
+  }
+  return extent;
+}
+
+// Where all of the time is visible the plan decides; where a part of it is, what is drawn of it.
+void ProfilePlot::fitHeights(const Curves& curves) {
+  if (held_) return;
+  const bool whole = isWhole();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Extent extent;
     extent.add(0.0f);
-    for (const auto* s : {series_.get(), ghost_.get()}) {
-      if (s && !s->is_empty()) extent.add(s->whole[i]);
-    }
-    for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
-      if (isAxisDrawn(axis)) extent.add(axis_whole(*series_, axis)[i]);
-    }
-    rows_[i].scale(extent, any_axis, unit_);
+    for (const auto* side : {&curves.own, &curves.other.high, &curves.other.low}) add_values(extent, (*side)[i]);
+    for (const auto& axis : curves.axes) add_values(extent, axis[i]);
+    heights_[i] = whole || !(extent.high > extent.low) ? wholeHeight(i) : extent;
   }
-  time_title_->setText(tr("t  s"));
-  error_->scale(unit_);
+  Extent error;
+  add_values(error, curves.error);
+  error_height_ = whole || error.is_empty() ? std::nullopt : std::optional<double>(error.high);
+}
+
+void ProfilePlot::showScales() {
+  // An axis turns round, and on curves it may do more than the path does.
+  const bool any_axis = shown_[0] || shown_[1] || shown_[2];
+  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].scale(heights_[i], any_axis, unit_);
+  error_->scale(error_height_, unit_);
+  // The numbers at the axes were chosen before this picture's curves were there.
+  for (QCPAxisRect* rect : axisRects()) rect->update(QCPLayoutElement::upPreparation);
 }
 
 void ProfilePlot::setRange(double begin, double end) {
@@ -165,20 +202,24 @@ void ProfilePlot::gather() {
   const QCPRange now = range();
   const TimeWindow window{now.lower, now.upper,
                           std::max(static_cast<int>(rows_[0].rect()->width() * bufferDevicePixelRatio()), 16)};
-  const MotionCurves own = series_ ? motion_curves(*series_, window) : MotionCurves{};
+  Curves curves;
+  if (series_) curves.own = motion_curves(*series_, window);
+  if (ghost_) curves.other = motion_envelope(*ghost_, window);
+  for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
+    if (isAxisDrawn(axis)) curves.axes[axis] = axis_curves(*series_, window, axis);
+  }
+  curves.error = error_->curve(window);
+  fitHeights(curves);
+  showScales();
   const bool dense = series_ && is_dense(*series_, window);
-  const MotionEnvelope other = ghost_ ? motion_envelope(*ghost_, window) : MotionEnvelope{};
   const CapCurves caps = series_ ? cap_curves(*series_, window) : CapCurves{};
   for (auto& row : rows_) {
-    row.showOwn(own, dense);
-    row.showOther(other);
+    row.showOwn(curves.own, dense);
+    row.showOther(curves.other);
     row.showCaps(caps);
+    for (std::size_t axis = 0; axis < shown_.size(); ++axis) row.showAxis(axis, curves.axes[axis]);
   }
-  for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
-    const MotionCurves curves = isAxisDrawn(axis) ? axis_curves(*series_, window, axis) : MotionCurves{};
-    for (auto& row : rows_) row.showAxis(axis, curves);
-  }
-  error_->show(window);
+  error_->show(curves.error);
   updateMarks();
 }
 

@@ -24,7 +24,10 @@ class ProfilePlot : public QCustomPlot {
   void setSeries(std::shared_ptr<const ProfileSeries> series);
   void setGhost(std::shared_ptr<const ProfileSeries> series);
   void setTheme(const Theme& theme);
-  void setUnit(LengthUnit unit);
+  void setUnit(Units unit);
+  /// Heights that are held stay when another time is looked at, and whatever becomes of the plan; else they fit what is visible.
+  void setHeightsHeld(bool held);
+  bool areHeightsHeld() const { return held_; }
   void setAxisShown(std::size_t axis, bool shown);  ///< X, Y, Z
   void showReadyAxes();                             ///< curves of axes that were being made are there
   void setErrorShown(bool shown);                   ///< the contour error as a fourth plot
@@ -50,6 +53,7 @@ class ProfilePlot : public QCustomPlot {
   void timeClicked(double time);
   void measured(double first, double second);
   void laidOut();
+  void heightsHeld(bool held);
 
  protected:
   void wheelEvent(QWheelEvent* event) override;
@@ -63,10 +67,14 @@ class ProfilePlot : public QCustomPlot {
  private:
   void layOut();
   void dress();
-  void updateScales();
+  struct Curves;
+  void fitHeights(const Curves& curves);
+  void showScales();
+  Extent wholeHeight(std::size_t track) const;
   void refill();  // the curves are gathered before the next picture
   void gather();
   void updateMarks();
+  bool isWhole() const;  // all of the time is visible
   bool isAxisDrawn(std::size_t axis) const;
   double timeAt(double x) const;
   std::optional<std::size_t> measureAt(double x) const;
@@ -80,8 +88,11 @@ class ProfilePlot : public QCustomPlot {
   std::shared_ptr<const ProfileSeries> series_, ghost_;
   std::array<bool, kPlottedAxes> shown_ = {};
   Theme theme_ = light_theme();
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
   bool stale_ = true;
+  bool held_ = false;
+  OfTracks<Extent> heights_;            // that are shown, in core units
+  std::optional<double> error_height_;  // [mm]
 
   QPointF pressed_at_;
   double pressed_begin_ = 0;

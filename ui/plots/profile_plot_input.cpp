@@ -24,12 +24,15 @@ void ProfilePlot::wheelEvent(QWheelEvent* event) {
     return setRange(range().lower - step, range().upper - step);
   }
   if (x < edges().first) {
-    for (auto& row : rows_) {
-      if (row.rect()->top() <= event->position().y() && event->position().y() <= row.rect()->bottom()) {
-        row.value()->scaleRange(std::pow(0.85, delta.y() / 120.0), 0.0);
-      }
+    setHeightsHeld(true);
+    const auto factor = static_cast<float>(std::pow(0.85, delta.y() / 120.0));
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const QRect area = rows_[i].rect()->rect();
+      if (event->position().y() < area.top() || event->position().y() > area.bottom()) continue;
+      heights_[i].low *= factor;
+      heights_[i].high *= factor;
     }
-    return replot(rpQueuedReplot);
+    return refill();
   }
   zoom(std::pow(1.3, delta.y() / 120.0), timeAt(x));
 }
@@ -68,7 +71,7 @@ void ProfilePlot::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void ProfilePlot::mouseDoubleClickEvent(QMouseEvent*) {
-  updateScales();
+  setHeightsHeld(false);
   fit();
 }
 

@@ -17,6 +17,7 @@
 #include "plots/value_table.h"
 #include "theme/control_name.h"
 #include "theme/flow_layout.h"
+#include "theme/line_key.h"
 
 namespace toolpace::ui {
 ProfileView::ProfileView(QWidget* parent) : QWidget(parent) {
@@ -103,6 +104,8 @@ void ProfileView::buildHeader() {
   fit_ = button("fitTime", false);
   show_error_ = button("showError", true);
   show_table_ = button("showTable", true);
+  key_ = new LineKey("profileKey", header_);
+  row->addWidget(key_);
   readout_ = new QLabel(header_);
   readout_->setObjectName("profileReadout");
   readout_->setTextFormat(Qt::PlainText);
@@ -136,6 +139,22 @@ void ProfileView::retranslate() {
   plot_->replot(QCustomPlot::rpQueuedReplot);
   ribbon_->update();
   overview_->update();
+  fillKey();
+}
+
+void ProfileView::fillKey() {
+  QPen cap(theme_.secondary, 1);
+  cap.setDashPattern({6, 4});
+  QColor feed = theme_.secondary;
+  feed.setAlphaF(0.4f);
+  std::vector<KeySample> samples = {
+      {QStringLiteral("A"), QPen(theme_.accent, 1.6)}, {tr("allowed"), cap}, {tr("feed"), QPen(feed, 2)}};
+  if (has_ghost_) samples.push_back({QStringLiteral("B"), QPen(theme_.plan_b, 1.3, Qt::DashLine)});
+  key_->setTextColour(theme_.secondary);
+  key_->setSamples(std::move(samples));
+  name_control(key_, tr("Lines of the plots"),
+               tr("A: this plan, B: the one that is pinned. Dashed grey: what feed, machine and curves allow in each block; pale: the "
+                  "programmed feed"));
 }
 
 void ProfileView::changeEvent(QEvent* event) {
@@ -161,9 +180,15 @@ void ProfileView::setSeries(std::shared_ptr<const ProfileSeries> series) {
   updateReadout();
 }
 
-void ProfileView::setGhost(std::shared_ptr<const ProfileSeries> series) { plot_->setGhost(std::move(series)); }
+void ProfileView::setGhost(std::shared_ptr<const ProfileSeries> series) {
+  has_ghost_ = series != nullptr;
+  fillKey();
+  plot_->setGhost(std::move(series));
+}
 
 void ProfileView::setTheme(const Theme& theme) {
+  theme_ = theme;
+  fillKey();
   plot_->setTheme(theme);
   const std::array colours = {theme.axis_x, theme.axis_y, theme.axis_z};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -183,7 +208,7 @@ void ProfileView::showInstant(const std::optional<Instant>& instant) {
   setCursorTime(instant ? std::optional(instant->time) : std::nullopt);
 }
 
-void ProfileView::setLengthUnit(LengthUnit unit) {
+void ProfileView::setUnits(Units unit) {
   unit_ = unit;
   plot_->setUnit(unit);
   values_->setUnit(unit);
@@ -240,8 +265,7 @@ QString ProfileView::measureText() const {
 
 QString ProfileView::steadyText(double core_value, Quantity quantity, int decimals) const {
   const DisplayUnit unit = display_unit(quantity, unit_);
-  const int extra = unit_ == LengthUnit::inch && quantity != Quantity::time ? 1 : 0;
-  return QString::number(core_value * unit.factor, 'f', decimals + extra) + ' ' + unit.text;
+  return QString::number(core_value * unit.factor, 'f', decimals_of(quantity, decimals, unit_)) + ' ' + unit.text;
 }
 
 void ProfileView::updateReadout() {

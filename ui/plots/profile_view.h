@@ -22,6 +22,7 @@ class QToolButton;
 namespace toolpace::ui {
 
 class LimitRibbon;
+class LineKey;
 class OverviewStrip;
 class ProfilePlot;
 class ValueTable;
@@ -44,7 +45,7 @@ class ProfileView : public QWidget, public PlanView {
   void showPlans(const Planned& plan, const Planned& pinned) override;
   void showInstant(const std::optional<Instant>& instant) override;
   void setTheme(const Theme& theme) override;
-  void setLengthUnit(LengthUnit unit) override;
+  void setUnits(Units unit) override;
   void setCursorTime(std::optional<double> time);  ///< [s]
   void setVisibleRange(double begin, double end);  ///< [s]
   void setMeasuring(bool on);
@@ -78,6 +79,7 @@ class ProfileView : public QWidget, public PlanView {
   void buildHeader();
   void buildTable();
   void retranslate();
+  void fillKey();
   void updateReadout();
   /// With a fixed number of decimals, so that digits do not jump while the cursor moves.
   QString steadyText(double core_value, Quantity quantity, int decimals) const;
@@ -90,6 +92,7 @@ class ProfileView : public QWidget, public PlanView {
   QLabel* readout_;
   QToolButton* measure_;
   QToolButton* fit_;
+  LineKey* key_;
   QToolButton* show_error_;
   QToolButton* show_table_;
   std::array<QToolButton*, 3> axes_ = {};
@@ -101,7 +104,9 @@ class ProfileView : public QWidget, public PlanView {
   OverviewStrip* overview_;
   std::shared_ptr<const ProfileSeries> series_;
   std::optional<double> cursor_;
-  LengthUnit unit_ = LengthUnit::mm;
+  Theme theme_ = light_theme();
+  bool has_ghost_ = false;
+  Units unit_;
 };
 
 }  // namespace toolpace::ui

@@ -37,7 +37,7 @@ void ValueTable::setRange(double begin, double end) {
   if (rowCount() > 0) emit dataChanged(index(0, 0), index(kRows - 1, kColumns - 1));
 }
 
-void ValueTable::setUnit(LengthUnit unit) {
+void ValueTable::setUnit(Units unit) {
   beginResetModel();
   unit_ = unit;
   endResetModel();
@@ -60,10 +60,9 @@ QVariant ValueTable::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole || !series_ || series_->is_empty()) return {};
   const double time = timeOf(index.row());
   const ColumnStyle style = style_of(index.column());
-  const int extra = unit_ == LengthUnit::inch && index.column() != kTime ? 1 : 0;
   return QString::number(
       value_of(index.column(), time, series_->state_at(time)) * display_unit(style.quantity, unit_).factor, 'f',
-      style.decimals + extra);
+      decimals_of(style.quantity, style.decimals, unit_));
 }
 
 QVariant ValueTable::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -19,7 +19,7 @@ class ValueTable : public QAbstractTableModel {
 
   void setSeries(std::shared_ptr<const ProfileSeries> series);
   void setRange(double begin, double end);  ///< [s]
-  void setUnit(LengthUnit unit);
+  void setUnit(Units unit);
   double timeOf(int row) const;  ///< [s]
   /// All of it, columns separated by tabs, with a header; numbers in the C locale.
   QString text() const;
@@ -32,7 +32,7 @@ class ValueTable : public QAbstractTableModel {
  private:
   std::shared_ptr<const ProfileSeries> series_;
   double begin_ = 0, end_ = 1;
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
 };
 
 }  // namespace toolpace::ui

@@ -67,7 +67,7 @@ void ContourCanvas::setTheme(const Theme& theme) {
   updateColours();
 }
 
-void ContourCanvas::setUnit(LengthUnit unit) {
+void ContourCanvas::setUnit(Units unit) {
   unit_ = unit;
   update();
 }
@@ -88,7 +88,7 @@ void ContourCanvas::updateColours() {
     colours_.fill(theme_.secondary.rgb());
     for (std::size_t i = 0; i < kCauseCount; ++i) colours_[i] = cause_colour(static_cast<Cause>(i), ground).rgb();
   } else {
-    colours_ = colour_table(map_, ground);
+    colours_ = is_signed(by_) ? diverging_table(ground) : colour_table(map_, ground);
   }
   redraw();
 }
@@ -207,7 +207,7 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
   style.most_pixels = std::max(moving_ ? kPixelsWhileMoving : kPixelsAtRest, covered);
   last_pieces_ = draw_scene(image, *scene_, projection, style);
   if (has_band) draw_inside_band(image, *tube_, projection, tube_style);
-  if (scene_->trace && enlargement_ > 1.0 && !in_band) {
+  if (showsTrace()) {
     draw_trace(image, *scene_->trace, projection, enlargement_, theme_.error.rgb(), 1.2 * ratio);
   }
   if (!moving_) {

@@ -28,7 +28,7 @@ class ContourCanvas : public QWidget {
   void setScene(std::shared_ptr<const ContourScene> scene);
   void setGhost(std::shared_ptr<const ContourScene> scene);
   void setTheme(const Theme& theme);
-  void setUnit(LengthUnit unit);
+  void setUnit(Units unit);
   void setColourBy(ColourBy by);
   void setColourMap(ColourMap map);
   void setEnlargement(double factor);   ///< of the contour error, ≥ 1
@@ -48,8 +48,11 @@ class ContourCanvas : public QWidget {
   std::optional<double> timeAt(const QPoint& at) const;  ///< [s] when the tool is there; nothing beside the path
 
   const std::shared_ptr<const ContourScene>& scene() const { return scene_; }
+  bool hasGhost() const { return ghost_ != nullptr; }
+  /// The simulated drives are drawn beside the path.
+  bool showsTrace() const { return scene_ && scene_->trace && enlargement_ > 1.0 && !(tube_ && band_shown_); }
   const Theme& theme() const { return theme_; }
-  LengthUnit unit() const { return unit_; }
+  Units unit() const { return unit_; }
   ColourBy colourBy() const { return by_; }
   const ColourTable& colours() const { return colours_; }
   const std::optional<Instant>& hovered() const { return hovered_; }
@@ -109,7 +112,7 @@ class ContourCanvas : public QWidget {
 
   std::shared_ptr<const ContourScene> scene_, ghost_;
   Theme theme_ = light_theme();
-  LengthUnit unit_ = LengthUnit::mm;
+  Units unit_;
   ColourBy by_ = ColourBy::speed;
   ColourMap map_ = ColourMap::cividis;
   ColourTable colours_ = {};

@@ -156,7 +156,7 @@ void ContourLegend::drawScale(QPainter& painter) const {
   const ColourBy by = canvas_.colourBy();
   const Interval range = canvas_.scene()->range(by);
   DisplayUnit unit = display_unit(quantity_of(by), canvas_.unit());
-  if (by == ColourBy::contour_error && canvas_.unit() == LengthUnit::mm && range.high < kSmallLength) {
+  if (by == ColourBy::contour_error && !canvas_.unit().inch && range.high < kSmallLength) {
     unit = {1000.0, QStringLiteral("µm")};
   }
   const QFontMetricsF metrics(font());

@@ -196,7 +196,8 @@ void ContourCanvas::drawHover(QPainter& painter) const {
   if (hovered_->line > 0) head = tr("line %1").arg(hovered_->line) + "   ";
   lines << head + value(hovered_->state.speed, Quantity::speed);
   const auto coordinate = [this](double mm) {
-    return QString::number(mm * display_unit(Quantity::length, unit_).factor, 'f', unit_ == LengthUnit::mm ? 3 : 4);
+    return QString::number(mm * display_unit(Quantity::length, unit_).factor, 'f',
+                           decimals_of(Quantity::length, 3, unit_));
   };
   lines << QString("X %1  Y %2  Z %3")
                .arg(coordinate(hovered_->position.x()), coordinate(hovered_->position.y()),

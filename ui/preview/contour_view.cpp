@@ -10,6 +10,7 @@
 #include "preview/contour_legend.h"
 #include "theme/control_name.h"
 #include "theme/flow_layout.h"
+#include "theme/line_key.h"
 
 namespace toolpace::ui {
 namespace {
@@ -60,6 +61,8 @@ void ContourView::buildHeader() {
   band_->setAutoRaise(true);
   band_->setIconSize({kIcon, kIcon});
   row->addWidget(band_);
+  key_ = new LineKey("contourKey", header_);
+  row->addWidget(key_);
   connect(band_, &QToolButton::toggled, this, &ContourView::setBandShown);
   views_ = new QButtonGroup(this);
   auto* group = new QWidget(header_);
@@ -101,7 +104,6 @@ void ContourView::retranslate() {
   canvas_->setAccessibleName(tr("Contour preview"));
   legend_->setAccessibleName(tr("Legend of the contour preview"));
   name_control(colour_by_, tr("Colour by"), tr("What the colours of the path show"));
-  name_control(colour_map_, tr("Colour map"), tr("Colour map; all are safe for colour-blind eyes"));
   name_control(enlargement_, tr("Error enlargement"), tr("How much contour error and tolerance band are enlarged"));
   band_->setText(tr("Band"));
   name_control(band_, tr("Tolerance band"),
@@ -133,12 +135,34 @@ void ContourView::retranslate() {
 void ContourView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) {
     retranslate();
+    updateChoices();
     legend_->refresh();
   }
   QWidget::changeEvent(event);
 }
 
+void ContourView::fillKey() {
+  const Theme& theme = canvas_->theme();
+  const auto dashed = [](const QColor& colour) {
+    QPen pen(colour, 1.4);
+    pen.setDashPattern({4, 3});
+    return pen;
+  };
+  std::vector<KeySample> samples;
+  const auto& scene = canvas_->scene();
+  if (scene && scene->outcome && scene->outcome->summary.rapid_time > 0) {
+    samples.push_back({tr("rapids"), dashed(theme.secondary)});
+  }
+  if (canvas_->hasGhost()) samples.push_back({QStringLiteral("B"), dashed(theme.plan_b)});
+  if (canvas_->showsTrace()) samples.push_back({tr("drives"), QPen(theme.error, 1.4)});
+  key_->setTextColour(theme.secondary);
+  key_->setSamples(std::move(samples));
+  name_control(key_, tr("Lines of the preview"), tr("Dashed: rapids, and the plan that is pinned as B. Red: where the simulated drives go, enlarged"));
+  key_->setVisible(!key_->samples().empty());
+}
+
 void ContourView::updateChoices() {
+  fillKey();
   auto* items = qobject_cast<QStandardItemModel*>(colour_by_->model());
   const auto& scene = canvas_->scene();
   for (int i = 0; i < colour_by_->count(); ++i) {
@@ -147,6 +171,12 @@ void ContourView::updateChoices() {
   items->item(static_cast<int>(ColourBy::contour_error))->setEnabled(scene && scene->trace);
   enlargement_->setVisible(scene && scene->trace);
   band_->setVisible(has_tube_ || tolerance_ > 0);
+  const ColourBy by = canvas_->colourBy();
+  colour_map_->setEnabled(by != ColourBy::limit && !is_signed(by));
+  name_control(colour_map_, tr("Colour map"),
+               colour_map_->isEnabled() ? tr("Colour map; all are safe for colour-blind eyes")
+               : is_signed(by)          ? tr("Values with a sign have colours of their own: grey is zero")
+                                        : tr("Limits have colours of their own"));
 }
 
 void ContourView::setScene(std::shared_ptr<const ContourScene> scene) {
@@ -161,11 +191,15 @@ void ContourView::setScene(std::shared_ptr<const ContourScene> scene) {
   setHighlightedLine(highlighted_);
 }
 
-void ContourView::setGhost(std::shared_ptr<const ContourScene> scene) { canvas_->setGhost(std::move(scene)); }
+void ContourView::setGhost(std::shared_ptr<const ContourScene> scene) {
+  canvas_->setGhost(std::move(scene));
+  fillKey();
+}
 
 void ContourView::setTheme(const Theme& theme) {
   canvas_->setTheme(theme);
   legend_->refresh();
+  fillKey();
 }
 
 void ContourView::showPlans(const Planned& plan, const Planned& pinned) {
@@ -183,7 +217,7 @@ void ContourView::showInstant(const std::optional<Instant>& instant) {
   if (instant && instant->line > 0) setHighlightedLine(instant->line);
 }
 
-void ContourView::setLengthUnit(LengthUnit unit) {
+void ContourView::setUnits(Units unit) {
   canvas_->setUnit(unit);
   legend_->refresh();
 }
@@ -202,6 +236,7 @@ void ContourView::setTube(std::shared_ptr<const TubeTrace> tube) {
 void ContourView::setBandShown(bool shown) {
   band_->setChecked(shown);
   canvas_->setBandShown(shown);
+  fillKey();
 }
 
 void ContourView::setCursorTime(std::optional<double> time) { canvas_->setCursorTime(time); }
@@ -218,6 +253,7 @@ void ContourView::setColourBy(ColourBy by) {
   colour_by_->setCurrentIndex(static_cast<int>(by));
   if (canvas_->colourBy() == by) return;
   canvas_->setColourBy(by);
+  updateChoices();
   legend_->refresh();
   emit colourByChanged(by);
 }
@@ -236,6 +272,7 @@ void ContourView::setEnlargement(double factor) {
   const int index = enlargement_->findData(static_cast<int>(factor));
   if (index >= 0) enlargement_->setCurrentIndex(index);
   canvas_->setEnlargement(factor);
+  fillKey();
   emit enlargementChanged(factor);
 }
 

@@ -17,6 +17,7 @@ class QToolButton;
 namespace toolpace::ui {
 
 class ContourLegend;
+class LineKey;
 
 class ContourView : public QWidget, public PlanView {
   Q_OBJECT
@@ -33,7 +34,7 @@ class ContourView : public QWidget, public PlanView {
   void showPlans(const Planned& plan, const Planned& pinned) override;
   void showInstant(const std::optional<Instant>& instant) override;
   void setTheme(const Theme& theme) override;
-  void setLengthUnit(LengthUnit unit) override;
+  void setUnits(Units unit) override;
   void setTolerance(double tolerance);                  ///< [mm] half width of the band round the path; 0 = no band
   void setTube(std::shared_ptr<const TubeTrace> tube);  ///< see ContourCanvas
   void setBandShown(bool shown);
@@ -70,10 +71,12 @@ class ContourView : public QWidget, public PlanView {
   void paintAll(QPainter& painter, const QImage& picture) const;
   void showView(std::optional<View> view);
   void updateChoices();
+  void fillKey();
 
   ContourCanvas* canvas_;
   ContourLegend* legend_;
   QWidget* header_;
+  LineKey* key_;  // of what is no colour: dashes
   QComboBox* colour_by_;
   QComboBox* colour_map_;
   QComboBox* enlargement_;

@@ -5,6 +5,7 @@
 
 #include "preview/contour_legend.h"
 #include "preview/contour_view.h"
+#include "theme/line_key.h"
 #include "theme/picture_file.h"
 
 namespace toolpace::ui {
@@ -29,7 +30,11 @@ void ContourView::paintAll(QPainter& painter, const QImage& picture) const {
   painter.fillRect(QRect(0, 0, size.width(), high + size.height() + legend_->height()), canvas_->theme().surface);
   painter.setFont(font());
   painter.setPen(canvas_->theme().text);
-  painter.drawText(QRect(kTitlePadding, 0, size.width() - 2 * kTitlePadding, high), Qt::AlignVCenter, title());
+  const int key = key_->samples().empty() ? 0 : key_->sizeHint().width() + kTitlePadding;
+  const int room = size.width() - 2 * kTitlePadding - key;
+  painter.drawText(QRect(kTitlePadding, 0, room, high), Qt::AlignVCenter,
+                   fontMetrics().elidedText(title(), Qt::ElideMiddle, room));
+  key_->paintInto(painter, QRectF(size.width() - key, 0, key, high));
   painter.save();
   painter.translate(0, high);
   picture.isNull() ? canvas_->paintVectors(painter, QSizeF(size)) : painter.drawImage(QRect({0, 0}, size), picture);

@@ -108,11 +108,6 @@ void draw_planned(QImage& image, const TubeTrace& trace, const TubeScreen& scree
   }
 }
 
-DisplayUnit small_unit(LengthUnit unit) {
-  if (unit == LengthUnit::inch) return {display_unit(Quantity::length, unit).factor * 1e3, "mil"};
-  return {1e3, "µm"};
-}
-
 }  // namespace
 
 bool draw_band(QImage& image, const TubeTrace& trace, const Projection& projection, const TubeStyle& style) {
@@ -138,16 +133,16 @@ void draw_inside_band(QImage& image, const TubeTrace& trace, const Projection& p
   painter.drawEllipse(screen.at(trace.worst).planned, radius, radius);
 }
 
-QString tube_caption(const TubeTrace& trace, LengthUnit unit) {
-  const DisplayUnit shown = small_unit(unit);
+QString tube_caption(const TubeTrace& trace, Units unit) {
+  const DisplayUnit shown = error_unit(unit);
   const double tolerance = trace.size() > 0 ? static_cast<double>(trace.tolerance[trace.worst]) : 0.0;
   return QCoreApplication::translate("Tube", "band ±%1 %2, used up to %3 %")
       .arg(number_text(tolerance * shown.factor, 3), shown.text, QString::number(trace.largest_share * 100, 'f', 0));
 }
 
-QString tube_text(const TubeTrace& trace, std::size_t row, LengthUnit unit) {
+QString tube_text(const TubeTrace& trace, std::size_t row, Units unit) {
   if (row >= trace.size() || trace.tolerance[row] <= 0) return {};
-  const DisplayUnit shown = small_unit(unit);
+  const DisplayUnit shown = error_unit(unit);
   return QCoreApplication::translate("Tube", "%1 of %2 %3 tolerance (%4 %)")
       .arg(number_text(static_cast<double>(trace.offset[row].norm()) * shown.factor, 3),
            number_text(static_cast<double>(trace.tolerance[row]) * shown.factor, 3), shown.text,

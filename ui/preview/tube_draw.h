@@ -29,9 +29,9 @@ bool draw_band(QImage& image, const TubeTrace& trace, const Projection& projecti
 void draw_inside_band(QImage& image, const TubeTrace& trace, const Projection& projection, const TubeStyle& style);
 
 /// "band ±10 µm · at most 9.8 µm used (98 %)"
-QString tube_caption(const TubeTrace& trace, LengthUnit unit);
+QString tube_caption(const TubeTrace& trace, Units unit);
 
 /// "4.2 of 10 µm tolerance (42 %)" at a row; empty where there is no tolerance.
-QString tube_text(const TubeTrace& trace, std::size_t row, LengthUnit unit);
+QString tube_text(const TubeTrace& trace, std::size_t row, Units unit);
 
 }  // namespace toolpace::ui

@@ -18,6 +18,7 @@ struct ModalSnapshot {
   std::int8_t spindle_direction = 0;  ///< −1 M4, 0 M5, +1 M3
   bool mist = false, flood = false;
   double spindle_speed = 0.0;  ///< [rev/min]
+  double tolerance = 0.0;      ///< [mm] of G64 P; 0 = none
   double feed = 0.0;           ///< F as programmed, in the program's units and feed mode
   bool operator==(const ModalSnapshot&) const = default;
 

@@ -19,6 +19,7 @@ void ModalRecorder::record(const State& state, const Flow& flow) {
   s.tool_length = m.tool_length;
   s.retract = m.retract;
   s.path_control = m.path_control;
+  s.tolerance = m.path_control == 640 ? m.path_tolerance : 0.0;
   s.spindle_mode = m.spindle_mode;
   s.lathe_diameter = m.lathe_diameter;
   s.system = static_cast<std::int16_t>(m.system);
