@@ -23,6 +23,7 @@
 #include "panels/problems_panel.h"
 #include "panels/reading_page.h"
 #include "panels/results_panel.h"
+#include "panels/spectrum_page.h"
 #include "panels/sweep_panel.h"
 #include "panels/transport_bar.h"
 #include "panels/tuning_panel.h"
@@ -88,7 +89,7 @@ MainWindow::~MainWindow() {
   QCoreApplication::removeTranslator(&qt_translator_);
 }
 
-bool MainWindow::isAtRest() const { return isSettled() && !contour_->canvas().isMoving(); }
+bool MainWindow::isAtRest() const { return isSettled() && !contour_->canvas().isMoving() && !spectrum_->isBusy(); }
 
 void MainWindow::showDocument(bool another) {
   const auto& document = workspace_.document();
@@ -111,7 +112,9 @@ void MainWindow::showDocument(bool another) {
 void MainWindow::showRotaryAxes() {
   const auto& document = workspace_.document();
   const std::array<bool, 3> turned = document ? document->turned : std::array<bool, 3>{};
-  drives_->setRotaryAxes(ui::rotary_axes(workspace_.tuning().value().machine, turned));
+  const auto rotary = ui::rotary_axes(workspace_.tuning().value().machine, turned);
+  drives_->setRotaryAxes(rotary);
+  spectrum_->setRotaryAxes(rotary);
 }
 
 void MainWindow::showPlan() {

@@ -40,6 +40,7 @@ class ProfileView;
 class ReadingPage;
 class ResultsPanel;
 class SingleMovePage;
+class SpectrumPage;
 class StepperPage;
 class SweepPanel;
 class TransportBar;
@@ -213,6 +214,7 @@ class MainWindow : public QMainWindow {
   ui::ProblemsPanel* problems_ = nullptr;
   ui::SingleMovePage* single_move_ = nullptr;
   ui::StepperPage* stepper_ = nullptr;
+  ui::SpectrumPage* spectrum_ = nullptr;
   ui::DrivesPage* drives_ = nullptr;
   ui::ReadingPage* reading_ = nullptr;
   ui::WelcomeBar* welcome_ = nullptr;

@@ -81,7 +81,7 @@ void MainWindow::buildMenus() {
   plan_menu_->addActions({a.sweep, a.what_if, a.cancel});
   plan_menu_->addSeparator();
   plan_menu_->addActions({docks_["singleMoveDock"]->toggleViewAction(), docks_["stepperDock"]->toggleViewAction(),
-                          docks_["drivesDock"]->toggleViewAction()});
+                          docks_["drivesDock"]->toggleViewAction(), docks_["spectrumDock"]->toggleViewAction()});
   view_menu_ = menu("viewMenu");
   view_menu_->addActions({a.fit, a.hold_heights, a.view_xy, a.view_xz, a.view_yz, a.view_zx, a.view_iso});
   view_menu_->addSeparator();

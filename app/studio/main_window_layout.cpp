@@ -17,6 +17,7 @@
 #include "panels/reading_page.h"
 #include "panels/results_panel.h"
 #include "panels/single_move_page.h"
+#include "panels/spectrum_page.h"
 #include "panels/stepper_page.h"
 #include "panels/sweep_panel.h"
 #include "panels/transport_bar.h"
@@ -83,6 +84,8 @@ void MainWindow::buildPanels() {
   addTool("stepperDock", stepper_, {900, 560});
   drives_ = new ui::DrivesPage(workspace_.tuning(), this);
   reading_ = new ui::ReadingPage(this);
+  spectrum_ = new ui::SpectrumPage(this);
+  addTool("spectrumDock", spectrum_, {760, 560});
   addTool("drivesDock", drives_, {640, 340});
   addTool("readingDock", reading_, {520, 420});
   arrange();
@@ -92,7 +95,7 @@ void MainWindow::buildPanels() {
   statusBar()->setSizeGripEnabled(false);
   statusBar()->setContentsMargins(0, 0, 0, 0);
   statusBar()->addWidget(transport_, 1);
-  plan_views_ = {nc_, contour_, profile_, tuning_, results_, what_if_, loss_, sweep_, circle_, drives_, transport_};
+  plan_views_ = {nc_, contour_, profile_, tuning_, results_, what_if_, loss_, sweep_, circle_, drives_, spectrum_, transport_};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, QWidget* content, Qt::DockWidgetArea area, bool titled) {

@@ -114,6 +114,7 @@ void MainWindow::retranslate() {
   title("singleMoveDock", tr("Single move"));
   title("stepperDock", tr("Stepper pulses"));
   title("drivesDock", tr("Drives"));
+  title("spectrumDock", tr("Spectrum and speeds"));
   title("readingDock", tr("Reading options"));
   const std::pair<QMenu*, QString> menus[] = {
       {file_menu_, tr("&File")},       {edit_menu_, tr("&Edit")},      {plan_menu_, tr("&Plan")},

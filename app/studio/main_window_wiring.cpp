@@ -9,6 +9,7 @@
 #include "panels/problems_panel.h"
 #include "panels/reading_page.h"
 #include "panels/results_panel.h"
+#include "panels/spectrum_page.h"
 #include "panels/sweep_panel.h"
 #include "panels/transport_bar.h"
 #include "panels/tuning_panel.h"
@@ -72,6 +73,7 @@ void MainWindow::connectPanels() {
   });
   connect(circle_, &ui::CirclePanel::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
   connect(profile_, &ui::ProfileView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
+  connect(profile_, &ui::ProfileView::visibleRangeChanged, spectrum_, &ui::SpectrumPage::setVisibleTime);
   connect(profile_, &ui::ProfileView::axesShown, &workspace_, &ui::Workspace::setShownAxes);
   connect(&workspace_, &ui::Workspace::axesReady, profile_, &ui::ProfileView::showReadyAxes);
   connect(results_, &ui::ResultsPanel::pinRequested, &workspace_, &ui::Workspace::pin);

@@ -3386,6 +3386,10 @@
             <source>Switch between speeds a second and a minute</source>
             <translation>切换每秒与每分钟的速度</translation>
         </message>
+        <message>
+            <source>Spectrum and speeds</source>
+            <translation>频谱与速度</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::Report</name>
@@ -5614,6 +5618,93 @@
         <message>
             <source>Rapid traverse is multiplied by it: v ≤ rapid · override</source>
             <translation>快移速度乘以此值：v ≤ 快移 · 倍率</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::SpectrumPage</name>
+        <message>
+            <source>along the path</source>
+            <translation>沿路径</translation>
+        </message>
+        <message>
+            <source>axis %1</source>
+            <translation>%1 轴</translation>
+        </message>
+        <message>
+            <source>amplitude</source>
+            <translation>幅值</translation>
+        </message>
+        <message>
+            <source>speed</source>
+            <translation>速度</translation>
+        </message>
+        <message>
+            <source>Nothing is planned</source>
+            <translation>尚无规划</translation>
+        </message>
+        <message>
+            <source>largest: %1 %2 at %3 Hz · running %4</source>
+            <translation>最大：%3 Hz 处 %1 %2 · 运行 %4</translation>
+        </message>
+        <message>
+            <source>Acceleration of</source>
+            <translation>加速度</translation>
+        </message>
+        <message>
+            <source>Whose commanded acceleration: a(t) = d²x/dt²</source>
+            <translation>哪个轴的指令加速度：a(t) = d²x/dt²</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>The whole program, or what the plots show of it</source>
+            <translation>整个程序，或图中可见的部分</translation>
+        </message>
+        <message>
+            <source>whole program</source>
+            <translation>整个程序</translation>
+        </message>
+        <message>
+            <source>visible time</source>
+            <translation>可见时间</translation>
+        </message>
+        <message>
+            <source>Spectrum of the commanded acceleration</source>
+            <translation>指令加速度的频谱</translation>
+        </message>
+        <message>
+            <source>A sine of amplitude A at frequency f stands as A at f; dashed: resonance of the drive</source>
+            <translation>频率 f、幅值 A 的正弦在 f 处显示为 A；虚线：驱动的谐振</translation>
+        </message>
+        <message>
+            <source>Time at each speed</source>
+            <translation>各速度的时间</translation>
+        </message>
+        <message>
+            <source>How long the tool runs at a speed, by what allows no more</source>
+            <translation>刀具在各速度下运行多久，以及受什么限制</translation>
+        </message>
+        <message>
+            <source>What limits the speed</source>
+            <translation>限制速度的因素</translation>
+        </message>
+        <message>
+            <source>Colours of the limits, as in the preview and below the plots</source>
+            <translation>各限制的颜色，与预览和图下方相同</translation>
+        </message>
+        <message>
+            <source>frequency  Hz</source>
+            <translation>频率  Hz</translation>
+        </message>
+        <message>
+            <source>time  s</source>
+            <translation>时间  s</translation>
+        </message>
+        <message>
+            <source>The time is too short for a spectrum</source>
+            <translation>时间太短，无法计算频谱</translation>
         </message>
     </context>
 </TS>

@@ -48,7 +48,7 @@ def check_include(room, name):
         if room == "verify" and other in ("law", "plan"):
             return f"verify/ judges plans and may not share their code: {name}"
         return None
-    if re.match(r"(Q[A-Z]|Qt|qcustomplot)", name):
+    if re.match(r"(Q[A-Z]|Qt|qcustomplot|fftw3)", name):
         return f"core knows no Qt: {name}"
     if name in THREADS and room not in THREADED_ROOMS:
         return f"threads stand in tune/ and pipeline/ alone: <{name}>"
@@ -114,7 +114,7 @@ def problems_of(root):
                  reached_from(core, "verify").items() if room_of(name) in ("law", "plan")]
     for path in files_under(root / "app" / "cli"):
         problems += [f"{path.relative_to(root)}: the command line knows no Qt: {name}" for name in includes_of(path)
-                     if re.match(r"(Q[A-Z]|Qt|qcustomplot)", name)]
+                     if re.match(r"(Q[A-Z]|Qt|qcustomplot|fftw3)", name)]
     return problems
 
 
