@@ -43,16 +43,20 @@ enum class CapsFor {
 };
 
 /// Limits with curves as the plan to come can use them: ramps inside blocks come to rest at the caps, but for a feed hold.
-SpeedLimits settled(const PlanTask& task, const PlanOptions& o, CapsFor caps, const Monitor& monitor) {
+Result<SpeedLimits> settled(const PlanTask& task, const PlanOptions& o, CapsFor caps, const Monitor& monitor) {
   if (task.limits.curved.empty()) return std::move(task.limits);
   const AtCap at_cap = o.ramps == Ramps::block && !o.hold_at ? AtCap::rests : AtCap::changes;
   const bool stops = caps == CapsFor::single_moves || o.lookahead == std::size_t{1};
-  return settle_curves(task.limits, {o.law, at_cap, stops}, {monitor.stop, {}});
+  SpeedLimits limits = settle_curves(task.limits, {o.law, at_cap, stops}, {monitor.stop, {}});
+  if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());  // half settled they fit nothing
+  return limits;
 }
 
 Result<Planned> plan_with(const PlanTask& task, const PlanOptions& options, CapsFor caps, const Monitor& monitor) {
+  auto limits = settled(task, options, caps, monitor);
+  if (!limits) return tl::unexpected(limits.error());
   Planned planned;
-  planned.limits = settled(task, options, caps, monitor);
+  planned.limits = std::move(*limits);
   planned.ran = task.job.options;
   auto plan = plan_motion(planned.limits, options, monitor);
   if (!plan) return tl::unexpected(plan.error());
@@ -188,9 +192,11 @@ bool has_exact_blocks(const PlanTask& task) {
 }
 
 Result<Planned> plan_through_tube(const PlanTask& task, const Monitor& monitor) {
+  auto limits = settled(task, task.job.options, CapsFor::the_plan, monitor);
+  if (!limits) return tl::unexpected(limits.error());
   Planned planned;
   planned.ran = task.job.options;
-  planned.limits = settled(task, task.job.options, CapsFor::the_plan, monitor);
+  planned.limits = std::move(*limits);
   auto motion = plan_smooth(task.path, task.commands, task.job.machine, planned.limits, task.job.options,
                             on_all_cores(monitor), monitor);
   if (!motion) return tl::unexpected(motion.error());
@@ -211,9 +217,11 @@ int tubes_tried(std::size_t segments) {
 
 /// In place of corner curves: jerk counts where the law keeps it.
 Result<Planned> plan_quickly_through_tube(const PlanTask& task, const Monitor& monitor) {
+  auto limits = settled(task, task.job.options, CapsFor::the_plan, monitor);
+  if (!limits) return tl::unexpected(limits.error());
   Planned planned;
   planned.ran = task.job.options;
-  planned.limits = settled(task, task.job.options, CapsFor::the_plan, monitor);
+  planned.limits = std::move(*limits);
   const Machine machine = judged_machine(task.job.machine, task.job.options);
   const int tubes = tubes_tried(task.path.size());
   Commands commands = task.commands;

@@ -23,7 +23,8 @@ struct CurveUse {
 /// cap is not reached one that is, if that saves time, too. In short runs of small chains each curve's share is then turned by
 /// itself. Caps that the feed sets stay where they are. Chains without curves stay as they are; others cost one or two dozen
 /// plans' scans, small ones some hundreds.
-/// @param widest  of limit_speed()
+/// @param widest   of limit_speed()
+/// @param monitor  once it is cancelled, what is returned is unfinished and must not be planned with
 SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor& monitor = {});
 
 }  // namespace toolpace
