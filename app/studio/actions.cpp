@@ -63,6 +63,8 @@ void Actions::addPlan() {
 
 void Actions::addView() {
   hold_heights = addToggle("holdHeightsAction", "");
+  rapids = addToggle("rapidsAction", "");
+  rapids->setChecked(true);
   fit = add("fitAction", "fit", {QKeySequence(Qt::Key_F)});
   view_xy = add("viewXyAction", "", {QKeySequence(Qt::Key_Z)});
   view_xz = add("viewXzAction", "", {QKeySequence(Qt::Key_Y)});
@@ -149,6 +151,7 @@ void Actions::retranslate() {
   hold->setText(tr("Feed &hold at the cursor"));
   no_hold->setText(tr("Take the feed h&old away"));
   fit->setText(tr("&Fit"));
+  rapids->setText(tr("Show &rapids"));
   hold_heights->setText(tr("&Keep the heights of the plots"));
   view_xy->setText(tr("View along &Z (XY)"));
   view_xz->setText(tr("View along &Y (XZ)"));

@@ -30,6 +30,7 @@
 #include "panels/what_if_panel.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
+#include "tab_order.h"
 #include "toolpace/machine/read_machine.h"
 
 namespace toolpace::studio {
@@ -257,6 +258,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (!asks) return open();
   QMetaObject::invokeMethod(this, open, Qt::QueuedConnection);  // whoever drags waits for the drop to be over
 }
+
+bool MainWindow::focusNextPrevChild(bool next) { return focus_next(*this, next); }
 
 // Keys without modifiers are shortcuts of the window, but a control that has the focus and uses the key comes first.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {

@@ -83,7 +83,7 @@ void MainWindow::buildMenus() {
   plan_menu_->addActions({docks_["singleMoveDock"]->toggleViewAction(), docks_["stepperDock"]->toggleViewAction(),
                           docks_["drivesDock"]->toggleViewAction(), docks_["spectrumDock"]->toggleViewAction()});
   view_menu_ = menu("viewMenu");
-  view_menu_->addActions({a.fit, a.hold_heights, a.view_xy, a.view_xz, a.view_yz, a.view_zx, a.view_iso});
+  view_menu_->addActions({a.fit, a.rapids, a.hold_heights, a.view_xy, a.view_xz, a.view_yz, a.view_zx, a.view_iso});
   view_menu_->addSeparator();
   view_menu_->addActions({a.dark, a.touch, a.inch, a.per_minute});
   view_menu_->addMenu(language_menu_);

@@ -62,7 +62,7 @@ void MainWindow::showPreviewMenu(const QPoint& at) {
     menu.addSeparator();
   }
   Actions& a = *actions_;
-  menu.addActions({a.fit, a.view_xy, a.view_xz, a.view_yz, a.view_zx, a.view_iso});
+  menu.addActions({a.fit, a.rapids, a.view_xy, a.view_xz, a.view_yz, a.view_zx, a.view_iso});
   menu.addSeparator();
   menu.addActions({a.export_picture});
   menu.exec(contour_->canvas().mapToGlobal(at));

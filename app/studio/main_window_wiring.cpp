@@ -155,6 +155,12 @@ void MainWindow::connectActions() {
   });
   on(a.hold, [this] { holdAt(workspace_.cursorTime()); });
   on(a.no_hold, [this] { holdAt(std::nullopt); });
+  on(a.rapids, [this](bool shown) {
+    preferences_.rapids = shown;
+    contour_->setRapidsShown(shown);
+  });
+  a.rapids->setChecked(preferences_.rapids);
+  contour_->setRapidsShown(preferences_.rapids);
   on(a.hold_heights, [this](bool held) { profile_->plot().setHeightsHeld(held); });
   connect(&profile_->plot(), &ui::ProfilePlot::heightsHeld, a.hold_heights, &QAction::setChecked);
   on(a.fit, [this] { contour_->fit(), profile_->fit(); });

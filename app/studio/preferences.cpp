@@ -18,6 +18,7 @@ Preferences load_preferences() {
   p.dark = s.value("window/dark", false).toBool();
   p.touch = s.value("window/touch", false).toBool();
   p.units = {s.value("window/inch", false).toBool(), s.value("window/per_minute", false).toBool()};
+  p.rapids = s.value("window/rapids", true).toBool();
   p.welcomed = s.value("window/welcomed", false).toBool();
   p.language = s.value("window/language").toString();
   p.colour_map = s.value("window/colour_map", "cividis").toString();
@@ -41,6 +42,7 @@ void save_preferences(const Preferences& p) {
   s.setValue("window/touch", p.touch);
   s.setValue("window/inch", p.units.inch);
   s.setValue("window/per_minute", p.units.per_minute);
+  s.setValue("window/rapids", p.rapids);
   s.setValue("window/welcomed", p.welcomed);
   s.setValue("window/language", p.language);
   s.setValue("window/colour_map", p.colour_map);

@@ -13,6 +13,7 @@ struct Preferences {
   bool dark = false;
   bool touch = false;
   ui::Units units;
+  bool rapids = true;                                    ///< drawn in the preview
   bool welcomed = false;                                 ///< the example need not say that it is one
   QString language;                                      ///< "en", "zh_CN"; empty = that of the system
   QString colour_map;                                    ///< "cividis", "viridis", "turbo"

@@ -3067,6 +3067,10 @@
             <source>&amp;Keep the heights of the plots</source>
             <translation>保持图的高度(&amp;K)</translation>
         </message>
+        <message>
+            <source>Show &amp;rapids</source>
+            <translation>显示快移(&amp;R)</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::MainWindow</name>

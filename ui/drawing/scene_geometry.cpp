@@ -24,6 +24,7 @@ class GeometryBuilder {
   SceneGeometry build() {
     add_vertex(path_.node.front().head<3>());
     outcome_.plan.splines.empty() ? follow_path() : follow_motion();
+    measure_feeds();
     const double size = geometry_.box.diagonal() > 0 ? geometry_.box.diagonal() : 1.0;
     geometry_.lod = build_lod(geometry_.line, size / kFinest, size / kCoarsest);
     return std::move(geometry_);
@@ -109,6 +110,16 @@ class GeometryBuilder {
     geometry_.line.style.push_back(style_of_block_[block]);
     geometry_.block.push_back(static_cast<std::uint32_t>(block));
     geometry_.share.push_back(static_cast<float>(share));
+  }
+
+  /// Where nothing but rapids is left away. @pre the line is whole
+  void measure_feeds() {
+    const auto& style = geometry_.line.style;
+    for (std::size_t i = 0; i < style.size(); ++i) {
+      if (style[i] == static_cast<std::uint8_t>(PieceStyle::rapid)) continue;
+      geometry_.feed_box.add(geometry_.point(i));
+      geometry_.feed_box.add(geometry_.point(i + 1));
+    }
   }
 
   void add_vertex(const Eigen::Vector3d& point) {

@@ -36,12 +36,22 @@ void PlannerService::start(std::shared_ptr<const Job> job, quint64 generation) {
     if (!outcome) {
       return [this, error = outcome.error(), generation] { emit failed(error, generation); };
     }
+    // What is cancelled while it is made ready to be drawn is not shown.
+    const auto given_up = [this, generation]() -> Background::Delivery {
+      return [this, generation] { emit failed(cancelled_error(), generation); };
+    };
     const auto shared = std::make_shared<const Outcome>(std::move(*outcome));
-    Planned plan{std::make_shared<const Timeline>(shared), make_contour_scene(shared, nullptr, before.geometry),
-                 make_profile_series(shared), nullptr};
+    Planned plan;
+    plan.timeline = std::make_shared<const Timeline>(shared);
+    if (monitor.is_cancelled()) return given_up();
+    plan.scene = make_contour_scene(shared, nullptr, before.geometry);
+    if (monitor.is_cancelled()) return given_up();
+    plan.series = make_profile_series(shared);
+    if (monitor.is_cancelled()) return given_up();
     // What will be drawn first is made here rather than when it is drawn.
     if (plan.scene->can_colour_by(by)) (void)plan.scene->colours->shades(by);
     make_axes(*plan.series, axes);
+    if (monitor.is_cancelled()) return given_up();
     return [this, plan = std::move(plan), generation] {
       last_ = {plan.timeline->outcome(), plan.scene->geometry};
       emit planned(plan, generation);

@@ -59,7 +59,7 @@ void ContourCanvas::setScene(std::shared_ptr<const ContourScene> scene) {
 
 void ContourCanvas::setGhost(std::shared_ptr<const ContourScene> scene) {
   ghost_ = std::move(scene);
-  redraw();
+  follows_fit_ ? fit() : redraw();
 }
 
 void ContourCanvas::setTheme(const Theme& theme) {
@@ -113,6 +113,12 @@ void ContourCanvas::setBandShown(bool shown) {
   redraw();
 }
 
+void ContourCanvas::setRapidsShown(bool shown) {
+  if (rapids_shown_ == shown) return;
+  rapids_shown_ = shown;
+  follows_fit_ ? fit() : redraw();
+}
+
 void ContourCanvas::setCursorTime(std::optional<double> time) {
   cursor_time_ = time;
   cursor_.reset();
@@ -138,8 +144,21 @@ void ContourCanvas::fit() {
   // The axes and the scale bar stand at the lower edge.
   const QSizeF room(width(), std::max(height() - kFootHeight, height() / 2));
   const double margin = std::min(kFitMargin, kMostMargin * std::min(room.width(), room.height()));
-  projection_ = fitted(projection_, scene_ ? scene_->geometry->box : Box{}, room, margin);
+  projection_ = fitted(projection_, drawnBox(), room, margin);
   redraw();
+}
+
+/// Of what is drawn of the plan and of the one behind it.
+Box ContourCanvas::drawnBox() const {
+  Box box;
+  for (const auto* scene : {scene_.get(), ghost_.get()}) {
+    if (!scene || scene->is_empty()) continue;
+    const SceneGeometry& g = *scene->geometry;
+    const Box& drawn = rapids_shown_ || g.feed_box.is_empty() ? g.box : g.feed_box;
+    box.add(drawn.low);
+    box.add(drawn.high);
+  }
+  return box;
 }
 
 void ContourCanvas::setProjection(const Projection& projection) {
@@ -190,7 +209,8 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
   if (ghost_) {
     draw_scene(
         image, *ghost_, projection,
-        {ColourBy::speed, nullptr, theme_.plan_b.rgb(), theme_.plan_b.rgb(), 1.4 * ratio, 6 * ratio, true, smooth});
+        {ColourBy::speed, nullptr, theme_.plan_b.rgb(), theme_.plan_b.rgb(), 1.4 * ratio, 6 * ratio, true, rapids_shown_,
+         smooth});
   }
   SceneStyle style;
   style.by = by_;
@@ -200,6 +220,7 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
   style.width = (smooth ? 1.8 : 1.0) * ratio;
   style.dash = 5 * ratio;
   style.smooth = smooth;
+  style.rapids = rapids_shown_;
   style.cut = 4 * ratio;
   if (!smooth) style.detail = 1.3;
   if (!smooth) style.most_cuts /= 4;

@@ -36,6 +36,9 @@ class ContourCanvas : public QWidget {
   /// The plan inside the tolerance band; null = it stays on the programmed path.
   void setTube(std::shared_ptr<const TubeTrace> tube);
   void setBandShown(bool shown);
+  /// Rapids that are not drawn are not fitted to and not clicked at, either.
+  void setRapidsShown(bool shown);
+  bool areRapidsShown() const { return rapids_shown_; }
   void setCursorTime(std::optional<double> time);
   std::optional<double> cursorTime() const { return cursor_time_; }
   void setHighlight(std::optional<std::pair<double, double>> span);  ///< [s]
@@ -108,6 +111,7 @@ class ContourCanvas : public QWidget {
   void updateColours();
   void hover(const QPointF& at);
   Projection scaled(double ratio) const;
+  Box drawnBox() const;
   bool isTiny(const QPointF& delta) const;
 
   std::shared_ptr<const ContourScene> scene_, ghost_;
@@ -117,7 +121,7 @@ class ContourCanvas : public QWidget {
   ColourMap map_ = ColourMap::cividis;
   ColourTable colours_ = {};
   double enlargement_ = 1.0, tolerance_ = 0.0;
-  bool band_shown_ = true;
+  bool band_shown_ = true, rapids_shown_ = true;
   std::shared_ptr<const TubeTrace> tube_;
 
   Projection projection_;

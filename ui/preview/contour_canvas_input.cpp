@@ -51,11 +51,11 @@ void ContourCanvas::mouseReleaseEvent(QMouseEvent* event) {
   dragging_ = false;
   if (asked) return emit menuRequested(event->position().toPoint());
   if (!clicked || !scene_) return;
-  if (const auto hit = pick(*scene_, projection_, event->position(), kPickRadius)) emit cursorTimeRequested(hit->time);
+  if (const auto hit = pick(*scene_, projection_, event->position(), kPickRadius, rapids_shown_)) emit cursorTimeRequested(hit->time);
 }
 
 std::optional<double> ContourCanvas::timeAt(const QPoint& at) const {
-  const auto hit = scene_ && scene_->outcome ? pick(*scene_, projection_, at, kPickRadius) : std::nullopt;
+  const auto hit = scene_ && scene_->outcome ? pick(*scene_, projection_, at, kPickRadius, rapids_shown_) : std::nullopt;
   return hit ? std::optional(hit->time) : std::nullopt;
 }
 
@@ -106,7 +106,7 @@ void ContourCanvas::hover(const QPointF& at) {
   const bool had = hovered_.has_value();
   hovered_.reset();
   if (scene_ && scene_->outcome) {
-    if (const auto hit = pick(*scene_, projection_, at, kPickRadius))
+    if (const auto hit = pick(*scene_, projection_, at, kPickRadius, rapids_shown_))
       hovered_ = instant_at(*scene_->outcome, hit->time);
   }
   if (!had && !hovered_) return;

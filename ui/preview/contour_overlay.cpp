@@ -252,6 +252,7 @@ void ContourCanvas::paintVectors(QPainter& painter, const QSizeF& size) const {
     SceneStyle ghost;
     ghost.plain = ghost.rapid = theme_.plan_b.rgb();
     ghost.all_dashed = true;
+    ghost.rapids = rapids_shown_;
     ghost.width = 1.2;
     ghost.detail = 0.4;
     paint_scene(painter, *ghost_, p, size, ghost);
@@ -261,6 +262,7 @@ void ContourCanvas::paintVectors(QPainter& painter, const QSizeF& size) const {
   style.colours = scene_->can_colour_by(by_) ? &colours_ : nullptr;
   style.plain = theme_.accent.rgb();
   style.rapid = theme_.secondary.rgb();
+  style.rapids = rapids_shown_;
   style.width = 1.2;
   style.detail = 0.4;
   paint_scene(painter, *scene_, p, size, style);

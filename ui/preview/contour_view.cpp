@@ -150,7 +150,7 @@ void ContourView::fillKey() {
   };
   std::vector<KeySample> samples;
   const auto& scene = canvas_->scene();
-  if (scene && scene->outcome && scene->outcome->summary.rapid_time > 0) {
+  if (scene && scene->outcome && scene->outcome->summary.rapid_time > 0 && canvas_->areRapidsShown()) {
     samples.push_back({tr("rapids"), dashed(theme.secondary)});
   }
   if (canvas_->hasGhost()) samples.push_back({QStringLiteral("B"), dashed(theme.plan_b)});
@@ -231,6 +231,11 @@ void ContourView::setTube(std::shared_ptr<const TubeTrace> tube) {
   has_tube_ = tube != nullptr;
   canvas_->setTube(std::move(tube));
   updateChoices();
+}
+
+void ContourView::setRapidsShown(bool shown) {
+  canvas_->setRapidsShown(shown);
+  fillKey();
 }
 
 void ContourView::setBandShown(bool shown) {

@@ -37,6 +37,7 @@ class ContourView : public QWidget, public PlanView {
   void setUnits(Units unit) override;
   void setTolerance(double tolerance);                  ///< [mm] half width of the band round the path; 0 = no band
   void setTube(std::shared_ptr<const TubeTrace> tube);  ///< see ContourCanvas
+  void setRapidsShown(bool shown);
   void setBandShown(bool shown);
   void setCursorTime(std::optional<double> time);  ///< [s]
   void setHighlightedLine(std::uint32_t line);     ///< NC line; 0 = none

@@ -36,6 +36,7 @@ std::size_t draw_scene(QImage& image, const ContourScene& scene, const Projectio
   double phase = 0;
   const StrokeMaker maker(scene, projection, QRectF(image.rect()).adjusted(-4, -4, 4, 4), options_of(style));
   return maker.make([&](const Stroke& s) {
+    if (s.rapid && !style.rapids) return;
     if (s.rapid) {
       phase = thin.draw_dashed(s.from.x(), s.from.y(), s.to.x(), s.to.y(), style.rapid, style.dash, style.dash * 0.8,
                                phase);
@@ -54,6 +55,7 @@ void paint_scene(QPainter& painter, const ContourScene& scene, const Projection&
   if (scene.is_empty()) return;
   const StrokeMaker maker(scene, projection, QRectF({0, 0}, size).adjusted(-4, -4, 4, 4), options_of(style));
   maker.make([&](const Stroke& s) {
+    if (s.rapid && !style.rapids) return;
     const QRgb colour = s.rapid ? style.rapid : style.colours && s.shade ? (*style.colours)[*s.shade] : style.plain;
     painter.setPen(QPen(QColor(colour), s.rapid ? style.width / 2 : style.width, s.rapid ? Qt::DashLine : Qt::SolidLine,
                         Qt::RoundCap));

@@ -19,6 +19,7 @@ struct SceneStyle {
   double width = 1.5;  ///< of the lines [px of the image]
   double dash = 5.0;   ///< of rapids, and of everything if `all_dashed` [px of the image]
   bool all_dashed = false;
+  bool rapids = true;  ///< whether they are drawn
   bool smooth = true;
   double detail = 0.75;  ///< largest distance between drawn and true line [px of the image]
   double cut = 4;  ///< long pieces are cut this short, so that their colour can change along them [px of the image]

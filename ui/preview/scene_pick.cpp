@@ -58,7 +58,8 @@ std::vector<std::pair<std::size_t, std::size_t>> runs_near(const ContourScene& s
   return runs;
 }
 
-std::optional<Pick> pick(const ContourScene& scene, const Projection& projection, const QPointF& at, double radius) {
+std::optional<Pick> pick(const ContourScene& scene, const Projection& projection, const QPointF& at, double radius,
+                         bool rapids) {
   const Screen screen(projection, scene.geometry->centre);
   const auto& vertex = scene.geometry->line.vertex;
   const QRectF near(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius);
@@ -67,6 +68,10 @@ std::optional<Pick> pick(const ContourScene& scene, const Projection& projection
     QPointF from = screen.map(vertex[first]);
     for (std::size_t i = first; i < last; ++i) {
       const QPointF to = screen.map(vertex[i + 1]);
+      if (!rapids && scene.geometry->line.style[i] == static_cast<std::uint8_t>(PieceStyle::rapid)) {
+        from = to;
+        continue;
+      }
       const QPointF along = to - from, off = at - from;
       const double length = QPointF::dotProduct(along, along);
       const double fraction = length > 0 ? std::clamp(QPointF::dotProduct(off, along) / length, 0.0, 1.0) : 0.0;

@@ -33,6 +33,7 @@ struct Pick {
 };
 
 /// The piece nearest to a screen point, within `radius` px; of several as near, the one drawn last.
-std::optional<Pick> pick(const ContourScene& scene, const Projection& projection, const QPointF& at, double radius);
+std::optional<Pick> pick(const ContourScene& scene, const Projection& projection, const QPointF& at, double radius,
+                         bool rapids = true);
 
 }  // namespace toolpace::ui
