@@ -22,6 +22,7 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   export_plots = add("exportPlotsAction", "");
   export_window = add("exportWindowAction", "");
   export_report = add("exportReportAction", "report", {QKeySequence("Ctrl+R")});
+  print = add("printAction", "", {QKeySequence::Print});
   open_machine = add("openMachineAction", "machine", {QKeySequence("Ctrl+M")});
   save_machine = add("saveMachineAction", "", {QKeySequence("Ctrl+Shift+M")});
   save_machine_as = add("saveMachineAsAction", "");
@@ -123,6 +124,7 @@ void Actions::retranslate() {
   export_window->setText(tr("&Window…"));
   export_report->setText(tr("&Report…"));
   export_report->setIconText(tr("Report"));
+  print->setText(tr("&Print…"));
   open_machine->setText(tr("&Open machine…"));
   save_machine->setText(tr("&Save machine"));
   save_machine_as->setText(tr("Save machine &as…"));

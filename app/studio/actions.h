@@ -28,7 +28,7 @@ class Actions : public QObject {
   QAction *fit, *view_xy, *view_xz, *view_yz, *view_zx, *view_iso;
   std::vector<QAction*> presets;  ///< of ui::plan_presets(), in their order
   QAction *pin, *unpin, *swap, *sweep, *what_if, *hold, *no_hold;
-  QAction *dark, *touch, *inch, *per_minute, *hold_heights, *rapids, *english, *chinese, *reset_layout;
+  QAction *dark, *touch, *inch, *per_minute, *hold_heights, *rapids, *print, *english, *chinese, *reset_layout;
   QAction *show_keys, *about;
 
  private:

@@ -22,10 +22,12 @@
 #include "panels/welcome_bar.h"
 #include "panels/wheel_guard.h"
 #include "preferences.h"
+#include "report.h"
 #include "theme/theme.h"
 
 class QDockWidget;
 class QMenuBar;
+class QPrinter;
 
 namespace toolpace::ui {
 class CirclePanel;
@@ -77,6 +79,7 @@ class MainWindow : public QMainWindow {
   void setTimerFrequency(double hz);  ///< of the pulses' timer
   enum class Picture { contour, plots, window };
   bool saveReport(const QString& path);
+  bool printTo(QPrinter& printer);  ///< report, preview and plots
   Result<void> savePicture(Picture picture, const QString& path);
   void setDark(bool dark);
   void setTouch(bool touch);
@@ -164,6 +167,9 @@ class MainWindow : public QMainWindow {
   void exportPulses();
   void exportPicture(Picture picture);
   void exportReport();
+  void askExport();
+  void print();
+  ReportParts reportParts(bool with_pictures);
   enum class Output { exported, program, machine };
   Result<void> checkOutput(const QString& path, Output output);
   Result<void> mayWrite(const QString& path, Output output = Output::exported);

@@ -62,6 +62,7 @@ void MainWindow::buildMenus() {
   file_menu_->addMenu(machine_menu_);
   file_menu_->addActions({a.import_machine, docks_["readingDock"]->toggleViewAction()});
   file_menu_->addMenu(export_menu_);
+  file_menu_->addAction(a.print);
   file_menu_->addSeparator();
   file_menu_->addAction(a.close_window);
   edit_menu_ = menu("editMenu");

@@ -5,11 +5,15 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
+#include <QPrintDialog>
+#include <QPrinter>
 
+#include "export_dialog.h"
 #include "main_window.h"
 #include "panels/transport_bar.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
+#include "print.h"
 #include "report.h"
 #include "theme/picture_file.h"
 #include "toolpace/io/output_file.h"
@@ -25,12 +29,6 @@ QString extension_of(const QString& filter) {
   return star < 0 ? QString() : filter.mid(star + 1).section(')', 0, 0).section(' ', 0, 0);
 }
 
-[[maybe_unused]] constexpr const char* kTranslatedTitles[] = {
-    QT_TRANSLATE_NOOP("formats", "Comma-separated"), QT_TRANSLATE_NOOP("formats", "NumPy array"),
-    QT_TRANSLATE_NOOP("formats", "NumPy archive"), QT_TRANSLATE_NOOP("formats", "LinuxCNC halstreamer"),
-    QT_TRANSLATE_NOOP("formats", "Semicolons")};
-
-QString title_of(const SetpointFormat& format) { return QCoreApplication::translate("formats", format.title); }
 QString suffix_of(const SetpointFormat& format) {
   return QString::fromUtf8(format.suffix.data(), static_cast<qsizetype>(format.suffix.size()));
 }
@@ -75,9 +73,22 @@ void MainWindow::fillFormats() {
   setpoint_menu_->clear();
   for (const SetpointFormat& format : setpoint_formats()) {
     const QString suffix = suffix_of(format);
-    setpoint_menu_->addAction(title_of(format), this, [this, suffix] { exportSetpoints(suffix); })
+    setpoint_menu_->addAction(format_title(format), this, [this, suffix] { exportSetpoints(suffix); })
         ->setObjectName("export" + suffix);
   }
+}
+
+/// Says first what will be written, and how large it gets.
+void MainWindow::askExport() {
+  if (!workspace_.timeline() || exporter_.isBusy()) return;
+  ExportDialog dialog(workspace_.timeline()->outcome(),
+                      {preferences_.axis_derivatives, preferences_.decimal_comma, preferences_.timer_hz}, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  preferences_.axis_derivatives = dialog.options().axis_derivatives;
+  preferences_.decimal_comma = dialog.options().decimal_comma;
+  actions_->axis_derivatives->setChecked(preferences_.axis_derivatives);
+  actions_->decimal_comma->setChecked(preferences_.decimal_comma);
+  exportSetpoints(dialog.suffix());
 }
 
 /// The dialog offers every format, the one asked for first.
@@ -85,7 +96,7 @@ void MainWindow::exportSetpoints(const QString& suffix) {
   if (!workspace_.timeline() || exporter_.isBusy()) return;
   QStringList filters;
   for (const SetpointFormat& format : setpoint_formats()) {
-    const QString filter = title_of(format) + " (*" + suffix_of(format) + ")";
+    const QString filter = format_title(format) + " (*" + suffix_of(format) + ")";
     suffix_of(format) == suffix ? filters.prepend(filter) : filters.append(filter);
   }
   const QString path = askFile(tr("Save setpoints"), suffix, filters);
@@ -160,8 +171,7 @@ void MainWindow::exportReport() {
   if (!path.isEmpty()) saveReport(path);
 }
 
-bool MainWindow::saveReport(const QString& path) {
-  if (!workspace_.timeline() || !mayWrite(path)) return false;
+ReportParts MainWindow::reportParts(bool with_pictures) {
   const auto png = [](const QPixmap& pixmap) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -169,13 +179,18 @@ bool MainWindow::saveReport(const QString& path) {
     pixmap.save(&buffer, "PNG");
     return bytes;
   };
-  ReportParts parts{workspace_.plan(),
+  return {workspace_.plan(),
                     workspace_.pinned(),
                     workspace_.document()->name,
                     tr("Machine: %1").arg(machine_button_->text()),
-                    png(contour_->grab()),
-                    png(profile_->grab()),
+                    with_pictures ? png(contour_->grab()) : QByteArray(),
+                    with_pictures ? png(profile_->grab()) : QByteArray(),
                     preferences_.units};
+}
+
+bool MainWindow::saveReport(const QString& path) {
+  if (!workspace_.timeline() || !mayWrite(path)) return false;
+  const ReportParts parts = reportParts(true);
   const bool pages = path.endsWith(".pdf", Qt::CaseInsensitive);
   const QByteArray bytes = pages ? report_pdf(parts) : report_html(parts).toUtf8();
   const auto written = write_whole_file(path.toStdString(), bytes.toStdString());
@@ -185,6 +200,29 @@ bool MainWindow::saveReport(const QString& path) {
     showFailure(written.error(), path);
   }
   return written.has_value();
+}
+
+void MainWindow::print() {
+  if (!workspace_.timeline()) return;
+  QPrinter printer(QPrinter::HighResolution);
+  printer.setDocName(workspace_.document()->name);
+  QPrintDialog dialog(&printer, this);
+  dialog.setObjectName("printDialog");
+  if (dialog.exec() == QDialog::Accepted && !printTo(printer)) {
+    transport_->setMessage(tr("the printer takes nothing"));
+  }
+}
+
+// Paper is light, whatever the window is.
+bool MainWindow::printTo(QPrinter& printer) {
+  const auto dress = [this](const ui::Theme& theme) {
+    contour_->setTheme(theme);
+    profile_->setTheme(theme);
+  };
+  dress(ui::light_theme());
+  const bool printed = print_pages(printer, reportParts(false), {contour_->drawing(), profile_->drawing()});
+  dress(theme_);
+  return printed;
 }
 
 }  // namespace toolpace::studio

@@ -104,7 +104,8 @@ void MainWindow::connectActions() {
   on(a.reload, [this] { workspace_.reload(); });
   on(a.open_example, [this] { openExample(); });
   on(a.close_window, [this] { close(); });
-  on(a.export_setpoints, [this] { exportSetpoints(".csv"); });
+  on(a.export_setpoints, [this] { askExport(); });
+  on(a.print, [this] { print(); });
   on(a.export_pulses, [this] { exportPulses(); });
   on(a.axis_derivatives, [this](bool with) { preferences_.axis_derivatives = with; });
   on(a.decimal_comma, [this](bool with) { preferences_.decimal_comma = with; });

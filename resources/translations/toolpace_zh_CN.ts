@@ -3071,6 +3071,10 @@
             <source>Show &amp;rapids</source>
             <translation>显示快移(&amp;R)</translation>
         </message>
+        <message>
+            <source>&amp;Print…</source>
+            <translation>打印(&amp;P)…</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::MainWindow</name>
@@ -3393,6 +3397,10 @@
         <message>
             <source>Spectrum and speeds</source>
             <translation>频谱与速度</translation>
+        </message>
+        <message>
+            <source>the printer takes nothing</source>
+            <translation>打印机无法使用</translation>
         </message>
     </context>
     <context>
@@ -5709,6 +5717,57 @@
         <message>
             <source>The time is too short for a spectrum</source>
             <translation>时间太短，无法计算频谱</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::studio::ExportDialog</name>
+        <message>
+            <source>Save setpoints</source>
+            <translation>保存设定点</translation>
+        </message>
+        <message>
+            <source>Format</source>
+            <translation>格式</translation>
+        </message>
+        <message>
+            <source>How the setpoints are written</source>
+            <translation>设定点的写法</translation>
+        </message>
+        <message>
+            <source>with v, a, j of each axis</source>
+            <translation>含各轴的 v、a、j</translation>
+        </message>
+        <message>
+            <source>Differences of the positions, as a check of them would take</source>
+            <translation>位置的差分，与检查所用的相同</translation>
+        </message>
+        <message>
+            <source>decimal comma</source>
+            <translation>小数逗号</translation>
+        </message>
+        <message>
+            <source>For spreadsheets that expect 1,5 instead of 1.5</source>
+            <translation>用于以 1,5 表示 1.5 的电子表格</translation>
+        </message>
+        <message>
+            <source>Save as…</source>
+            <translation>另存为…</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>%1 setpoints, one each %2 ms, over %3.</source>
+            <translation>%1 个设定点，每 %2 ms 一个，共 %3。</translation>
+        </message>
+        <message>
+            <source>The file takes about %1.</source>
+            <translation>文件大约 %1。</translation>
+        </message>
+        <message>
+            <source>How large the file gets is not known.</source>
+            <translation>文件大小未知。</translation>
         </message>
     </context>
 </TS>

@@ -1,6 +1,10 @@
 /// What the window writes: setpoints, pulses, pictures, reports, and never over what is open.
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
 #include <QPainter>
+#include <QPrinter>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSvgRenderer>
@@ -9,6 +13,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "export_dialog.h"
 #include "main_window.h"
 #include "panels/stepper_page.h"
 #include "plots/profile_plot.h"
@@ -16,6 +21,7 @@
 #include "preview/contour_view.h"
 #include "screenshot.h"
 #include "support/files.h"
+#include "support/screenshot.h"
 #include "support/ui_test.h"
 
 using namespace toolpace;
@@ -237,6 +243,122 @@ class ExportTest : public QObject {
       QCOMPARE(file.readAll(), before);
     }
     QCOMPARE(saved.size(), 0);
+  }
+
+  // The head of the file is written once, the rows of the first seconds stand for all: digits differ a little on the way.
+  void the_dialog_says_how_large_a_file_gets() {
+    MainWindow window(false);
+    window.show();
+    window.openExample();
+    settle(window);
+    const auto outcome = window.workspace().timeline()->outcome();
+    for (const char* suffix : {".csv", ".npy", ".npz", ".halstream", ".semicolon.csv"}) {
+      window.saveSetpoints(in(QString("size") + suffix));
+      settle(window);
+      const double real = static_cast<double>(QFileInfo(in(QString("size") + suffix)).size());
+      const auto about = about_size(*outcome, suffix, {});
+      QVERIFY(about);
+      QVERIFY2(std::abs(*about - real) < 0.1 * real, qPrintable(QString("%1: %2 of %3").arg(suffix).arg(*about).arg(real)));
+    }
+    // Of a long job only a part is written to know it.
+    window.workspace().openText("G21 G90 G94\nG1 F60 X30 Y5\nX0 Y0\nM2\n", "slow.ngc");
+    settle(window);
+    window.saveSetpoints(in("slow.csv"));
+    settle(window);
+    const double real = static_cast<double>(QFileInfo(in("slow.csv")).size());
+    const auto about = about_size(*window.workspace().timeline()->outcome(), ".csv", {});
+    QVERIFY2(about && std::abs(*about - real) < 0.15 * real, qPrintable(QString("%1 of %2").arg(about.value_or(0)).arg(real)));
+  }
+
+  void the_dialog_of_options_says_what_will_be_written() {
+    MainWindow window(false);
+    window.setLanguage("en");
+    window.show();
+    window.openExample();
+    settle(window);
+    ExportDialog dialog(window.workspace().timeline()->outcome(), {}, &window);
+    dialog.show();
+    const auto* contents = dialog.findChild<QLabel*>("exportContents");
+    auto* format = dialog.findChild<QComboBox*>("exportFormat");
+    auto* comma = dialog.findChild<QCheckBox*>("exportComma");
+    auto* derivatives = dialog.findChild<QCheckBox*>("exportDerivatives");
+    QCOMPARE(dialog.suffix(), QString(".csv"));
+    QVERIFY2(contents->text().startsWith("4028 setpoints, one each 1 ms, over 4.026 s."), qPrintable(contents->text()));
+    const QString before = contents->text();
+    QVERIFY(!comma->isEnabled() && derivatives->isEnabled());
+    derivatives->click();
+    QVERIFY(contents->text() != before);
+    QVERIFY(dialog.options().axis_derivatives);
+    format->setCurrentIndex(format->findData(".semicolon.csv"));
+    QVERIFY(comma->isEnabled());
+    format->setCurrentIndex(format->findData(".halstream"));
+    QVERIFY(!derivatives->isEnabled());
+    ui::screenshot(dialog, "export-dialog");
+  }
+
+  void report_preview_and_plots_are_printed() {
+    for (const bool dark : {false, true}) {
+      MainWindow window(false);
+      window.setDark(dark);
+      window.show();
+      window.openExample();
+      settle_with_proof(window);
+      QPrinter printer(QPrinter::ScreenResolution);
+      printer.setOutputFormat(QPrinter::PdfFormat);
+      printer.setOutputFileName(in("print.pdf"));
+      QVERIFY(window.printTo(printer));
+      QFile file(in("print.pdf"));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      const QByteArray pdf = file.readAll();
+      QVERIFY(pdf.startsWith("%PDF"));
+      QVERIFY2(pdf.count("/Type /Page\n") >= 3, "a page of figures, the preview, the plots");
+      QCOMPARE(window.findChild<ui::ContourView*>("contourView")->canvas().theme().dark, dark);
+    }
+  }
+
+  void vector_pictures_of_the_preview_have_the_band_and_the_drives() {
+    MainWindow window(false);
+    window.show();
+    window.openExample();
+    window.workspace().tuning().edit("", "", [](ui::Tuning& t) {
+      t.options.corner.rule = CornerRule::smooth;
+      t.options.corner.tolerance = 0.5;
+      for (auto& axis : t.machine.axes) axis = {500, 5000, 1e6};
+    });
+    settle_with_proof(window);
+    auto& view = *window.findChild<ui::ContourView*>("contourView");
+    const auto picture = [&](const char* name) {
+      if (!view.exportPicture(in(name))) qFatal("cannot write %s", name);
+      QImage image(600, 500, QImage::Format_RGB32);
+      image.fill(Qt::white);
+      QPainter painter(&image);
+      QSvgRenderer(in(name)).render(&painter);
+      return image;
+    };
+    view.setEnlargement(10);
+    const QImage band = picture("band.svg");
+    view.setBandShown(false);
+    const QImage drives = picture("drives.svg");
+    view.setEnlargement(1);
+    const QImage path = picture("path.svg");
+    QVERIFY(band != path);
+    QVERIFY(drives != path);
+    const auto count = [](const QImage& image, const QColor& colour) {
+      int found = 0;
+      for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+          const QColor c = image.pixelColor(x, y);
+          found += std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) +
+                               std::abs(c.blue() - colour.blue()) <
+                           60
+                       ? 1
+                       : 0;
+        }
+      }
+      return found;
+    };
+    const ui::Theme theme = ui::light_theme();
+    QVERIFY2(count(drives, theme.error) > count(path, theme.error) + 50, "the drives are red");
   }
 };
 

@@ -148,7 +148,12 @@ class SessionTest : public QObject {
     look(window, "swept");
 
     {
-      const NextDialog answer = file_named(in("out.csv"));  // export
+      std::unique_ptr<NextDialog> name;  // export: what will be written, then where to
+      const NextDialog answer([&](QWidget& dialog) {
+        QVERIFY(dialog.findChild<QLabel*>("exportContents")->text().contains("setpoints"));
+        QTest::mouseClick(dialog.findChild<QAbstractButton*>("exportSave"), Qt::LeftButton);
+        name.reset(new NextDialog(file_named(in("out.csv"))));
+      });
       press(window, Qt::Key_E);
       TOOLPACE_EVENTUALLY(QFile::exists(in("out.csv")));
     }

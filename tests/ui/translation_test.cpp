@@ -1,6 +1,8 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QFileDialog>
+#include <QLibraryInfo>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -8,6 +10,7 @@
 #include <QTranslator>
 #include <algorithm>
 
+#include "main_window.h"
 #include "models/diagnostic_codes.h"
 #include "models/remedy_text.h"
 #include "places.h"
@@ -137,6 +140,17 @@ class TranslationTest : public QObject {
     QCOMPARE(remedy_text("nobody ever said this"), QString("nobody ever said this"));
     QCOMPARE(remedy_text(""), QString());
     QCoreApplication::removeTranslator(&translator);
+  }
+
+  // Qt's own dialogs speak the window's language where Qt's catalogues are installed.
+  void file_dialogs_are_chinese_too() {
+    const QString catalogue = QLibraryInfo::path(QLibraryInfo::TranslationsPath) + "/qtbase_zh_CN.qm";
+    if (!QFile::exists(catalogue)) QSKIP("Qt's translations are not installed (Debian: qt6-translations-l10n)");
+    toolpace::studio::MainWindow window(false);
+    window.setLanguage("zh_CN");
+    QCOMPARE(QFileDialog::tr("File &name:"), QString("文件名称(&N)："));
+    window.setLanguage("en");
+    QCOMPARE(QFileDialog::tr("File &name:"), QString("File &name:"));
   }
 };
 

@@ -11,6 +11,7 @@
 #include "drawing/plan_view.h"
 #include "drawing/profile_series.h"
 #include "models/units.h"
+#include "theme/picture_file.h"
 #include "theme/theme.h"
 #include "toolpace/base/result.h"
 
@@ -64,6 +65,8 @@ class ProfileView : public QWidget, public PlanView {
 
   /// Saves plots and ribbon as they are: .png, .svg or .pdf by extension. Errors: those of save_picture.
   Result<void> exportPicture(const QString& file) const;
+  /// The same to be drawn elsewhere, while this view lives.
+  Drawing drawing() const;
 
  signals:
   void cursorTimeRequested(double time);               ///< [s] somebody clicked

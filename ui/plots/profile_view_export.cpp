@@ -38,10 +38,12 @@ QImage ProfileView::picture(const QSize& size) const {
   return image;
 }
 
-Result<void> ProfileView::exportPicture(const QString& file) const {
+Result<void> ProfileView::exportPicture(const QString& file) const { return save_picture(file, drawing()); }
+
+Drawing ProfileView::drawing() const {
   const QSize size(plot_->width(), plot_->height() + 18);
   const auto vectors = [this](QPainter& painter) { paintAll(painter); };
-  return save_picture(file, {size, [this, size] { return picture(size); }, vectors});
+  return {size, [this, size] { return picture(size); }, vectors};
 }
 
 }  // namespace toolpace::ui

@@ -248,6 +248,10 @@ void ContourCanvas::paintVectors(QPainter& painter, const QSizeF& size) const {
   p.scale *= ratio;
   painter.setClipRect(QRectF({0, 0}, size));
   drawTravel(painter, p);
+  if (tolerance_ > 0 && band_shown_ && !tube_) drawBand(painter, p);
+  const bool in_band = tube_ && band_shown_;
+  const TubeStyle tube_style{theme_, enlargement_, 1.4};
+  const bool has_band = in_band && paint_band(painter, QRectF({0, 0}, size), *tube_, p, tube_style);
   if (ghost_) {
     SceneStyle ghost;
     ghost.plain = ghost.rapid = theme_.plan_b.rgb();
@@ -266,6 +270,8 @@ void ContourCanvas::paintVectors(QPainter& painter, const QSizeF& size) const {
   style.width = 1.2;
   style.detail = 0.4;
   paint_scene(painter, *scene_, p, size, style);
+  if (has_band) paint_inside_band(painter, *tube_, p, tube_style);
+  if (showsTrace()) paint_trace(painter, *scene_->trace, p, enlargement_, theme_.error.rgb(), 1.0);
   drawDirection(painter, p, size, 1.0);
 }
 

@@ -8,6 +8,7 @@
 #include "drawing/plan_view.h"
 #include "models/units.h"
 #include "preview/contour_canvas.h"
+#include "theme/picture_file.h"
 #include "toolpace/base/result.h"
 
 class QButtonGroup;
@@ -54,6 +55,8 @@ class ContourView : public QWidget, public PlanView {
 
   /// Saves the picture with title, axes, scale bar and legend, without cursor and mouse: .png, .svg or .pdf by extension. Errors: those of save_picture.
   Result<void> exportPicture(const QString& file) const;
+  /// The same to be drawn elsewhere, while this view lives.
+  Drawing drawing() const;
 
  signals:
   void cursorTimeRequested(double time);  ///< [s] somebody clicked on the path

@@ -47,7 +47,9 @@ void ContourView::paintAll(QPainter& painter, const QImage& picture) const {
 
 int ContourView::titleHeight() const { return fontMetrics().height() + kTitlePadding; }
 
-Result<void> ContourView::exportPicture(const QString& file) const {
+Result<void> ContourView::exportPicture(const QString& file) const { return save_picture(file, drawing()); }
+
+Drawing ContourView::drawing() const {
   constexpr double kScale = 2;
   const QSize size = canvas_->size(), whole(size.width(), titleHeight() + size.height() + legend_->height());
   const auto pixels = [this, size, whole] {
@@ -57,7 +59,7 @@ Result<void> ContourView::exportPicture(const QString& file) const {
     paintAll(painter, canvas_->render(size, kScale));
     return image;
   };
-  return save_picture(file, {whole, pixels, [this](QPainter& painter) { paintAll(painter, {}); }});
+  return {whole, pixels, [this](QPainter& painter) { paintAll(painter, {}); }};
 }
 
 }  // namespace toolpace::ui

@@ -63,8 +63,11 @@ void paint_scene(QPainter& painter, const ContourScene& scene, const Projection&
   });
 }
 
-std::size_t draw_trace(QImage& image, const ErrorTrace& trace, const Projection& projection, double enlargement,
-                       QRgb colour, double width) {
+namespace {
+
+/// Gives `line` (from, to) the pieces of a trace, joined where they are shorter than a pixel. @return how many
+template <class Line>
+std::size_t follow_trace(const ErrorTrace& trace, const Projection& projection, double enlargement, const Line& line) {
   const std::size_t count = std::min(trace.commanded.size(), trace.offset.size());
   if (count < 2) return 0;
   const Screen screen(projection, Eigen::Vector3d::Zero());
@@ -75,17 +78,33 @@ std::size_t draw_trace(QImage& image, const ErrorTrace& trace, const Projection&
     if (length > 0) across -= across.dot(way) / length * way;
     return screen.map(trace.commanded[i] + static_cast<float>(enlargement) * across);
   };
-  LineRaster lines(image, width, true);
   QPointF from = at(0);
   std::size_t drawn = 0;
   for (std::size_t i = 1; i < count; ++i) {
     const QPointF to = at(i);
     if (i + 1 < count && std::abs(to.x() - from.x()) + std::abs(to.y() - from.y()) < 0.8) continue;
-    lines.draw(from.x(), from.y(), to.x(), to.y(), colour);
+    line(QPointF(from.x(), from.y()), QPointF(to.x(), to.y()));
     from = to;
     ++drawn;
   }
   return drawn;
+}
+
+}  // namespace
+
+std::size_t draw_trace(QImage& image, const ErrorTrace& trace, const Projection& projection, double enlargement,
+                       QRgb colour, double width) {
+  LineRaster lines(image, width, true);
+  return follow_trace(trace, projection, enlargement, [&](const QPointF& from, const QPointF& to) {
+    lines.draw(from.x(), from.y(), to.x(), to.y(), colour);
+  });
+}
+
+std::size_t paint_trace(QPainter& painter, const ErrorTrace& trace, const Projection& projection, double enlargement,
+                        QRgb colour, double width) {
+  painter.setPen(QPen(QColor(colour), width, Qt::SolidLine, Qt::RoundCap));
+  return follow_trace(trace, projection, enlargement,
+                      [&](const QPointF& from, const QPointF& to) { painter.drawLine(from, to); });
 }
 
 DrawingLoad drawing_load(const ContourScene& scene, const Projection& projection, const QSizeF& size) {

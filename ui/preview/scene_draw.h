@@ -40,6 +40,10 @@ void paint_scene(QPainter& painter, const ContourScene& scene, const Projection&
 std::size_t draw_trace(QImage& image, const ErrorTrace& trace, const Projection& projection, double enlargement,
                        QRgb colour, double width);
 
+/// The same as vectors.
+std::size_t paint_trace(QPainter& painter, const ErrorTrace& trace, const Projection& projection, double enlargement,
+                        QRgb colour, double width);
+
 /// What a picture of the scene would take.
 DrawingLoad drawing_load(const ContourScene& scene, const Projection& projection, const QSizeF& size);
 

@@ -77,8 +77,7 @@ std::vector<Band> bands_in(const TubeTrace& trace, const TubeScreen& screen, con
   return bands;
 }
 
-void stroke(QImage& image, const std::vector<Band>& bands, const TubeStyle& style) {
-  QPainter painter(&image);
+void stroke(QPainter& painter, const std::vector<Band>& bands, const TubeStyle& style) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor edge = mixed(style.theme.surface, style.theme.accent, kEdgeShare);
   const QColor fill = mixed(style.theme.surface, style.theme.accent, kBandShare);
@@ -94,15 +93,16 @@ void stroke(QImage& image, const std::vector<Band>& bands, const TubeStyle& styl
   }
 }
 
-void draw_planned(QImage& image, const TubeTrace& trace, const TubeScreen& screen, const TubeStyle& style) {
-  LineRaster lines(image, style.width, true);
+/// Gives `line` (from, to, colour) the pieces of the planned path, joined where they are shorter than a pixel.
+template <class Line>
+void follow_planned(const TubeTrace& trace, const TubeScreen& screen, const TubeStyle& style, const Line& line) {
   QPointF from = screen.at(0).planned;
   double share = 0;  // the largest since the last piece
   for (std::size_t i = 1; i < trace.size(); ++i) {
     const QPointF to = screen.at(i).planned;
     share = std::max(share, trace.share(i));
     if (i + 1 < trace.size() && span(from, to) < kStep) continue;
-    lines.draw(from.x(), from.y(), to.x(), to.y(), (share >= kUsedUp ? style.theme.warning : style.theme.accent).rgb());
+    line(from, to, share >= kUsedUp ? style.theme.warning : style.theme.accent);
     from = to;
     share = 0;
   }
@@ -110,27 +110,61 @@ void draw_planned(QImage& image, const TubeTrace& trace, const TubeScreen& scree
 
 }  // namespace
 
-bool draw_band(QImage& image, const TubeTrace& trace, const Projection& projection, const TubeStyle& style) {
+bool paint_band(QPainter& painter, const QRectF& window, const TubeTrace& trace, const Projection& projection,
+                const TubeStyle& style) {
   if (trace.size() < 2) return false;
   const double widest = *std::max_element(trace.tolerance.begin(), trace.tolerance.end());
   if (style.enlargement * widest * projection.scale < kLeastBand) return false;
   std::size_t pieces = 0;
-  const auto bands = bands_in(trace, TubeScreen(trace, projection, style.enlargement), QRectF(image.rect()), pieces);
+  const auto bands = bands_in(trace, TubeScreen(trace, projection, style.enlargement), window, pieces);
   if (pieces > kMostBandPieces) return false;
-  stroke(image, bands, style);
+  stroke(painter, bands, style);
   return true;
 }
+
+bool draw_band(QImage& image, const TubeTrace& trace, const Projection& projection, const TubeStyle& style) {
+  QPainter painter(&image);
+  return paint_band(painter, QRectF(image.rect()), trace, projection, style);
+}
+
+namespace {
+
+/// A ring at the place that uses most of the tolerance.
+void paint_worst(QPainter& painter, const TubeTrace& trace, const TubeScreen& screen, const TubeStyle& style) {
+  if (trace.largest_share <= 0) return;
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double radius = 4 * style.width;
+  painter.setPen(QPen(trace.largest_share >= kUsedUp ? style.theme.warning : style.theme.accent, style.width));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(screen.at(trace.worst).planned, radius, radius);
+}
+
+}  // namespace
 
 void draw_inside_band(QImage& image, const TubeTrace& trace, const Projection& projection, const TubeStyle& style) {
   if (trace.size() < 2) return;
   const TubeScreen screen(trace, projection, style.enlargement);
-  if (style.enlargement > 1) draw_planned(image, trace, screen, style);
-  if (trace.largest_share <= 0) return;
+  if (style.enlargement > 1) {
+    LineRaster lines(image, style.width, true);
+    follow_planned(trace, screen, style, [&](const QPointF& from, const QPointF& to, const QColor& colour) {
+      lines.draw(from.x(), from.y(), to.x(), to.y(), colour.rgb());
+    });
+  }
   QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const double radius = 4 * style.width;
-  painter.setPen(QPen(trace.largest_share >= kUsedUp ? style.theme.warning : style.theme.accent, style.width));
-  painter.drawEllipse(screen.at(trace.worst).planned, radius, radius);
+  paint_worst(painter, trace, screen, style);
+}
+
+void paint_inside_band(QPainter& painter, const TubeTrace& trace, const Projection& projection,
+                       const TubeStyle& style) {
+  if (trace.size() < 2) return;
+  const TubeScreen screen(trace, projection, style.enlargement);
+  if (style.enlargement > 1) {
+    follow_planned(trace, screen, style, [&](const QPointF& from, const QPointF& to, const QColor& colour) {
+      painter.setPen(QPen(colour, style.width, Qt::SolidLine, Qt::RoundCap));
+      painter.drawLine(from, to);
+    });
+  }
+  paint_worst(painter, trace, screen, style);
 }
 
 QString tube_caption(const TubeTrace& trace, Units unit) {

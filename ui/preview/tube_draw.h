@@ -9,6 +9,8 @@
 #include "models/units.h"
 #include "theme/theme.h"
 
+class QPainter;
+
 namespace toolpace::ui {
 
 struct TubeStyle {
@@ -27,6 +29,12 @@ bool draw_band(QImage& image, const TubeTrace& trace, const Projection& projecti
 /// The planned path, its distance from the programmed one enlarged like the band; where the tolerance is used up, in the
 /// colour of a warning. With a ring at the place that uses most of it. To be drawn over the plan.
 void draw_inside_band(QImage& image, const TubeTrace& trace, const Projection& projection, const TubeStyle& style);
+
+/// The same two as vectors; what lies outside `window` is left out.
+bool paint_band(QPainter& painter, const QRectF& window, const TubeTrace& trace, const Projection& projection,
+                const TubeStyle& style);
+void paint_inside_band(QPainter& painter, const TubeTrace& trace, const Projection& projection,
+                       const TubeStyle& style);
 
 /// "band ±10 µm · at most 9.8 µm used (98 %)"
 QString tube_caption(const TubeTrace& trace, Units unit);

@@ -1,0 +1,51 @@
+#include "print.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QPainter>
+#include <QPrinter>
+#include <QTextDocument>
+#include <algorithm>
+#include <cmath>
+
+namespace toolpace::studio {
+namespace {
+
+void print_text(QPainter& painter, QPrinter& printer, const QString& html) {
+  QTextDocument document;
+  document.documentLayout()->setPaintDevice(&printer);
+  document.setDefaultFont(QFont(document.defaultFont().family(), 9));
+  document.setHtml(html);
+  const QSizeF page = printer.pageRect(QPrinter::DevicePixel).size();
+  document.setPageSize(page);
+  for (int i = 0; i < document.pageCount(); ++i) {
+    if (i > 0) printer.newPage();
+    painter.save();
+    painter.translate(0, -i * page.height());
+    document.drawContents(&painter, QRectF(0, i * page.height(), page.width(), page.height()));
+    painter.restore();
+  }
+}
+
+void print_drawing(QPainter& painter, QPrinter& printer, const ui::Drawing& drawing) {
+  printer.newPage();
+  const QSizeF page = printer.pageRect(QPrinter::DevicePixel).size();
+  const double scale = std::min(page.width() / drawing.size.width(), page.height() / drawing.size.height());
+  painter.save();
+  painter.translate((page.width() - scale * drawing.size.width()) / 2, 0);
+  painter.scale(scale, scale);
+  painter.setClipRect(QRectF({0, 0}, QSizeF(drawing.size)));
+  drawing.vectors(painter);
+  painter.restore();
+}
+
+}  // namespace
+
+bool print_pages(QPrinter& printer, const ReportParts& parts, const std::vector<ui::Drawing>& drawings) {
+  QPainter painter;
+  if (!painter.begin(&printer)) return false;
+  print_text(painter, printer, report_html(parts));
+  for (const ui::Drawing& drawing : drawings) print_drawing(painter, printer, drawing);
+  return painter.end();
+}
+
+}  // namespace toolpace::studio
