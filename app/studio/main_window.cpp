@@ -75,6 +75,8 @@ MainWindow::MainWindow(bool remember)
   actions_->touch->setChecked(preferences_.touch);
   applyAppearance();
   showUnits();
+  reading_->setOptions(preferences_.reading);
+  workspace_.setReadOptions(preferences_.reading);
   if (const auto map = ui::colour_map_named(preferences_.colour_map)) contour_->setColourMap(*map);
   resize(kFirstSize);
   if (!preferences_.geometry.isEmpty()) restoreGeometry(preferences_.geometry);
@@ -98,7 +100,6 @@ void MainWindow::showDocument(bool another) {
   if (another) contour_->setView(ui::View::xy);  // to begin with; its first picture may suit another one better
   nc_->setHintVisible(document->path.isEmpty());
   tuning_->setRotaryAxes(document->turned);
-  transport_->setRotaryAxes(document->turned);
   reading_->setFolder(QFileInfo(document->path).absolutePath());
   showRotaryAxes();
   showWelcome();
@@ -116,6 +117,8 @@ void MainWindow::showRotaryAxes() {
   const auto rotary = ui::rotary_axes(workspace_.tuning().value().machine, turned);
   drives_->setRotaryAxes(rotary);
   spectrum_->setRotaryAxes(rotary);
+  profile_->setRotaryAxes(rotary);
+  transport_->setRotaryAxes(rotary);
 }
 
 void MainWindow::showPlan() {
@@ -239,6 +242,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (remember_) {
     preferences_.geometry = saveGeometry();
     preferences_.layout = saveState();
+    preferences_.reading = reading_->options();
     save_preferences(preferences_);
   }
   QMainWindow::closeEvent(event);

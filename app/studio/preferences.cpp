@@ -2,6 +2,8 @@
 
 #include <QSettings>
 
+#include "toolpace/nc/dialect.h"
+
 namespace toolpace::studio {
 namespace {
 
@@ -9,6 +11,44 @@ constexpr int kLayoutVersion = 2;  // an older layout does not fit the panels
 constexpr qsizetype kRecent = 10;
 
 QSettings settings() { return QSettings(QSettings::IniFormat, QSettings::UserScope, "toolpace", "studio"); }
+
+ReadOptions load_reading(const QSettings& s) {
+  ReadOptions options;
+  const std::string dialect = s.value("reading/dialect").toString().toStdString();
+  if (const auto named = dialect_named(dialect)) options.dialect = *named;
+  const int integers = s.value("reading/integers", 0).toInt();
+  if (integers >= 0 && integers <= static_cast<int>(IntegerWords::increments))
+    options.integers = static_cast<IntegerWords>(integers);
+  options.strict = s.value("reading/strict", false).toBool();
+  options.block_delete = s.value("reading/block_delete", false).toBool();
+  options.tools = s.value("reading/tools").toString().toStdString();
+  options.parameters = s.value("reading/parameters").toString().toStdString();
+  for (const QString& folder : s.value("reading/folders").toStringList()) {
+    options.sub_paths.push_back(folder.toStdString());
+  }
+  bool fine = false;
+  const double arc = s.value("reading/arc_tolerance_mm").toDouble(&fine);
+  if (fine && arc > 0) options.arc_tolerance = arc;
+  return options;
+}
+
+void save_reading(QSettings& s, const ReadOptions& options) {
+  const std::string_view dialect = dialect_name(options.dialect);
+  s.setValue("reading/dialect", QString::fromUtf8(dialect.data(), static_cast<qsizetype>(dialect.size())));
+  s.setValue("reading/integers", static_cast<int>(options.integers));
+  s.setValue("reading/strict", options.strict);
+  s.setValue("reading/block_delete", options.block_delete);
+  s.setValue("reading/tools", QString::fromStdString(options.tools.string()));
+  s.setValue("reading/parameters", QString::fromStdString(options.parameters.string()));
+  QStringList folders;
+  for (const auto& folder : options.sub_paths) folders << QString::fromStdString(folder.string());
+  s.setValue("reading/folders", folders);
+  if (options.arc_tolerance) {
+    s.setValue("reading/arc_tolerance_mm", *options.arc_tolerance);
+  } else {
+    s.remove("reading/arc_tolerance_mm");
+  }
+}
 
 }  // namespace
 
@@ -22,6 +62,7 @@ Preferences load_preferences() {
   p.welcomed = s.value("window/welcomed", false).toBool();
   p.language = s.value("window/language").toString();
   p.colour_map = s.value("window/colour_map", "cividis").toString();
+  p.reading = load_reading(s);
   p.timer_hz = s.value("export/timer_hz", p.timer_hz).toDouble();
   p.axis_derivatives = s.value("export/axis_derivatives", false).toBool();
   p.decimal_comma = s.value("export/decimal_comma", false).toBool();
@@ -46,6 +87,7 @@ void save_preferences(const Preferences& p) {
   s.setValue("window/welcomed", p.welcomed);
   s.setValue("window/language", p.language);
   s.setValue("window/colour_map", p.colour_map);
+  save_reading(s, p.reading);
   s.setValue("export/timer_hz", p.timer_hz);
   s.setValue("export/axis_derivatives", p.axis_derivatives);
   s.setValue("export/decimal_comma", p.decimal_comma);

@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include "models/units.h"
+#include "toolpace/nc/read_options.h"
 
 namespace toolpace::studio {
 
@@ -17,6 +18,7 @@ struct Preferences {
   bool welcomed = false;                                 ///< the example need not say that it is one
   QString language;                                      ///< "en", "zh_CN"; empty = that of the system
   QString colour_map;                                    ///< "cividis", "viridis", "turbo"
+  ReadOptions reading;                                   ///< of programs
   double timer_hz = 1e6;                                 ///< of the step pulses' timer
   bool axis_derivatives = false, decimal_comma = false;  ///< of exported setpoints
   QByteArray geometry, layout;

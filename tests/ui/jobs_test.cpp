@@ -39,7 +39,7 @@ class Hurry {
       case 2: return workspace_.program().replaceLine(2, QString("G1 F%1 X%2").arg(100 + pick(3000)).arg(1 + pick(20)));
       case 3: return workspace_.cancel();
       case 4: return workspace_.reload();
-      case 5: return workspace_.setShownAxes({pick(2) == 0, pick(2) == 0, pick(2) == 0});
+      case 5: return workspace_.setShownAxes({pick(2) == 0, pick(2) == 0, pick(2) == 0, false, pick(2) == 0, false});
       case 6: return pick(2) == 0 ? workspace_.pin() : workspace_.swap();
       default: return edit();
     }

@@ -1,23 +1,30 @@
 /// What is seen at once: units of speed, heights that fit, keys of lines, tolerances of the program, settings that differ.
 
+#include <QCheckBox>
 #include <QLabel>
+#include <QSettings>
 #include <QTableView>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <QToolTip>
+#include <numbers>
 
 #include "models/setting_differences.h"
 #include "opened.h"
 #include "panels/nc_panel.h"
+#include "panels/reading_page.h"
 #include "panels/result_model.h"
 #include "panels/tuning_panel.h"
 #include "plots/profile_plot.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
 #include "support/events.h"
+#include "places.h"
 #include "support/files.h"
 #include "support/ui_test.h"
 #include "theme/line_key.h"
+#include "toolpace/sample/motion.h"
 
 using namespace toolpace;
 using namespace toolpace::ui;
@@ -234,6 +241,75 @@ class SeenTest : public QObject {
     for (const auto& d : setting_differences(plain, other, {})) titles << d.title;
     QCOMPARE(titles, QStringList({"Law", "Ramps", "Corners", "Feed hold", "Interpolation period", "Jerk of X",
                                   "Position gain of Y", "Feed override"}));
+  }
+
+  // The ridge turns B and C; the largest speed of B that the plot shows is the one that the motion has, in degrees.
+  void rotary_axes_have_curves_and_readouts() {
+    Opened window;
+    window.openProgram(QString::fromStdString(toolpace::test::source_dir().string()) + "/examples/nc/ridge-xyzbc.ngc");
+    studio::settle(window);
+    QVERIFY(!window.the<QToolButton>("showAxisA").isVisible());
+    QVERIFY(window.the<QToolButton>("showAxisC").isVisible());
+    auto& plot = window.the<ProfilePlot>("profilePlot");
+    QTest::mouseClick(&window.the<QToolButton>("showAxisB"), Qt::LeftButton);
+    studio::settle(window);
+    QVERIFY2(label_of(plot, 0).endsWith("mm/s, °/s"), qPrintable(label_of(plot, 0)));
+    const auto& outcome = *window.workspace().timeline()->outcome();
+    Motion motion(*outcome.path, outcome.plan);
+    const PhaseBounds bounds = motion.bounds(0, motion.duration(), 4);
+    const double most = std::max(bounds.speed.high, -bounds.speed.low) * 180 / std::numbers::pi;
+    double drawn = 0;
+    for (int i = 0; i < plot.graphCount(); ++i) {
+      if (plot.graph(i)->name() != "v.axis") continue;
+      for (const auto& point : *plot.graph(i)->data()) drawn = std::max(drawn, std::abs(point.value));
+    }
+    QVERIFY(most > 0);
+    QVERIFY2(std::abs(drawn - most) < 0.05 * most, qPrintable(QString("%1 drawn, %2 is").arg(drawn).arg(most)));
+    QVERIFY(top_of(plot, 0) >= drawn);
+    const QString place = window.the<QLabel>("positionReadout").text();
+    QVERIFY2(place.contains(" B ") && place.contains(" C ") && !place.contains(" A "), qPrintable(place));
+    // A program of three axes on the same machine: where the machine says anything of an axis, it is there, too.
+    window.open(kSquare);
+    QVERIFY(!window.the<QToolButton>("showAxisB").isVisible());
+    QVERIFY(!window.the<QToolButton>("showAxisB").isChecked());
+    window.workspace().tuning().edit("", "", [](Tuning& t) { t.machine.axes[4].speed = 1; });
+    studio::settle(window);
+    QVERIFY(window.the<QToolButton>("showAxisB").isVisible());
+    QVERIFY(window.the<QLabel>("positionReadout").text().contains(" B "));
+  }
+
+  void reading_options_and_units_are_kept_between_starts() {
+    QTemporaryDir folder;
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+    {
+      studio::MainWindow window(true);
+      window.show();
+      find<QCheckBox>(window, "readingBlockDelete").setChecked(true);
+      auto& dialect = find<QComboBox>(window, "readingDialect");
+      dialect.setCurrentIndex(2);
+      emit dialect.activated(2);
+      auto& arc = find<NumberField>(window, "readingArcTolerance");
+      arc.setText("0.02");
+      arc.setModified(true);
+      QTest::keyClick(&arc, Qt::Key_Return);
+      QCOMPARE(*find<ReadingPage>(window, "readingPage").options().arc_tolerance, 0.02);
+      window.setPerMinute(true);
+      window.actions().rapids->trigger();
+      window.close();
+    }
+    studio::MainWindow again(true);
+    const auto& options = find<ReadingPage>(again, "readingPage").options();
+    QVERIFY(options.block_delete && find<QCheckBox>(again, "readingBlockDelete").isChecked());
+    QCOMPARE(find<QComboBox>(again, "readingDialect").currentIndex(), 2);
+    QCOMPARE(static_cast<int>(options.dialect), find<QComboBox>(again, "readingDialect").itemData(2).toInt());
+    QCOMPARE(find<NumberField>(again, "readingArcTolerance").text(), QString("0.02"));
+    QCOMPARE(*options.arc_tolerance, 0.02);
+    QCOMPARE(find<QToolButton>(again, "speedUnitButton").text(), QString("mm/min"));
+    QVERIFY(!again.actions().rapids->isChecked());
+    // And programs are read by them.
+    again.workspace().openText("G21 G90 F600\n/G1 X10\nG1 Y5\nM2\n", "block.ngc");
+    studio::settle(again);
+    QCOMPARE(again.workspace().timeline()->outcome()->summary.path_length, 5.0);
   }
 
   void labels_of_the_tuning_and_the_results_say_what_they_mean() {

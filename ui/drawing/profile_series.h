@@ -46,7 +46,7 @@ struct CapExtent : OfTracks<Extent> {
   }
 };
 
-using ShownAxes = std::array<bool, 3>;  // X, Y, Z
+using ShownAxes = std::array<bool, kAxisCount>;  // X … C
 
 struct ProfileSeries {
   std::shared_ptr<const Outcome> outcome;
@@ -55,7 +55,7 @@ struct ProfileSeries {
   MotionExtent whole;
   CauseTimes causes;
 
-  static constexpr std::size_t kAxes = 3;
+  static constexpr std::size_t kAxes = kAxisCount;
   using AxisPyramid = Pyramid<MotionExtent, 8>;  // a block each
   /// What an axis does in each block; made when it is first asked for, from any thread. Empty without node_time.
   const AxisPyramid& axis(std::size_t axis) const;

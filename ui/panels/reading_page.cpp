@@ -140,6 +140,20 @@ void ReadingPage::buildFolders(QGridLayout* grid) {
   });
 }
 
+void ReadingPage::setOptions(const ReadOptions& options) {
+  const QSignalBlocker quiet(this);
+  dialect_->setCurrentIndex(dialect_->findData(static_cast<int>(options.dialect)));
+  integers_->setCurrentIndex(integers_->findData(static_cast<int>(options.integers)));
+  arc_tolerance_->setValue(options.arc_tolerance.value_or(std::numeric_limits<double>::infinity()));
+  tools_.path->setText(QString::fromStdString(options.tools.string()));
+  parameters_.path->setText(QString::fromStdString(options.parameters.string()));
+  folders_->clear();
+  for (const auto& folder : options.sub_paths) folders_->addItem(QString::fromStdString(folder.string()));
+  block_delete_->setChecked(options.block_delete);
+  strict_->setChecked(options.strict);
+  options_ = options;
+}
+
 void ReadingPage::setUnits(Units unit) { arc_tolerance_->setUnits(unit); }
 
 void ReadingPage::takeFolders() {

@@ -23,6 +23,7 @@ class ReadingPage : public QWidget {
   explicit ReadingPage(QWidget* parent = nullptr);
 
   const ReadOptions& options() const { return options_; }
+  void setOptions(const ReadOptions& options);  ///< shows them; emits nothing
   void setUnits(Units unit);
   /// Where dialogs begin to look for files.
   void setFolder(const QString& folder) { folder_ = folder; }

@@ -98,6 +98,19 @@ MotionRow::MotionRow(QCustomPlot* plot, std::size_t track)
   curve_ = graph("curve");
 }
 
+QPen axis_pen(std::size_t axis, const Theme& theme) {
+  // A turns about X, B about Y, C about Z: their colours, and dashes of their own.
+  const std::array colours = {theme.axis_x, theme.axis_y, theme.axis_z};
+  QPen pen(colours[axis % 3], axis < 3 ? 1.2 : 1.6);
+  constexpr std::array kLinear = {Qt::SolidLine, Qt::DashLine, Qt::DotLine};
+  if (axis < 3) {
+    pen.setStyle(kLinear[axis]);
+  } else {
+    pen.setDashPattern(QList<qreal>{6, 2, 1, 2});
+  }
+  return pen;
+}
+
 void MotionRow::dress(const Theme& theme, const QFont& font) {
   dress_rect(rect_, theme, font);
   QColor ghost_feed = theme.secondary;
@@ -108,12 +121,10 @@ void MotionRow::dress(const Theme& theme, const QFont& font) {
   for (auto* cap : {cap_high_, cap_low_}) cap->setPen(cap_pen);
   for (auto* ghost : {ghost_, ghost_low_}) ghost->setPen(QPen(theme.plan_b, 1.3, Qt::DashLine));
   curve_->setPen(QPen(theme.accent, 1.6));
-  const std::array<QPen, kPlottedAxes> pens = {QPen(theme.axis_x, 1.2), QPen(theme.axis_y, 1.2, Qt::DashLine),
-                                               QPen(theme.axis_z, 1.2, Qt::DotLine)};
-  for (std::size_t i = 0; i < kPlottedAxes; ++i) axis_[i]->setPen(pens[i]);
+  for (std::size_t i = 0; i < kPlottedAxes; ++i) axis_[i]->setPen(axis_pen(i, theme));
 }
 
-void MotionRow::scale(Extent extent, bool both_ways, Units units) {
+void MotionRow::scale(Extent extent, bool both_ways, bool turns, Units units) {
   const DisplayUnit unit = display_unit(kMotionTracks[track_].quantity, units);
   if (both_ways) extent.low = std::min(extent.low, -extent.high);
   if (both_ways) extent.high = std::max(extent.high, -extent.low);
@@ -122,7 +133,8 @@ void MotionRow::scale(Extent extent, bool both_ways, Units units) {
   const double power = power_of_thousand(std::max(-low, high)), height = high - low;
   factor_ = unit.factor / power;
   value()->setRange((low - (low < 0 ? kMargin : kFloorMargin) * height) / power, (high + kMargin * height) / power);
-  set_label(*value(), QString("%1\n%2%3").arg(kMotionTracks[track_].symbol, power_text(power), unit.text));
+  const QString degrees = turns ? ", " + display_unit(rotary(kMotionTracks[track_].quantity), units).text : QString();
+  set_label(*value(), QString("%1\n%2%3").arg(kMotionTracks[track_].symbol, power_text(power), unit.text + degrees));
 }
 
 void MotionRow::fill(QCPGraph* graph, const Curve& curve) const { fill_graph(graph, curve, factor_); }

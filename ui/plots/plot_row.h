@@ -8,11 +8,15 @@
 #include "drawing/profile_curves.h"
 #include "drawing/sample_series.h"
 #include "models/units.h"
+#include "toolpace/base/axes.h"
 #include "theme/theme.h"
 
 namespace toolpace::ui {
 
-inline constexpr std::size_t kPlottedAxes = 3;  // X, Y, Z
+inline constexpr std::size_t kPlottedAxes = kAxisCount;  // X … C
+
+/// How the curve of an axis is drawn.
+QPen axis_pen(std::size_t axis, const Theme& theme);
 
 /// One of kMotionTracks along the path, with its caps, plan B behind it and axes on demand.
 class MotionRow {
@@ -26,8 +30,9 @@ class MotionRow {
   double factor() const { return factor_; }  ///< from core units to the numbers of the axis
 
   void dress(const Theme& theme, const QFont& font);
-  /// Makes `extent` fill the height. @param both_ways  axes are shown, which turn round
-  void scale(Extent extent, bool both_ways, Units unit);
+  /// Makes `extent` fill the height. @param both_ways  axes are shown, which turn round @param turns  rotary ones, too: their
+  /// numbers are degrees on the same scale
+  void scale(Extent extent, bool both_ways, bool turns, Units unit);
   void showOwn(const MotionCurves& curves, bool dense);
   void showOther(const MotionEnvelope& sides);
   void showCaps(const CapCurves& caps);

@@ -1,5 +1,6 @@
 #include "plots/profile_plot.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plots/time_strip.h"
@@ -131,6 +132,12 @@ void ProfilePlot::setHeightsHeld(bool held) {
   refill();
 }
 
+/// Rotary axes are read in degrees on the scale of the path: by what their values are multiplied to be drawn there.
+double ProfilePlot::shareOf(std::size_t axis, std::size_t track) const {
+  const Quantity quantity = kMotionTracks[track].quantity;
+  return is_rotary(axis) ? display_unit(rotary(quantity), unit_).factor / display_unit(quantity, unit_).factor : 1.0;
+}
+
 /// The zero line is always in it.
 Extent ProfilePlot::wholeHeight(std::size_t track) const {
   Extent extent;
@@ -139,7 +146,11 @@ Extent ProfilePlot::wholeHeight(std::size_t track) const {
     if (s && !s->is_empty()) extent.add(s->whole[track]);
   }
   for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
-    if (isAxisDrawn(axis)) extent.add(axis_whole(*series_, axis)[track]);
+    if (!isAxisDrawn(axis)) continue;
+    const Extent whole = axis_whole(*series_, axis)[track];
+    if (whole.is_empty()) continue;
+    const auto share = static_cast<float>(shareOf(axis, track));
+    extent.add({whole.low * share, whole.high * share});
   }
   return extent;
 }
@@ -162,8 +173,9 @@ void ProfilePlot::fitHeights(const Curves& curves) {
 
 void ProfilePlot::showScales() {
   // An axis turns round, and on curves it may do more than the path does.
-  const bool any_axis = shown_[0] || shown_[1] || shown_[2];
-  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].scale(heights_[i], any_axis, unit_);
+  const bool any_axis = std::any_of(shown_.begin(), shown_.end(), [](bool shown) { return shown; });
+  const bool turns = shown_[3] || shown_[4] || shown_[5];
+  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].scale(heights_[i], any_axis, turns, unit_);
   error_->scale(error_height_, unit_);
   // The numbers at the axes were chosen before this picture's curves were there.
   for (QCPAxisRect* rect : axisRects()) rect->update(QCPLayoutElement::upPreparation);
@@ -206,7 +218,11 @@ void ProfilePlot::gather() {
   if (series_) curves.own = motion_curves(*series_, window);
   if (ghost_) curves.other = motion_envelope(*ghost_, window);
   for (std::size_t axis = 0; axis < shown_.size(); ++axis) {
-    if (isAxisDrawn(axis)) curves.axes[axis] = axis_curves(*series_, window, axis);
+    if (!isAxisDrawn(axis)) continue;
+    curves.axes[axis] = axis_curves(*series_, window, axis);
+    for (std::size_t track = 0; is_rotary(axis) && track < kMotionTrackCount; ++track) {
+      for (double& value : curves.axes[axis][track].value) value *= shareOf(axis, track);
+    }
   }
   curves.error = error_->curve(window);
   fitHeights(curves);

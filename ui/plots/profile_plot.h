@@ -28,7 +28,7 @@ class ProfilePlot : public QCustomPlot {
   /// Heights that are held stay when another time is looked at, and whatever becomes of the plan; else they fit what is visible.
   void setHeightsHeld(bool held);
   bool areHeightsHeld() const { return held_; }
-  void setAxisShown(std::size_t axis, bool shown);  ///< X, Y, Z
+  void setAxisShown(std::size_t axis, bool shown);  ///< X … C
   void showReadyAxes();                             ///< curves of axes that were being made are there
   void setErrorShown(bool shown);                   ///< the contour error as a fourth plot
   /// What it shows; null = not known yet.
@@ -74,6 +74,7 @@ class ProfilePlot : public QCustomPlot {
   void refill();  // the curves are gathered before the next picture
   void gather();
   void updateMarks();
+  double shareOf(std::size_t axis, std::size_t track) const;
   bool isWhole() const;  // all of the time is visible
   bool isAxisDrawn(std::size_t axis) const;
   double timeAt(double x) const;

@@ -91,13 +91,16 @@ void ProfileView::buildHeader() {
     row->addWidget(b);
     return b;
   };
-  constexpr std::array names = {"showAxisX", "showAxisY", "showAxisZ"};
+  constexpr std::array names = {"showAxisX", "showAxisY", "showAxisZ", "showAxisA", "showAxisB", "showAxisC"};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     axes_[i] = button(names[i], true);
-    axes_[i]->setText(QString(QChar('X' + static_cast<int>(i))));
+    axes_[i]->setText(QString(QLatin1Char(kAxisNames[i])));
+    axes_[i]->setVisible(!is_rotary(i));
     connect(axes_[i], &QToolButton::toggled, this, [this, i](bool on) {
       plot_->setAxisShown(i, on);
-      emit axesShown({axes_[0]->isChecked(), axes_[1]->isChecked(), axes_[2]->isChecked()});
+      ShownAxes shown;
+      for (std::size_t k = 0; k < axes_.size(); ++k) shown[k] = axes_[k]->isChecked();
+      emit axesShown(shown);
     });
   }
   measure_ = button("measure", true);
@@ -190,9 +193,9 @@ void ProfileView::setTheme(const Theme& theme) {
   theme_ = theme;
   fillKey();
   plot_->setTheme(theme);
-  const std::array colours = {theme.axis_x, theme.axis_y, theme.axis_z};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    axes_[i]->setStyleSheet(QString("QToolButton { color: %1; font-weight: bold; }").arg(colours[i].name()));
+    const QString colour = axis_pen(i, theme).color().name();
+    axes_[i]->setStyleSheet(QString("QToolButton { color: %1; font-weight: bold; }").arg(colour));
   }
   ribbon_->setTheme(theme);
   overview_->setTheme(theme);
@@ -234,6 +237,16 @@ std::optional<double> ProfileView::timeAt(const QPoint& at) const {
   if (inside.x() < left || inside.x() > right || right <= left) return {};
   const auto [begin, end] = visibleRange();
   return std::clamp(begin + (inside.x() - left) / (right - left) * (end - begin), 0.0, series_->duration());
+}
+
+void ProfileView::setRotaryAxes(const std::array<bool, 3>& there) {
+  if (there == rotary_) return;
+  rotary_ = there;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    axes_[3 + i]->setVisible(there[i]);
+    if (!there[i]) axes_[3 + i]->setChecked(false);
+  }
+  updateReadout();
 }
 
 void ProfileView::showReadyAxes() { plot_->showReadyAxes(); }

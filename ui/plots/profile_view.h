@@ -49,6 +49,7 @@ class ProfileView : public QWidget, public PlanView {
   void setUnits(Units unit) override;
   void setCursorTime(std::optional<double> time);  ///< [s]
   void setVisibleRange(double begin, double end);  ///< [s]
+  void setRotaryAxes(const std::array<bool, 3>& there);  ///< which of A, B, C can be shown
   void setMeasuring(bool on);
   void setAxisShown(std::size_t axis, bool shown);  ///< 0 = X …
   void showReadyAxes();                             ///< axes that were being made are there
@@ -98,13 +99,14 @@ class ProfileView : public QWidget, public PlanView {
   LineKey* key_;
   QToolButton* show_error_;
   QToolButton* show_table_;
-  std::array<QToolButton*, 3> axes_ = {};
+  std::array<QToolButton*, kAxisCount> axes_ = {};
   QStackedWidget* pages_;
   ProfilePlot* plot_;
   QTableView* table_;
   ValueTable* values_;
   LimitRibbon* ribbon_;
   OverviewStrip* overview_;
+  std::array<bool, 3> rotary_ = {};
   std::shared_ptr<const ProfileSeries> series_;
   std::optional<double> cursor_;
   Theme theme_ = light_theme();
