@@ -87,7 +87,8 @@ ExportDialog::ExportDialog(std::shared_ptr<const Outcome> outcome, const ui::Exp
   derivatives_->setObjectName("exportDerivatives");
   derivatives_->setText(tr("with v, a, j of each axis"));
   derivatives_->setChecked(options.axis_derivatives);
-  ui::name_control(derivatives_, derivatives_->text(), tr("Differences of the positions, as a check of them would take"));
+  ui::name_control(derivatives_, derivatives_->text(),
+                   tr("Differences of the positions, as a check of them would take"));
   comma_->setObjectName("exportComma");
   comma_->setText(tr("decimal comma"));
   comma_->setChecked(options.decimal_comma);
@@ -132,12 +133,13 @@ void ExportDialog::showContents() {
   Sampler sampler = sampler_of(*outcome_);
   Setpoints first;
   (void)sampler.next(first, 1);
-  QString text = tr("%1 setpoints, one each %2 ms, over %3.")
-                     .arg(ui::number_text(static_cast<double>(rows), 12),
-                          ui::number_text(outcome_->job->machine.period * 1e3, 6),
-                          ui::duration_text(outcome_->plan.cycle_time()));
+  QString text =
+      tr("%1 setpoints, one each %2 ms, over %3.")
+          .arg(ui::number_text(static_cast<double>(rows), 12), ui::number_text(outcome_->job->machine.period * 1e3, 6),
+               ui::duration_text(outcome_->plan.cycle_time()));
   const auto size = about_size(*outcome_, suffix(), options());
-  text += "\n" + (size ? tr("The file takes about %1.").arg(size_text(*size)) : tr("How large the file gets is not known."));
+  text += "\n" +
+          (size ? tr("The file takes about %1.").arg(size_text(*size)) : tr("How large the file gets is not known."));
   contents_->setText(text);
 }
 

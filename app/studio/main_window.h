@@ -234,8 +234,8 @@ class MainWindow : public QMainWindow {
   QMenuBar* menu_bar_ = nullptr;  // in the tool bar: one row of chrome instead of two
   QMenu *file_menu_, *edit_menu_, *plan_menu_, *view_menu_, *help_menu_, *recent_menu_, *machine_menu_, *export_menu_,
       *setpoint_menu_, *panels_menu_, *preset_menu_, *language_menu_;
-  QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *unit_button_ = nullptr, *speed_unit_button_ = nullptr,
-              *export_button_ = nullptr;
+  QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *unit_button_ = nullptr,
+              *speed_unit_button_ = nullptr, *export_button_ = nullptr;
   std::optional<double> program_share_;  // of the window's width, as a person has it
   QSize at_press_;                       // of program and plots, when a mouse button went down
   double plot_share_ = 0.5;              // of the height between the bars

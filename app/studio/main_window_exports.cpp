@@ -180,12 +180,12 @@ ReportParts MainWindow::reportParts(bool with_pictures) {
     return bytes;
   };
   return {workspace_.plan(),
-                    workspace_.pinned(),
-                    workspace_.document()->name,
-                    tr("Machine: %1").arg(machine_button_->text()),
-                    with_pictures ? png(contour_->grab()) : QByteArray(),
-                    with_pictures ? png(profile_->grab()) : QByteArray(),
-                    preferences_.units};
+          workspace_.pinned(),
+          workspace_.document()->name,
+          tr("Machine: %1").arg(machine_button_->text()),
+          with_pictures ? png(contour_->grab()) : QByteArray(),
+          with_pictures ? png(profile_->grab()) : QByteArray(),
+          preferences_.units};
 }
 
 bool MainWindow::saveReport(const QString& path) {

@@ -95,7 +95,8 @@ void MainWindow::buildPanels() {
   statusBar()->setSizeGripEnabled(false);
   statusBar()->setContentsMargins(0, 0, 0, 0);
   statusBar()->addWidget(transport_, 1);
-  plan_views_ = {nc_, contour_, profile_, tuning_, results_, what_if_, loss_, sweep_, circle_, drives_, spectrum_, transport_};
+  plan_views_ = {nc_,   contour_, profile_, tuning_, results_,  what_if_,
+                 loss_, sweep_,   circle_,  drives_, spectrum_, transport_};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, QWidget* content, Qt::DockWidgetArea area, bool titled) {

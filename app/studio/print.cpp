@@ -1,25 +1,26 @@
 #include "print.h"
 
-#include <QAbstractTextDocumentLayout>
+#include <QGuiApplication>
 #include <QPainter>
 #include <QPrinter>
+#include <QScreen>
 #include <QTextDocument>
 #include <algorithm>
-#include <cmath>
 
 namespace toolpace::studio {
 namespace {
 
+/// Laid out as on a screen, pixels and points alike, and drawn as large as the printer's dots want it.
 void print_text(QPainter& painter, QPrinter& printer, const QString& html) {
+  const double scale = printer.logicalDpiY() / QGuiApplication::primaryScreen()->logicalDotsPerInchY();
+  const QSizeF page = printer.pageRect(QPrinter::DevicePixel).size() / scale;
   QTextDocument document;
-  document.documentLayout()->setPaintDevice(&printer);
-  document.setDefaultFont(QFont(document.defaultFont().family(), 9));
   document.setHtml(html);
-  const QSizeF page = printer.pageRect(QPrinter::DevicePixel).size();
   document.setPageSize(page);
   for (int i = 0; i < document.pageCount(); ++i) {
     if (i > 0) printer.newPage();
     painter.save();
+    painter.scale(scale, scale);
     painter.translate(0, -i * page.height());
     document.drawContents(&painter, QRectF(0, i * page.height(), page.width(), page.height()));
     painter.restore();

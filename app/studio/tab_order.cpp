@@ -56,7 +56,8 @@ std::vector<QWidget*> reading_order(const QMainWindow& window) {
   for (QWidget* widget : window.findChildren<QWidget*>()) {
     if (!takes_tab(*widget, window)) continue;
     stops.push_back({widget, panel_of(widget, window), place_of(*widget, window)});
-    if (std::find(panels.begin(), panels.end(), stops.back().panel) == panels.end()) panels.push_back(stops.back().panel);
+    if (std::find(panels.begin(), panels.end(), stops.back().panel) == panels.end())
+      panels.push_back(stops.back().panel);
   }
   // Panels are tall: they stand in one row where they begin at about the same height.
   std::sort(panels.begin(), panels.end(), [&](const QWidget* a, const QWidget* b) {
@@ -68,7 +69,8 @@ std::vector<QWidget*> reading_order(const QMainWindow& window) {
   std::vector<QWidget*> order;
   for (const QWidget* panel : panels) {
     std::vector<Stop> inside;
-    std::copy_if(stops.begin(), stops.end(), std::back_inserter(inside), [&](const Stop& s) { return s.panel == panel; });
+    std::copy_if(stops.begin(), stops.end(), std::back_inserter(inside),
+                 [&](const Stop& s) { return s.panel == panel; });
     sort_by_rows(inside, [](const Stop& s) { return s.place; });
     for (const Stop& stop : inside) order.push_back(stop.widget);
   }

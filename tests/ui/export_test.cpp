@@ -258,7 +258,8 @@ class ExportTest : public QObject {
       const double real = static_cast<double>(QFileInfo(in(QString("size") + suffix)).size());
       const auto about = about_size(*outcome, suffix, {});
       QVERIFY(about);
-      QVERIFY2(std::abs(*about - real) < 0.1 * real, qPrintable(QString("%1: %2 of %3").arg(suffix).arg(*about).arg(real)));
+      QVERIFY2(std::abs(*about - real) < 0.1 * real,
+               qPrintable(QString("%1: %2 of %3").arg(suffix).arg(*about).arg(real)));
     }
     // Of a long job only a part is written to know it.
     window.workspace().openText("G21 G90 G94\nG1 F60 X30 Y5\nX0 Y0\nM2\n", "slow.ngc");
@@ -267,7 +268,8 @@ class ExportTest : public QObject {
     settle(window);
     const double real = static_cast<double>(QFileInfo(in("slow.csv")).size());
     const auto about = about_size(*window.workspace().timeline()->outcome(), ".csv", {});
-    QVERIFY2(about && std::abs(*about - real) < 0.15 * real, qPrintable(QString("%1 of %2").arg(about.value_or(0)).arg(real)));
+    QVERIFY2(about && std::abs(*about - real) < 0.15 * real,
+             qPrintable(QString("%1 of %2").arg(about.value_or(0)).arg(real)));
   }
 
   void the_dialog_of_options_says_what_will_be_written() {
@@ -303,7 +305,7 @@ class ExportTest : public QObject {
       window.show();
       window.openExample();
       settle_with_proof(window);
-      QPrinter printer(QPrinter::ScreenResolution);
+      QPrinter printer(QPrinter::HighResolution);
       printer.setOutputFormat(QPrinter::PdfFormat);
       printer.setOutputFileName(in("print.pdf"));
       QVERIFY(window.printTo(printer));

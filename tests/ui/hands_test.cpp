@@ -50,9 +50,10 @@ class HandsTest : public QObject {
       names << QApplication::focusWidget()->objectName();
       QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     }
-    QCOMPARE(names, QStringList({"lawBox", "amEdit", "dmEdit", "jmEdit", "jdEdit", "vmaxEdit", "periodEdit",
-                                 "lookaheadSlider", "lookaheadEdit", "lookaheadAll", "rampsBox", "cornerBox", "holdEdit",
-                                 "feedOverrideEdit", "rapidOverrideEdit", "axisXSpeed", "axisXAcceleration"}));
+    QCOMPARE(names,
+             QStringList({"lawBox", "amEdit", "dmEdit", "jmEdit", "jdEdit", "vmaxEdit", "periodEdit", "lookaheadSlider",
+                          "lookaheadEdit", "lookaheadAll", "rampsBox", "cornerBox", "holdEdit", "feedOverrideEdit",
+                          "rapidOverrideEdit", "axisXSpeed", "axisXAcceleration"}));
   }
 
   // All that takes the focus is come by once, and Shift+Tab goes the same way back.
@@ -72,7 +73,8 @@ class HandsTest : public QObject {
       return std::find_if(forth.begin(), forth.end(), [name](const QWidget* w) { return w->objectName() == name; }) -
              forth.begin();
     };
-    const std::array panels = {"ncView", "colourBy", "contourCanvas", "lawBox", "showAxisX", "resultTable", "playButton"};
+    const std::array panels = {"ncView",    "colourBy",    "contourCanvas", "lawBox",
+                               "showAxisX", "resultTable", "playButton"};
     for (std::size_t i = 0; i + 1 < panels.size(); ++i) {
       QVERIFY2(place(panels[i]) < place(panels[i + 1]), panels[i]);
     }
@@ -87,7 +89,9 @@ class HandsTest : public QObject {
     window.openButterfly();
     const auto before = [&](const char* a, const char* b) {
       const auto order = studio::reading_order(window);
-      const auto at = [&](const char* name) { return std::find(order.begin(), order.end(), &window.the<QWidget>(name)); };
+      const auto at = [&](const char* name) {
+        return std::find(order.begin(), order.end(), &window.the<QWidget>(name));
+      };
       return at(a) < at(b);
     };
     QVERIFY(before("ncView", "lawBox"));

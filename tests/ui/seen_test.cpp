@@ -16,11 +16,11 @@
 #include "panels/reading_page.h"
 #include "panels/result_model.h"
 #include "panels/tuning_panel.h"
+#include "places.h"
 #include "plots/profile_plot.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
 #include "support/events.h"
-#include "places.h"
 #include "support/files.h"
 #include "support/ui_test.h"
 #include "theme/line_key.h"
@@ -203,9 +203,7 @@ class SeenTest : public QObject {
     Opened window;
     window.openButterfly();
     auto& table = window.the<QTableView>("resultTable");
-    const auto last = [&table] {
-      return table.model()->index(table.model()->rowCount() - 1, 0).data().toString();
-    };
+    const auto last = [&table] { return table.model()->index(table.model()->rowCount() - 1, 0).data().toString(); };
     window.actions().pin->trigger();
     studio::settle(window);
     QCOMPARE(last(), QString("Blocks"));

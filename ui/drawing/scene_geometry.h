@@ -16,7 +16,7 @@ struct SceneGeometry {
   std::shared_ptr<const Path> path;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [mm], vertices are relative to it
   Box box;                                           ///< [mm], of all vertices
-  Box feed_box;                                      ///< [mm], of those at which a feed begins or ends; empty without feeds
+  Box feed_box;  ///< [mm], of those at which a feed begins or ends; empty without feeds
   SceneLine line;
   LodPyramid lod;
 

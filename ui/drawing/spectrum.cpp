@@ -58,8 +58,12 @@ double acceleration_of(Motion& motion, const std::optional<std::size_t>& axis) {
 }
 
 Error too_few() {
-  return {ErrorKind::input, "too-few-setpoints", "the time is too short for a spectrum",
-          "look at more of the program, or choose a shorter interpolation period", {}, {}};
+  return {ErrorKind::input,
+          "too-few-setpoints",
+          "the time is too short for a spectrum",
+          "look at more of the program, or choose a shorter interpolation period",
+          {},
+          {}};
 }
 
 }  // namespace

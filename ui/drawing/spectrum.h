@@ -22,9 +22,9 @@ struct Spectrum {
 
 /// Time at speeds of [i·bin, (i + 1)·bin), by what holds the speed down; while it rests for a dwell it does not run.
 struct SpeedHistogram {
-  double bin = 0;                                       ///< [mm/s]
-  std::vector<std::array<double, kCauseCount>> time;    ///< [s]
-  double total() const;                                 ///< [s]
+  double bin = 0;                                     ///< [mm/s]
+  std::vector<std::array<double, kCauseCount>> time;  ///< [s]
+  double total() const;                               ///< [s]
 };
 
 struct AnalysisRequest {

@@ -99,8 +99,8 @@ Diagnostics problems_of(const VerifyReport& report) {
     const std::string key = key_of(check.kind);
     const QString axis = check.axis ? QString(QLatin1Char(kAxisNames[*check.axis])) + " " : QString();
     const Quantity quantity = quantity_of(check);
-    const QString text = axis + QString::fromStdString(key) + ": " + value_text(check.value, quantity, {}) +
-                         " > " + value_text(check.limit, quantity, {});
+    const QString text = axis + QString::fromStdString(key) + ": " + value_text(check.value, quantity, {}) + " > " +
+                         value_text(check.limit, quantity, {});
     problems.push_back({Severity::error, "violation-" + key, text.toStdString(), {}, {{}, check.line, 0}, {}});
   }
   return problems;

@@ -44,8 +44,9 @@ QVariant LossModel::data(const QModelIndex& index, int role) const {
   switch (index.column()) {
     case kLine: return QString::number(line);
     case kAsked:
-    case kMean: return QString::number(value * display_unit(Quantity::speed, unit_).factor, 'f',
-                                       decimals_of(Quantity::speed, 2, unit_));
+    case kMean:
+      return QString::number(value * display_unit(Quantity::speed, unit_).factor, 'f',
+                             decimals_of(Quantity::speed, 2, unit_));
     default: return QString::number(value, 'f', 3);
   }
 }

@@ -18,11 +18,14 @@ struct UnitName {
   std::string_view text;
   Quantity quantity;
 };
-constexpr std::array kUnitNames = {
-    UnitName{"mm", Quantity::length},        UnitName{"mm/s", Quantity::speed},
-    UnitName{"mm/s²", Quantity::acceleration}, UnitName{"mm/s³", Quantity::jerk},
-    UnitName{"deg", Quantity::angle},        UnitName{"deg/s", Quantity::angular_speed},
-    UnitName{"deg/s²", Quantity::angular_acceleration}, UnitName{"deg/s³", Quantity::angular_jerk}};
+constexpr std::array kUnitNames = {UnitName{"mm", Quantity::length},
+                                   UnitName{"mm/s", Quantity::speed},
+                                   UnitName{"mm/s²", Quantity::acceleration},
+                                   UnitName{"mm/s³", Quantity::jerk},
+                                   UnitName{"deg", Quantity::angle},
+                                   UnitName{"deg/s", Quantity::angular_speed},
+                                   UnitName{"deg/s²", Quantity::angular_acceleration},
+                                   UnitName{"deg/s³", Quantity::angular_jerk}};
 
 /// In the unit that the window shows, where the key is of a length or an angle; else in the key's own.
 QString value_of(double core_value, const NumberKey& key, Units units) {

@@ -23,7 +23,7 @@ QString grouped(QString digits) {
 }  // namespace
 
 DisplayUnit display_unit(Quantity quantity, Units unit) {
-    const double factor = unit.inch ? 1 / kMmPerInch : 1.0;
+  const double factor = unit.inch ? 1 / kMmPerInch : 1.0;
   const QString name = unit.inch ? "in" : "mm";
   const double a_time = unit.per_minute ? kSecondsPerMinute : 1.0;
   const QString time = unit.per_minute ? "/min" : "/s";
@@ -41,9 +41,7 @@ DisplayUnit display_unit(Quantity quantity, Units unit) {
   return {1.0, "s"};
 }
 
-DisplayUnit error_unit(Units unit) {
-  return unit.inch ? DisplayUnit{1e3 / kMmPerInch, "mil"} : DisplayUnit{1e3, "µm"};
-}
+DisplayUnit error_unit(Units unit) { return unit.inch ? DisplayUnit{1e3 / kMmPerInch, "mil"} : DisplayUnit{1e3, "µm"}; }
 
 int decimals_of(Quantity quantity, int metric, Units units) {
   const bool turns = rotary(quantity) == quantity;  // and time, which has no other unit

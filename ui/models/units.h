@@ -19,8 +19,9 @@ enum class Quantity {
 
 /// What a person reads lengths and speeds in. One choice holds everywhere; files and programs have their own.
 struct Units {
-  bool inch = false;        ///< lengths, and what is made of them, in inches; in mm else
-  bool per_minute = false;  ///< speeds in units a minute, as programs have them; a second else. Not acceleration and jerk.
+  bool inch = false;  ///< lengths, and what is made of them, in inches; in mm else
+  bool per_minute =
+      false;  ///< speeds in units a minute, as programs have them; a second else. Not acceleration and jerk.
 };
 
 /// How a quantity is displayed: shown = core · factor, followed by `text`.

@@ -35,8 +35,7 @@ void ResultModel::retranslate() {
   addPeaks();
   addProven();
   addSizes();
-  if (a_ && b_)
-    differences_ = setting_differences(*a_.timeline->outcome()->job, *b_.timeline->outcome()->job, unit_);
+  if (a_ && b_) differences_ = setting_differences(*a_.timeline->outcome()->job, *b_.timeline->outcome()->job, unit_);
   endResetModel();
 }
 
@@ -51,13 +50,14 @@ void ResultModel::addTimes() {
       tr("Cycle time"), tr("From the first move to the last, dwells and tool changes included: T = Σ Δt"),
       [](P p) { return summary(p).cycle_time; }, false);
   time(
-      tr("· cutting"), tr("Time in moves with a feed: G1, G2, G3, splines; Σ Δt of these"), [](P p) { return summary(p).feed_time; },
-      false);
+      tr("· cutting"), tr("Time in moves with a feed: G1, G2, G3, splines; Σ Δt of these"),
+      [](P p) { return summary(p).feed_time; }, false);
   time(
       tr("· rapid"), tr("Time in rapid moves: G0"), [](P p) { return summary(p).rapid_time; }, true);
   time(
       tr("· dwell"), tr("Time at rest: G4, tool changes"), [](P p) { return summary(p).dwell_time; }, true);
-  time(tr("Lower bound"), tr("No plan that keeps these limits and this tolerance is faster than this: T ≥ bound"), bound, true);
+  time(tr("Lower bound"), tr("No plan that keeps these limits and this tolerance is faster than this: T ≥ bound"),
+       bound, true);
   rows_.push_back({tr("· plan above it"), tr("Cycle time / lower bound − 1: what a better plan could save at most"),
                    Quantity::time, true, share,
                    [bound](P p) { return bound(p) == 0 ? 0.0 : summary(p).cycle_time / bound(p) - 1; }, true});
@@ -87,13 +87,15 @@ void ResultModel::addProven() {
   using P = const Planned&;
   using enum Shown;
   const auto proven = [](auto read) { return [read](P p) { return p.proof ? read(*p.proof) : std::nan(""); }; };
-  rows_.push_back({tr("Violations"), tr("Limits that the setpoints break, found by an independent check of them: |Δx/Δt| > v and so on"),
+  rows_.push_back({tr("Violations"),
+                   tr("Limits that the setpoints break, found by an independent check of them: |Δx/Δt| > v and so on"),
                    Quantity::length, true, count, proven(violations)});
   const auto error_row = [this](const QString& title, const QString& tip, auto read, bool may_be_hidden = false) {
     rows_.push_back({title, tip, Quantity::length, true, error, read, may_be_hidden});
   };
   error_row(tr("Contour error"),
-            tr("Cutting: largest distance of the simulated drives from the commanded path, max |actual − path|; being late is left out"),
+            tr("Cutting: largest distance of the simulated drives from the commanded path, max |actual − path|; being "
+               "late is left out"),
             proven([](const Proof& p) { return p.contour.cutting; }));
   error_row(tr("· in rapids"), tr("The same while the tool does not cut"),
             proven([](const Proof& p) { return p.contour.rapid; }), true);
@@ -101,7 +103,8 @@ void ResultModel::addProven() {
             tr("How far the straight lines between setpoints cut off the planned motion, about (v·Ts)²/8r on an arc"),
             proven([](const Proof& p) { return p.chord_error; }));
   error_row(
-      tr("Off the path"), tr("Largest distance of the setpoints from the programmed path, as the check measures it: max |setpoint − path|"),
+      tr("Off the path"),
+      tr("Largest distance of the setpoints from the programmed path, as the check measures it: max |setpoint − path|"),
       [](P p) {
         if (!leaves_programmed_path(*p.timeline->outcome())) return 0.0;
         return p.proof ? deviation(*p.proof) : std::nan("");
@@ -111,11 +114,11 @@ void ResultModel::addProven() {
 
 void ResultModel::addSizes() {
   using P = const Planned&;
-  rows_.push_back({tr("Mean speed"), tr("Path length / cycle time: s / T"), Quantity::speed, false, Shown::quantity, [](P p) {
-                     return summary(p).cycle_time > 0 ? summary(p).path_length / summary(p).cycle_time : 0.0;
-                   }});
-  rows_.push_back({tr("Path length"), tr("As it is run, rapids included: s = ∫ v dt"), Quantity::length, false, Shown::quantity,
-                   [](P p) { return summary(p).path_length; }});
+  rows_.push_back(
+      {tr("Mean speed"), tr("Path length / cycle time: s / T"), Quantity::speed, false, Shown::quantity,
+       [](P p) { return summary(p).cycle_time > 0 ? summary(p).path_length / summary(p).cycle_time : 0.0; }});
+  rows_.push_back({tr("Path length"), tr("As it is run, rapids included: s = ∫ v dt"), Quantity::length, false,
+                   Shown::quantity, [](P p) { return summary(p).path_length; }});
   rows_.push_back({tr("Blocks"), tr("Motion blocks of the program"), Quantity::length, false, Shown::count,
                    [](P p) { return static_cast<double>(summary(p).blocks); }});
 }
@@ -164,8 +167,7 @@ void ResultModel::setProofState(ProofService::State state) {
 void ResultModel::setUnit(Units unit) {
   beginResetModel();
   unit_ = unit;
-  if (a_ && b_)
-    differences_ = setting_differences(*a_.timeline->outcome()->job, *b_.timeline->outcome()->job, unit_);
+  if (a_ && b_) differences_ = setting_differences(*a_.timeline->outcome()->job, *b_.timeline->outcome()->job, unit_);
   endResetModel();
 }
 

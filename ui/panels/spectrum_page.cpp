@@ -129,7 +129,8 @@ void SpectrumPage::setRotaryAxes(const std::array<bool, 3>& shown) {
   axis_->clear();
   axis_->addItem(tr("along the path"), -1);
   for (std::size_t i = 0; i < kAxisCount; ++i) {
-    if (!is_rotary(i) || shown[i - 3]) axis_->addItem(tr("axis %1").arg(QLatin1Char(kAxisNames[i])), static_cast<int>(i));
+    if (!is_rotary(i) || shown[i - 3])
+      axis_->addItem(tr("axis %1").arg(QLatin1Char(kAxisNames[i])), static_cast<int>(i));
   }
   axis_->setCurrentIndex(before.isValid() ? std::max(axis_->findData(before), 0) : 1);
 }

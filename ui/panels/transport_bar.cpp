@@ -115,10 +115,12 @@ void TransportBar::refresh() {
     place += QString("   %1 %2°").arg(QLatin1Char(kAxisNames[3 + i])).arg(steady(kPlace, degrees, decimals));
   }
   place_->setText(place);
-  motion_->setText(QString("v %1 %2   a %3 %4")
-                       .arg(steady(kSpeed, instant_->state.speed * speed.factor, decimals_of(Quantity::speed, 2, unit_)), speed.text,
-                            steady(kAcceleration, instant_->state.acceleration * acceleration.factor, decimals_of(Quantity::acceleration, 0, unit_)),
-                            acceleration.text));
+  motion_->setText(
+      QString("v %1 %2   a %3 %4")
+          .arg(steady(kSpeed, instant_->state.speed * speed.factor, decimals_of(Quantity::speed, 2, unit_)), speed.text,
+               steady(kAcceleration, instant_->state.acceleration * acceleration.factor,
+                      decimals_of(Quantity::acceleration, 0, unit_)),
+               acceleration.text));
   instant_->cause ? showCause(*instant_->cause) : forgetCause();
 }
 

@@ -74,7 +74,7 @@ class TuningPanel : public QScrollArea, public PlanView {
   std::array<bool, 3> turned_ = {};
   Settings ignored_;                            ///< by a plan
   CornerRule ignored_rule_ = CornerRule::stop;  ///< with this corner rule
-  std::shared_ptr<const Reading> program_;  ///< of the plan
+  std::shared_ptr<const Reading> program_;      ///< of the plan
   ProgramTolerance program_tolerance_;
   QLabel* program_note_ = nullptr;
   Units units_;

@@ -5,9 +5,9 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr float kDenseInk = 0.7f;  // of the strokes that stand for many phases: whole blocks of them stay calm
-constexpr int kLeastSide = 30;     // px, of a plot without its margins
-constexpr int kLabelSlack = 4;           // px, that a label stays shorter than its plot is high
+constexpr float kDenseInk = 0.7f;       // of the strokes that stand for many phases: whole blocks of them stay calm
+constexpr int kLeastSide = 30;          // px, of a plot without its margins
+constexpr int kLabelSlack = 4;          // px, that a label stays shorter than its plot is high
 constexpr double kSmallestLabel = 0.7;  // of the size of other texts
 constexpr double kMargin = 0.09, kFloorMargin = 0.03;  // of the height
 

@@ -8,8 +8,8 @@
 #include "drawing/profile_curves.h"
 #include "drawing/sample_series.h"
 #include "models/units.h"
-#include "toolpace/base/axes.h"
 #include "theme/theme.h"
+#include "toolpace/base/axes.h"
 
 namespace toolpace::ui {
 

@@ -113,9 +113,7 @@ void ProfilePlot::setAxisShown(std::size_t axis, bool shown) {
   showReadyAxes();
 }
 
-void ProfilePlot::showReadyAxes() {
-  refill();
-}
+void ProfilePlot::showReadyAxes() { refill(); }
 
 /// Of long programs only what a worker has made ready.
 bool ProfilePlot::isAxisDrawn(std::size_t axis) const {

@@ -156,7 +156,8 @@ void ProfileView::fillKey() {
   key_->setTextColour(theme_.secondary);
   key_->setSamples(std::move(samples));
   name_control(key_, tr("Lines of the plots"),
-               tr("A: this plan, B: the one that is pinned. Dashed grey: what feed, machine and curves allow in each block; pale: the "
+               tr("A: this plan, B: the one that is pinned. Dashed grey: what feed, machine and curves allow in each "
+                  "block; pale: the "
                   "programmed feed"));
 }
 

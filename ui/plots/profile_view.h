@@ -47,8 +47,8 @@ class ProfileView : public QWidget, public PlanView {
   void showInstant(const std::optional<Instant>& instant) override;
   void setTheme(const Theme& theme) override;
   void setUnits(Units unit) override;
-  void setCursorTime(std::optional<double> time);  ///< [s]
-  void setVisibleRange(double begin, double end);  ///< [s]
+  void setCursorTime(std::optional<double> time);        ///< [s]
+  void setVisibleRange(double begin, double end);        ///< [s]
   void setRotaryAxes(const std::array<bool, 3>& there);  ///< which of A, B, C can be shown
   void setMeasuring(bool on);
   void setAxisShown(std::size_t axis, bool shown);  ///< 0 = X …

@@ -207,10 +207,9 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
   const TubeStyle tube_style{theme_, enlargement_, 1.6 * ratio};
   const bool has_band = in_band && draw_band(image, *tube_, projection, tube_style);
   if (ghost_) {
-    draw_scene(
-        image, *ghost_, projection,
-        {ColourBy::speed, nullptr, theme_.plan_b.rgb(), theme_.plan_b.rgb(), 1.4 * ratio, 6 * ratio, true, rapids_shown_,
-         smooth});
+    draw_scene(image, *ghost_, projection,
+               {ColourBy::speed, nullptr, theme_.plan_b.rgb(), theme_.plan_b.rgb(), 1.4 * ratio, 6 * ratio, true,
+                rapids_shown_, smooth});
   }
   SceneStyle style;
   style.by = by_;

@@ -51,11 +51,13 @@ void ContourCanvas::mouseReleaseEvent(QMouseEvent* event) {
   dragging_ = false;
   if (asked) return emit menuRequested(event->position().toPoint());
   if (!clicked || !scene_) return;
-  if (const auto hit = pick(*scene_, projection_, event->position(), kPickRadius, rapids_shown_)) emit cursorTimeRequested(hit->time);
+  if (const auto hit = pick(*scene_, projection_, event->position(), kPickRadius, rapids_shown_))
+    emit cursorTimeRequested(hit->time);
 }
 
 std::optional<double> ContourCanvas::timeAt(const QPoint& at) const {
-  const auto hit = scene_ && scene_->outcome ? pick(*scene_, projection_, at, kPickRadius, rapids_shown_) : std::nullopt;
+  const auto hit =
+      scene_ && scene_->outcome ? pick(*scene_, projection_, at, kPickRadius, rapids_shown_) : std::nullopt;
   return hit ? std::optional(hit->time) : std::nullopt;
 }
 

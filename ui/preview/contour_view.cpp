@@ -157,7 +157,8 @@ void ContourView::fillKey() {
   if (canvas_->showsTrace()) samples.push_back({tr("drives"), QPen(theme.error, 1.4)});
   key_->setTextColour(theme.secondary);
   key_->setSamples(std::move(samples));
-  name_control(key_, tr("Lines of the preview"), tr("Dashed: rapids, and the plan that is pinned as B. Red: where the simulated drives go, enlarged"));
+  name_control(key_, tr("Lines of the preview"),
+               tr("Dashed: rapids, and the plan that is pinned as B. Red: where the simulated drives go, enlarged"));
   key_->setVisible(!key_->samples().empty());
 }
 

@@ -33,8 +33,7 @@ void draw_inside_band(QImage& image, const TubeTrace& trace, const Projection& p
 /// The same two as vectors; what lies outside `window` is left out.
 bool paint_band(QPainter& painter, const QRectF& window, const TubeTrace& trace, const Projection& projection,
                 const TubeStyle& style);
-void paint_inside_band(QPainter& painter, const TubeTrace& trace, const Projection& projection,
-                       const TubeStyle& style);
+void paint_inside_band(QPainter& painter, const TubeTrace& trace, const Projection& projection, const TubeStyle& style);
 
 /// "band ±10 µm · at most 9.8 µm used (98 %)"
 QString tube_caption(const TubeTrace& trace, Units unit);

@@ -78,6 +78,7 @@ QCheckBox { spacing: 8px; min-height: $fieldHeight; color: $text; }
 QCheckBox::indicator { width: $check; height: $check; border: 1px solid $faint; border-radius: 3px; background: $surface; }
 QCheckBox::indicator:checked { background: $accent; border-color: $accent; image: url($checkIcon); }
 QCheckBox:focus { color: $accent; }
+QCheckBox:disabled { color: $faint; }
 
 QSlider { background: transparent; min-height: $sliderHeight; }
 QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: $line; }
