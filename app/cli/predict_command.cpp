@@ -14,10 +14,12 @@
 #include "outcome_json.h"
 #include "reading_flags.h"
 #include "report.h"
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/base/input_file.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/controller/prediction.h"
 #include "toolpace/controller/refusals.h"
+#include "toolpace/pipeline/run_on_controller.h"
 #include "toolpace/tune/what_if.h"
 
 namespace toolpace::cli {
@@ -41,7 +43,8 @@ struct PredictFlags {
 struct Told {
   Prediction prediction;
   std::vector<WhatIf> rows;
-  std::optional<double> as_setpoints;  ///< [s]
+  std::optional<double> as_setpoints;             ///< [s]
+  std::optional<std::vector<AxisExcess>> excess;  ///< nothing where its motion is not known
   Diagnostics warnings;
 };
 
@@ -104,6 +107,33 @@ Json what_if_json(const Told& told) {
   return list;
 }
 
+struct ExcessText {
+  const char *quantity, *unit;
+  double value, limit;
+};
+
+ExcessText text_of(const AxisExcess& e) {
+  const AxisUnit& unit = axis_unit(e.axis);
+  const bool is_speed = e.of == AxisExcess::Of::speed;
+  return {is_speed ? "speed" : "acceleration", unit.symbol[is_speed ? 1 : 2], e.value / unit.size, e.limit / unit.size};
+}
+
+Json excess_json(const Told& told) {
+  if (!told.excess) return nullptr;
+  Json list = Json::array();
+  for (const AxisExcess& e : *told.excess) {
+    const ExcessText text = text_of(e);
+    list.push_back({{"axis", std::string(1, kAxisNames[e.axis])},
+                    {"quantity", text.quantity},
+                    {"value", text.value},
+                    {"limit", text.limit},
+                    {"unit", text.unit},
+                    {"line", e.line},
+                    {"time_s", e.time}});
+  }
+  return list;
+}
+
 Json refusals_json(const std::vector<Refusal>& list) {
   Json json = Json::array();
   for (const Refusal& r : list) json.push_back({{"line", r.line}, {"code", r.code()}, {"message", r.message}});
@@ -130,6 +160,7 @@ Json predict_json(const PredictFlags& flags, const Reading& reading, const Contr
           {"starved_s", p.starved},
           {"time_by_limit_s", std::move(limits)},
           {"what_if", what_if_json(told)},
+          {"over_limits", excess_json(told)},
           {"settings",
            {{"file", flags.settings},
             {"used", settings.used},
@@ -150,6 +181,16 @@ void print_rows(const Told& told) {
                row.cycle_time, now - row.cycle_time);
   }
   if (told.as_setpoints) fmt::print("  as setpoints {:.4f} s: this planner on the same limits\n", *told.as_setpoints);
+}
+
+void print_excess(const Told& told) {
+  if (!told.excess) return;
+  for (std::size_t i = 0; i < told.excess->size(); ++i) {
+    const AxisExcess& e = (*told.excess)[i];
+    const ExcessText text = text_of(e);
+    fmt::print("  {:<13}{} {} up to {:.4g} {}, {:.3g} times its limit, at line {}\n", i == 0 ? "over limits" : "",
+               kAxisNames[e.axis], text.quantity, text.value, text.unit, text.value / text.limit, e.line);
+  }
 }
 
 void print_refusals(const std::vector<Refusal>& list, std::string_view title) {
@@ -177,6 +218,7 @@ void print_prediction(const PredictFlags& flags, const Reading& reading, const C
     }
   }
   print_refusals(refusals(p.controller, reading), controller_title(p.controller));
+  print_excess(told);
   print_rows(told);
 }
 
@@ -200,6 +242,18 @@ void warn_of_what_is_left_out(const PredictFlags& flags, const ProgramText& text
   }
 }
 
+/// Nothing where the controller's motion is not known, or the program has none.
+Result<std::optional<std::vector<AxisExcess>>> excess_of(const ControllerRun& run) {
+  const Monitor monitor = terminal_monitor("motion");
+  const auto driven = run_on_controller(run, monitor);
+  end_progress();
+  if (!driven && driven.error().kind == ErrorKind::cancelled) return tl::unexpected(driven.error());
+  if (!driven) return std::nullopt;
+  auto excess = axes_over_limits(driven->outcome, {monitor.stop, {}});
+  if (!excess) return tl::unexpected(excess.error());
+  return std::optional(std::move(*excess));
+}
+
 tl::expected<Told, Failure> told_of(const PredictFlags& flags, const std::shared_ptr<const Reading>& reading,
                                     const ProgramText& text, const ControllerSettings& settings) {
   auto options = options_of(flags);
@@ -207,7 +261,7 @@ tl::expected<Told, Failure> told_of(const PredictFlags& flags, const std::shared
   auto prediction = predict(*reading, text, settings, *options, terminal_monitor("predicting"));
   end_progress();
   if (!prediction) return tl::unexpected<Failure>(Failure(prediction.error(), reading->diagnostics));
-  Told told{std::move(*prediction), {}, {}, settings.warnings};
+  Told told{std::move(*prediction), {}, {}, {}, settings.warnings};
   warn_of_what_is_left_out(flags, text, settings, told.warnings);
   told.warnings.insert(told.warnings.end(), told.prediction.warnings.begin(), told.prediction.warnings.end());
   if (flags.no_what_if) return told;
@@ -215,6 +269,9 @@ tl::expected<Told, Failure> told_of(const PredictFlags& flags, const std::shared
   end_progress();
   if (!rows) return tl::unexpected<Failure>(rows.error());
   told.rows = std::move(*rows);
+  auto excess = excess_of({reading, flags.reading.program, text, settings, *options});
+  if (!excess) return tl::unexpected<Failure>(excess.error());
+  told.excess = std::move(*excess);
   const bool refined = told.prediction.cycle_time < kLongestRefined;
   const auto planned =
       cycle_time_as_setpoints(reading, settings, kToleranceOfSetpoints, refined, terminal_monitor("planning"));

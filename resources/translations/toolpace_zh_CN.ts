@@ -270,6 +270,10 @@
     <context>
         <name>codes</name>
         <message>
+            <source>controller-blends</source>
+            <translation>该控制器同时运行两个程序段</translation>
+        </message>
+        <message>
             <source>controller-refuses</source>
             <translation>控制器拒绝这一步</translation>
         </message>

@@ -187,7 +187,7 @@ class GrblModel {
 
   void take_back_last_step() {
     const double part = is_hal_ ? kHalAfterLastStep : kAfterLastStep;
-    tally_.add(TimeLimit::stops, -late_);
+    tally_.take_back(late_);
     tally_.take_back(part * time_of_last_step(planner_.last(), steps_of_last_), planner_.last().block.is_rapid);
   }
 

@@ -84,11 +84,14 @@ void KlipperQueue::run(std::size_t count) {
     before2 = cruise2;
     Trapezoid t;
     t.peak = std::sqrt(cruise2);
-    const double start = std::sqrt(start2), end = std::sqrt(end2), half = 0.5 / move.acceleration;
-    t.up = (t.peak - start) / move.acceleration;
-    t.down = (t.peak - end) / move.acceleration;
+    t.entry = std::sqrt(start2);
+    t.exit = std::sqrt(end2);
+    const double half = 0.5 / move.acceleration;
+    t.up = (t.peak - t.entry) / move.acceleration;
+    t.down = (t.peak - t.exit) / move.acceleration;
     const double cruise_way = move.length - (cruise2 - start2) * half - (cruise2 - end2) * half;
     t.cruise = cruise_way / t.peak;
+    if (move.is_extruder_alone) t.entry = t.peak = t.exit = 0;  // the tool rests
     const bool is_last = i + 1 == moves_.size();
     const TimeLimit why = is_last ? TimeLimit::stops
                           : moves_[i + 1].starts_at_corner && end2 >= moves_[i + 1].max_start2

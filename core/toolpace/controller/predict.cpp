@@ -40,7 +40,7 @@ Result<Prediction> predict(const Reading& reading, const ProgramText& text, cons
   if (!prediction || (!options.baud && !options.block_time)) return prediction;
   PredictOptions always_there = options;
   always_there.baud = always_there.block_time = std::nullopt;
-  always_there.keeps_blocks = false;
+  always_there.keeps_blocks = always_there.keeps_motion = false;
   const auto unhindered = run_model({reading, text, settings, always_there, monitor});
   if (!unhindered) return tl::unexpected(unhindered.error());
   prediction->starved = std::max(0.0, prediction->cycle_time - unhindered->cycle_time);

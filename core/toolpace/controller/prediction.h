@@ -37,6 +37,15 @@ struct PredictOptions {
   std::optional<double> baud;        ///< [bit/s] of a serial link, 10 bits a byte; none = blocks are always there
   std::optional<double> block_time;  ///< [s] that the controller needs to read a block; none = 0
   bool keeps_blocks = false;         ///< fills Prediction::row_time
+  bool keeps_motion = false;         ///< fills Prediction::stages
+};
+
+/// A while in which the acceleration along the controller's own way (chords of arcs) is constant, or of rest.
+struct Stage {
+  double duration;    ///< [s] > 0
+  double from, to;    ///< speeds [mm/s]; 0 and 0 at rest
+  std::uint32_t row;  ///< of the moves
+  TimeLimit limit;    ///< what holds it down, or up
 };
 
 /// Times are from the first step of motion to the last, pauses included.
@@ -47,12 +56,13 @@ struct Prediction {
   double starved = 0;                                      ///< [s] lost because blocks did not arrive in time
   std::array<double, kTimeLimitCount> time_by_limit = {};  ///< [s]
   std::vector<double> row_time;                            ///< [s] of each row of the moves
+  std::vector<Stage> stages;                               ///< one after the other; none of LinuxCNC, which blends
   Diagnostics warnings;
 };
 
 /// Predicts a program on the controller whose settings these are. The same input gives the same bytes.
 ///
-/// Memory does not grow with the program, but for row_time, where that is asked for.
+/// Memory does not grow with the program, but for row_time and stages, where they are asked for.
 /// @param reading   in the controller's dialect (dialect_of())
 /// @param text      of the same program
 /// @return input errors: a move that the controller refuses; cancelled

@@ -50,7 +50,7 @@ Result<std::vector<WhatIf>> what_if(const Reading& reading, const ProgramText& t
                                     const PredictOptions& options, const Monitor& monitor) {
   ControllerSettings tried = settings;
   PredictOptions plain = options;
-  plain.keeps_blocks = false;
+  plain.keeps_blocks = plain.keeps_motion = false;
   std::vector<WhatIf> rows;
   const std::vector<ControllerParameter> table = parameters(tried);
   for (std::size_t i = 0; i < table.size(); ++i) {

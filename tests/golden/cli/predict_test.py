@@ -56,6 +56,17 @@ class Predict(CommandLineTest):
             run = self.run_toolpace("predict", SQUARE, "--settings", GRBL, "--baud", value)
             self.expect_failure(run, BAD_USAGE, "--baud")
 
+    def test_what_the_controller_drives_too_fast_is_told_with_its_line(self):
+        program = self.file("arc.nc", "G21 G90 G17 G0 X0 Y0\nG1 X30 F6000\nG3 X30 Y0 I0 J2\nM2\n")
+        told = self.predict(program, "--settings", GRBL)["over_limits"]
+        self.assertEqual({(row["axis"], row["quantity"], row["line"]) for row in told},
+                         {("X", "acceleration", 3), ("Y", "acceleration", 3)})
+        for row in told:
+            self.assertGreater(row["value"], 2 * row["limit"])
+        run = self.run_toolpace("predict", program, "--settings", GRBL)
+        self.assertIn(b"times its limit, at line 3", run.out)
+        self.assertIsNone(self.predict(program, "--settings", GRBL, "--no-what-if")["over_limits"])
+
     def test_people_are_told_the_same(self):
         run = self.run_toolpace("predict", SQUARE, "--settings", GRBL)
         self.assertEqual(run.code, FINE, run.err)
