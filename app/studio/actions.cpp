@@ -54,6 +54,7 @@ void Actions::addPlan() {
   for (const auto& preset : ui::plan_presets())
     presets.push_back(add(("preset_" + std::string(preset.id) + "Action").c_str(), ""));
   pin = add("pinAction", "pin", {QKeySequence("Ctrl+B")});
+  pin_controller = add("pinControllerAction", "machine");
   unpin = add("unpinAction", "", {QKeySequence("Ctrl+Shift+B")});
   swap = add("swapAction", "swap", {QKeySequence("Ctrl+T")});
   sweep = add("sweepAction", "sweep", {QKeySequence("Ctrl+L")});
@@ -146,6 +147,7 @@ void Actions::retranslate() {
   next_problem->setText(tr("Next p&roblem"));
   slowest_place->setText(tr("Next place that &loses time"));
   pin->setText(tr("Pin this plan as &B"));
+  pin_controller->setText(tr("Show what a &controller does as B…"));
   unpin->setText(tr("Let &go of B"));
   swap->setText(tr("S&wap A and B"));
   sweep->setText(tr("Sweep the look-a&head"));

@@ -27,7 +27,7 @@ class Actions : public QObject {
   QAction *play, *previous_line, *next_line, *to_start, *to_end, *cancel, *next_problem, *slowest_place;
   QAction *fit, *view_xy, *view_xz, *view_yz, *view_zx, *view_iso;
   std::vector<QAction*> presets;  ///< of ui::plan_presets(), in their order
-  QAction *pin, *unpin, *swap, *sweep, *what_if, *hold, *no_hold;
+  QAction *pin, *pin_controller, *unpin, *swap, *sweep, *what_if, *hold, *no_hold;
   QAction *dark, *touch, *inch, *per_minute, *hold_heights, *rapids, *print, *english, *chinese, *reset_layout;
   QAction *show_keys, *about;
 

@@ -66,6 +66,7 @@ void add_options(QCommandLineParser& parser) {
   parser.addOptions({{{"h", "help"}, "print this help and leave"},
                      {{"v", "version"}, "print the version and leave"},
                      {"machine", "machine file (TOML)", "FILE"},
+                     {"controller", "settings file of a controller: what it does is shown as plan B", "FILE"},
                      {"screenshot", "open, plan, draw, save the window's picture and leave", "OUT.png"},
                      {"size", "size of the window in pixels, such as 1280x800", "WxH"},
                      {"language", "en or zh_CN", "LANGUAGE"},
@@ -90,6 +91,7 @@ Result<Request> read_options(const QCommandLineParser& parser) {
   if (programs.size() > 1) return tl::unexpected(usage("more than one program", "name one"));
   if (!programs.isEmpty()) request.program = QFileInfo(programs.constFirst()).absoluteFilePath();
   request.machine = parser.value("machine");
+  request.controller = parser.value("controller");
   request.screenshot = parser.value("screenshot");
   request.language = parser.value("language");
   request.theme = parser.value("theme");

@@ -13,7 +13,7 @@ namespace toolpace::studio {
 enum ExitCode : int { kFine = 0, kBadUsage = 2, kBadInput = 3, kFileTrouble = 4, kInterrupted = 130 };
 
 struct Request {
-  QString program, machine, screenshot, language, theme;
+  QString program, machine, controller, screenshot, language, theme;
   std::optional<QSize> size;  ///< none: as the window was left
   bool touch = false, inch = false, per_minute = false;
   QString answer;  ///< text of --help or --version: print it and leave

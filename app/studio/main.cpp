@@ -49,10 +49,12 @@ int run(QApplication& application, const Request& request) {
   } else {
     window.openProgram(request.program);
   }
+  if (!request.controller.isEmpty()) window.showController(request.controller);
   if (!picture) return application.exec();
   settle(window);
   // What is wrong inside a program is in the picture; of what could not even be opened there is none.
-  if (failure && failure->kind == toolpace::ErrorKind::io) return report(*failure);
+  const bool is_in_picture = failure && failure->kind != toolpace::ErrorKind::io && request.controller.isEmpty();
+  if (failure && !is_in_picture) return report(*failure);
   if (const auto taken = take_screenshot(window, request.screenshot); !taken) return report(taken.error());
   return kFine;
 }

@@ -126,6 +126,7 @@ void MainWindow::showPlan() {
   showPlans();
   const bool has_plan = static_cast<bool>(workspace_.plan());
   actions_->pin->setEnabled(has_plan);
+  actions_->pin_controller->setEnabled(has_plan);
   actions_->hold->setEnabled(has_plan);
   actions_->no_hold->setEnabled(workspace_.tuning().value().options.hold_at.has_value());
   showCursor(workspace_.cursorTime());

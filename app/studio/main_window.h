@@ -72,6 +72,8 @@ class MainWindow : public QMainWindow {
   void storeProgramAs(const QString& path);
   /// Opens a machine file, or imports a LinuxCNC .ini or grbl's answer to $$, without asking about the one in use. False:
   /// the window says why.
+  /// What a controller does with the program becomes plan B, as soon as there is a program.
+  void showController(const QString& settings);
   bool openMachine(const QString& path);
   bool storeMachineAs(const QString& path);
   /// In a worker; the status line tells when it is done. .pulses.csv = step pulses.
@@ -154,6 +156,7 @@ class MainWindow : public QMainWindow {
   void connectMachine();
   void askMachine();
   void importMachine();
+  void askController();  ///< whose motion is shown as B
   void chooseMachine(const QString& path);
   void chooseDefaultMachine();
   void takeMachine();

@@ -75,7 +75,7 @@ void MainWindow::buildMenus() {
   plan_menu_->addActions({a.next_problem, a.slowest_place});
   plan_menu_->addSeparator();
   plan_menu_->addMenu(preset_menu_);
-  plan_menu_->addActions({a.pin, a.swap, a.unpin});
+  plan_menu_->addActions({a.pin, a.pin_controller, a.swap, a.unpin});
   plan_menu_->addSeparator();
   plan_menu_->addActions({a.hold, a.no_hold});
   plan_menu_->addSeparator();

@@ -29,6 +29,8 @@ void MainWindow::connectWorkspace() {
   connectProgram();
   connectMachine();
   connect(&workspace_, &Workspace::planChanged, this, &MainWindow::showPlan);
+  connect(&workspace_, &Workspace::controllerFailed, this,
+          [this](const Error& error, const QString& settings) { showFailure(error, settings); });
   connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPlans);
   connect(&workspace_, &Workspace::proofChanged, this, &MainWindow::showPlans);
   connect(&workspace_, &Workspace::problemsChanged, this, &MainWindow::showProblems);
@@ -142,6 +144,7 @@ void MainWindow::connectActions() {
   on(a.next_problem, [this] { goToProblem(); });
   on(a.slowest_place, [this] { goToSlowest(); });
   on(a.pin, [this] { workspace_.pin(); });
+  on(a.pin_controller, [this] { askController(); });
   on(a.unpin, [this] { workspace_.unpin(); });
   on(a.swap, [this] { workspace_.swap(); });
   on(a.sweep, [this] {

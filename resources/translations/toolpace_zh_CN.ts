@@ -2944,6 +2944,10 @@
             <translation>下一处时间损失(&amp;L)</translation>
         </message>
         <message>
+            <source>Show what a &amp;controller does as B…</source>
+            <translation>将控制器的实际运动显示为 B(&amp;C)…</translation>
+        </message>
+        <message>
             <source>Pin this plan as &amp;B</source>
             <translation>将当前规划固定为 B(&amp;B)</translation>
         </message>
@@ -3377,6 +3381,10 @@
         <message>
             <source>Prese&amp;ts</source>
             <translation>预设(&amp;T)</translation>
+        </message>
+        <message>
+            <source>Settings of the controller</source>
+            <translation>控制器的设置</translation>
         </message>
         <message>
             <source>Import the settings of a controller</source>

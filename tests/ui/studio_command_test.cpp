@@ -64,6 +64,20 @@ class StudioCommandTest : public QObject {
     QVERIFY(version.out.startsWith("toolpace-studio "));
   }
 
+  void what_a_controller_does_is_in_the_picture_or_its_error_told() {
+    write(in("grbl.txt"), "$11=0.01\n$12=0.002\n$110=6000\n$111=6000\n$112=600\n$120=500\n$121=500\n$122=50\n");
+    const auto shown =
+        run({in("square.ngc"), "--controller", in("grbl.txt"), "--screenshot", in("both.png"), "--size", "1280x800"});
+    QVERIFY2(shown.code == 0, qPrintable(shown.errors));
+    const auto alone = run({in("square.ngc"), "--screenshot", in("alone.png"), "--size", "1280x800"});
+    QCOMPARE(alone.code, 0);
+    QVERIFY(QImage(in("both.png")) != QImage(in("alone.png")));
+    const auto missing = run({in("square.ngc"), "--controller", in("none.txt"), "--screenshot", in("none.png")});
+    QCOMPARE(missing.code, 4);
+    QVERIFY2(missing.errors.contains("none.txt"), qPrintable(missing.errors));
+    QVERIFY(!QFile::exists(in("none.png")));
+  }
+
   void bad_usage_is_said_without_a_display() {
     const QList<QStringList> bad = {{"--no-such-option"},      {"a.ngc", "b.ngc"},  {"--size", "12"},
                                     {"--language", "klingon"}, {"--theme", "pink"}, {"--machine"},

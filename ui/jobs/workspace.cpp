@@ -30,6 +30,10 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
     emit busyChanged(isBusy());
     if (state == Refiner::State::given_up && plan_) proof_service_.request(plan_.scene);
   });
+  connect(&controller_, &ControllerService::driven, this, &Workspace::takeController);
+  connect(&controller_, &ControllerService::failed, this, &Workspace::controllerFailed);
+  connect(&controller_, &ControllerService::progressed, this, &Workspace::progressed);
+  connect(&controller_, &ControllerService::busyChanged, this, [this] { emit busyChanged(isBusy()); });
   connect(&axis_worker_, &Background::finished, this, &Workspace::makeAxes);
   connect(&playback_, &Playback::advanced, this, &Workspace::setCursorTime);
   connect(&planner_, &PlannerService::busyChanged, this, [this] { emit busyChanged(isBusy()); });
@@ -49,6 +53,7 @@ void Workspace::cancel() {
   reader_.cancel();
   giveUpOpening();
   planner_.cancel();
+  controller_.cancel();
   refiner_.giveUp();
 }
 
@@ -152,6 +157,17 @@ void Workspace::pin() {
   if (!plan_) return;
   pinned_ = plan_;
   emit pinnedChanged();
+}
+
+void Workspace::pinController(const QString& settings) {
+  if (document_) controller_.run(document_, settings, read_options_);
+}
+
+void Workspace::takeController(const Planned& motion, const Diagnostics& warnings) {
+  pinned_ = motion;
+  emit pinnedChanged();
+  problems_.insert(problems_.end(), warnings.begin(), warnings.end());
+  emit problemsChanged();
 }
 
 void Workspace::unpin() {

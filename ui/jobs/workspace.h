@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "jobs/controller_service.h"
 #include "jobs/file_watcher.h"
 #include "jobs/planner_service.h"
 #include "jobs/playback.h"
@@ -41,7 +42,9 @@ class Workspace : public QObject {
   const Diagnostics& problems() const { return problems_; }  ///< of reading and of planning
   double cursorTime() const { return cursor_; }
   bool isStale() const { return stale_; }  ///< the plan shown is not yet the one of the present text and parameters
-  bool isBusy() const { return reader_.isBusy() || planner_.isBusy() || isRefining() || isSaving(); }
+  bool isBusy() const {
+    return reader_.isBusy() || planner_.isBusy() || controller_.isBusy() || isRefining() || isSaving();
+  }
   bool isSaving() const { return saver_.isBusy(); }
   /// The plan shown is a quick one; a better one is on its way.
   bool isRefining() const { return refiner_.state() == Refiner::State::running; }
@@ -72,6 +75,8 @@ class Workspace : public QObject {
   void setShownAxes(const ShownAxes& axes);
 
   void pin();  ///< the present plan becomes B
+  /// What a real controller does with the program becomes B, as its settings file tells; controllerFailed where it cannot.
+  void pinController(const QString& settings);
   void unpin();
   void swap();  ///< A takes B's parameters and B keeps A's plan
 
@@ -99,6 +104,7 @@ class Workspace : public QObject {
   void busyChanged(bool busy);
   void progressed(double fraction);
   void openFailed(const toolpace::Error& error, const QString& path);
+  void controllerFailed(const toolpace::Error& error, const QString& settings);
 
  private:
   // workspace_program.cpp
@@ -115,6 +121,7 @@ class Workspace : public QObject {
   void show(const Planned& plan);
   void takeRefined(const Planned& plan);
   void takePlan(const Planned& plan, quint64 generation);
+  void takeController(const Planned& motion, const Diagnostics& warnings);
   void takeFailure(const Error& error, quint64 generation);
   void takeProof(std::shared_ptr<const Proof> proof);
   void collectProblems(const Diagnostics& of_plan);
@@ -128,6 +135,8 @@ class Workspace : public QObject {
   ReaderService reader_;
   SaveService saver_;
   PlannerService planner_;
+  ControllerService controller_;
+  ReadOptions read_options_;
   Refiner refiner_;
   ProofService proof_service_;
   FileWatcher watcher_;

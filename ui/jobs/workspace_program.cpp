@@ -56,6 +56,7 @@ void Workspace::readText() {
 }
 
 void Workspace::setReadOptions(const ReadOptions& options) {
+  read_options_ = options;
   reader_.setOptions(options);
   if (document_) readText();
 }
