@@ -43,7 +43,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   CommandLine line;
   add_commands(line);
   const auto action = line.parse(static_cast<int>(pointers.size()), pointers.data());
-  const bool is_answered = action ? *action != nullptr : !action.error().message.empty() && !action.error().code.empty();
+  const bool is_answered =
+      action ? *action != nullptr : !action.error().message.empty() && !action.error().code.empty();
   if (!is_answered) std::abort();
   return 0;
 }

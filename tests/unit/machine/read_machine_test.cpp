@@ -191,7 +191,8 @@ TEST(ReadMachine, PrintersAreMachinesToo) {
   EXPECT_EQ(klipper->machine.axes[2].speed, 15);
   EXPECT_EQ(klipper->machine.axes[0].speed, kUnlimited);
   EXPECT_EQ(klipper->options.law, LawKind::trapezoid);
-  const auto marlin = parse_machine("echo: M203 X200 Y210 Z5\necho: M201 X1000 Y1100 Z50\necho: M204 P800 T900\n", "report");
+  const auto marlin =
+      parse_machine("echo: M203 X200 Y210 Z5\necho: M201 X1000 Y1100 Z50\necho: M204 P800 T900\n", "report");
   ASSERT_TRUE(marlin) << marlin.error().message;
   EXPECT_EQ(marlin->machine.axes[1].speed, 210);
   EXPECT_EQ(marlin->machine.axes[2].acceleration, 50);
