@@ -66,7 +66,7 @@ class LinuxcncModel {
         moves_(input.reading.moves),
         linuxcnc_(std::get<LinuxcncSettings>(input.settings.values)),
         tally_(moves_.size(), input.options),
-        run_(linuxcnc_, joint_limits(), tally_),
+        run_(linuxcnc_, joint_limits(), tally_, input.monitor),
         position_(moves_.start),
         startup_(startup_mode(linuxcnc_.startup_code)) {}
 
@@ -85,6 +85,7 @@ class LinuxcncModel {
       run_row(row);
     }
     finish();
+    if (input_.monitor.is_cancelled()) return tl::unexpected(cancelled_error());
     if (has_moved_) tally_.add(TimeLimit::stops, kCyclesToRest * linuxcnc_.period);
     return tally_.finish(Controller::linuxcnc);
   }
@@ -231,7 +232,24 @@ class LinuxcncModel {
     s.programmed = s.length;
   }
 
+  /// An axis that the .ini does not have bounds nothing.
+  static bool can_run(const Segment& s) {
+    return s.acceleration > 0 && s.acceleration < kUnlimited && s.top > 0 && s.top < kUnlimited && s.wanted > 0;
+  }
+
+  void leave_out(std::size_t row) {
+    if (std::exchange(has_left_out_, true)) return;
+    const auto& files = moves_.files;
+    tally_.warn({Severity::warning,
+                 "axis-absent",
+                 "the .ini has no limits for the axes of this move, which is left out",
+                 "add their [AXIS_…] or [JOINT_…] sections",
+                 {files.empty() ? "" : files[moves_.file[row]], moves_.line[row], 0},
+                 {}});
+  }
+
   void add(const Segment& segment) {
+    if (!can_run(segment)) return leave_out(segment.row);
     has_moved_ = true;
     run_.add(segment);
   }
@@ -313,7 +331,7 @@ class LinuxcncModel {
   AxisVector position_;
   Chain chain_;
   Eigen::Vector3d chained_to_ = position_.head<3>();  ///< where the last segment that was handed on ends
-  bool has_moved_ = false;
+  bool has_moved_ = false, has_left_out_ = false;
   MoveMode startup_;
 };
 

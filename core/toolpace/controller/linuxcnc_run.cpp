@@ -36,8 +36,12 @@ void LinuxcncRun::finish() {
 }
 
 void LinuxcncRun::run_first() {
+  constexpr std::size_t kCyclesALook = 4096;
   const std::size_t before = queue_.size();
-  while (queue_.size() == before) step();
+  for (std::size_t cycle = 1; queue_.size() == before; ++cycle) {
+    if (cycle % kCyclesALook == 0 && monitor_.is_cancelled()) return queue_.clear();
+    step();
+  }
 }
 
 /// What holds the speed as it is.

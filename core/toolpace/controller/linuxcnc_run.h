@@ -10,9 +10,11 @@ namespace toolpace::detail::controller {
 
 class LinuxcncRun {
  public:
-  LinuxcncRun(const LinuxcncSettings& settings, const JointLimits& limits, Tally& tally)
+  /// @param monitor  once it is cancelled, nothing more is run
+  LinuxcncRun(const LinuxcncSettings& settings, const JointLimits& limits, Tally& tally, const Monitor& monitor)
       : limits_(limits),
         tally_(tally),
+        monitor_(monitor),
         cycle_(settings.period),
         depth_(static_cast<std::size_t>(settings.depth)),
         cutoff_(settings.ramp_frequency > 0 ? 1.0 / settings.ramp_frequency : 0.0) {}
@@ -39,6 +41,7 @@ class LinuxcncRun {
 
   JointLimits limits_;
   Tally& tally_;
+  const Monitor& monitor_;
   double cycle_;
   std::size_t depth_;
   double cutoff_;  ///< [s] shorter segments are one ramp

@@ -279,5 +279,39 @@ TEST(Predict, CommentsHideCodes) {
   EXPECT_EQ(text.bytes, (std::vector<std::uint16_t>{14, 11, 7, 9, 5}));
 }
 
+// An axis that the .ini does not have used to be run for ever: nothing bounds it.
+TEST(Predict, LeavesOutMovesOfAxesThatLinuxcncHasNot) {
+  const Prediction p =
+      predict_with(kLinuxcnc, "G21 G90\nG1 X10 F600\nG1 A90 F100\nG1 X0 F600\nM2\n", Controller::linuxcnc);
+  const Prediction without = predict_with(kLinuxcnc, "G21 G90\nG1 X10 F600\nG1 X0 F600\nM2\n", Controller::linuxcnc);
+  EXPECT_DOUBLE_EQ(p.cycle_time, without.cycle_time);
+  ASSERT_EQ(p.warnings.size(), 1u);
+  EXPECT_EQ(p.warnings.front().code, "axis-absent");
+  EXPECT_EQ(p.warnings.front().where.line, 3u);
+}
+
+// A move of 10⁷ cycles that all change the speed is one row.
+TEST(Predict, IsCancelledWithinAMoveOfLinuxcnc) {
+  const auto settings = parse_controller_settings(
+      "[TRAJ]\nLINEAR_UNITS = mm\nMAX_LINEAR_VELOCITY = 100\n[AXIS_X]\nMAX_VELOCITY = 100\nMAX_ACCELERATION = 0.001\n",
+      "settings", Controller::linuxcnc);
+  ASSERT_TRUE(settings) << settings.error().message;
+  const std::string program = "G21 G90\nG1 X1000000 F6000\nM2\n";
+  ReadOptions reading;
+  reading.dialect = Dialect::linuxcnc;
+  const auto read = read_text(program, "p.nc", reading);
+  ASSERT_TRUE(read);
+  std::stop_source stop;
+  int told = 0;
+  const Monitor monitor{stop.get_token(), [&](double) {
+                          ++told;
+                          stop.request_stop();
+                        }};
+  const auto prediction = predict(*read, scan_program(program), *settings, {}, monitor);
+  ASSERT_FALSE(prediction);
+  EXPECT_EQ(prediction.error().kind, ErrorKind::cancelled);
+  EXPECT_EQ(told, 1);
+}
+
 }  // namespace
 }  // namespace toolpace
