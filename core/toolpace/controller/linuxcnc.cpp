@@ -242,8 +242,8 @@ class LinuxcncModel {
     const auto& files = moves_.files;
     tally_.warn({Severity::warning,
                  "axis-absent",
-                 "the .ini has no limits for the axes of this move, which is left out",
-                 "add their [AXIS_…] or [JOINT_…] sections",
+                 "the .ini has no [AXIS_…] limits for the axes of this move, which is left out",
+                 "",
                  {files.empty() ? "" : files[moves_.file[row]], moves_.line[row], 0},
                  {}});
   }
