@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "toolpace/base/axis_unit.h"
+#include "toolpace/base/numbers.h"
 #include "toolpace/machine/importer.h"
 #include "toolpace/machine/joint_axes.h"
 #include "toolpace/machine/read_machine.h"
@@ -15,7 +16,8 @@ namespace toolpace {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
-constexpr double kNoLimit = 1e9;  // LinuxCNC's own default is 1e99
+constexpr double kLeastUnits = 1e-3, kMostUnits = 1e3;  // [1/mm] metres to micrometres
+constexpr double kNoLimit = 1e9;                        // LinuxCNC's own default is 1e99
 
 /// The text where it is UTF-8, as TOML wants it; else with ? for every letter outside of ASCII.
 std::string as_name(std::string text) {
@@ -107,6 +109,20 @@ class AxisImport {
   bool guessed_ = false;
 };
 
+/// [mm] of a unit of length of the file: a name, or how many of them are a millimetre.
+double length_unit(Importer& importer) {
+  constexpr const char* kKey = "TRAJ.LINEAR_UNITS";
+  const ImportedValue* units = importer.find(kKey);
+  if (!units) return 1.0;
+  const std::string name = upper(units->text.substr(0, units->text.find_first_of(" \t;#(")));
+  if (name == "MM" || name == "METRIC") return 1.0;
+  if (name == "INCH" || name == "IN" || name == "IMPERIAL") return kMmPerInch;
+  const auto number = parse_number(name);
+  if (number && *number >= kLeastUnits && *number <= kMostUnits) return 1.0 / *number;
+  importer.refuse(kKey, "mm, inch or the number of units in a millimetre");
+  return 1.0;
+}
+
 }  // namespace
 
 Result<Setup> import_linuxcnc_ini(std::string_view text, const std::string& name) {
@@ -115,8 +131,7 @@ Result<Setup> import_linuxcnc_ini(std::string_view text, const std::string& name
 
 Result<Setup> import_linuxcnc_values(ImportedValues values, const std::string& name) {
   Importer importer(std::move(values), name);
-  const ImportedValue* units = importer.find("TRAJ.LINEAR_UNITS");
-  const double length = units && upper(units->text).starts_with("IN") ? kMmPerInch : 1.0;
+  const double length = length_unit(importer);
   importer.take("path", "max_speed_mm_s",
                 {"TRAJ.MAX_LINEAR_VELOCITY", "TRAJ.MAX_VELOCITY", "DISPLAY.MAX_LINEAR_VELOCITY"}, length);
   importer.take("path", "max_acceleration_mm_s2", {"TRAJ.MAX_LINEAR_ACCELERATION", "TRAJ.MAX_ACCELERATION"}, length);

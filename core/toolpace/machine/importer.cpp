@@ -82,6 +82,12 @@ void Importer::set_travel(std::size_t axis, double low, double high) {
   }
 }
 
+void Importer::refuse(std::string_view key, std::string_view must_be) {
+  const ImportedValue* value = find(key);
+  last_line_ = value->line;
+  fail(fmt::format("{} is '{}', but it must be {}", key, value->text.substr(0, kShown), must_be));
+}
+
 void Importer::warn(std::string code, std::string message, std::string remedy, std::size_t line) {
   setup_.warnings.push_back(
       {Severity::warning, std::move(code), std::move(message), std::move(remedy), {name_, line, 0}, {}});

@@ -55,6 +55,9 @@ class Importer {
   /// @param low, high  in mm or degrees
   void set_travel(std::size_t axis, double low, double high);
 
+  /// Says that the value under `key`, which is there, is none of what it must be.
+  void refuse(std::string_view key, std::string_view must_be);
+
   /// Something that the settings leave open. @param line  0 = no line says it
   void warn(std::string code, std::string message, std::string remedy, std::size_t line);
 

@@ -33,6 +33,25 @@ TEST(ReadMachine, ALinuxcncConfigurationIsConvertedToMillimetres) {
   EXPECT_EQ(setup->options.law, LawKind::trapezoid) << "no jerk limit stands in it";
 }
 
+// LinuxCNC takes a name, or the units in a millimetre: 0.03937… of inches. Anything else would be wrong by 25.4 or more.
+TEST(ReadMachine, UnitsOfAConfigurationAreNamedOrCountedAndNeverGuessed) {
+  const auto speed_of = [](const std::string& units) {
+    return import_linuxcnc_ini("[TRAJ]\nLINEAR_UNITS = " + units + "\n[AXIS_X]\nMAX_VELOCITY = 2\n", "mill.ini");
+  };
+  for (const char* inch : {"inch", "in", "Imperial", "inch  # of the old frame"})
+    EXPECT_EQ(speed_of(inch)->machine.axes[0].speed, 50.8) << inch;
+  for (const char* metric : {"mm", "METRIC", "1", "1.0"})
+    EXPECT_EQ(speed_of(metric)->machine.axes[0].speed, 2) << metric;
+  EXPECT_NEAR(speed_of("0.03937007874016")->machine.axes[0].speed, 50.8, 1e-9);
+  for (const char* wrong : {"", "furlong", "0", "-1", "nan", "1e308"}) {
+    const auto setup = speed_of(wrong);
+    ASSERT_FALSE(setup) << wrong;
+    EXPECT_EQ(setup.error().code, "import-value");
+    EXPECT_EQ(setup.error().where.line, 2U);
+    EXPECT_NE(setup.error().message.find("mm, inch"), std::string::npos) << setup.error().message;
+  }
+}
+
 /// Limits of joints alone, of JOINT_0 on.
 std::string joints(std::initializer_list<const char*> limits) {
   std::string text;
