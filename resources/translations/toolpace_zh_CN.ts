@@ -2597,6 +2597,10 @@
             <translation>改正控制器的设置</translation>
         </message>
         <message>
+            <source>send G21, then M503 again</source>
+            <translation>先发送 G21，再重新执行 M503</translation>
+        </message>
+        <message>
             <source>give a gain below %1 1/s, which is 4π·damping·bandwidth</source>
             <translation>增益应低于 %1 1/s，即 4π·阻尼·带宽</translation>
         </message>

@@ -100,6 +100,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "columns are x_mm y_mm z_mm a_deg b_deg c_deg feed_mm_min"),
     QT_TRANSLATE_NOOP("remedies", "comments do not nest: remove the inner parenthesis"),
     QT_TRANSLATE_NOOP("remedies", "correct the controller's settings"),
+    QT_TRANSLATE_NOOP("remedies", "send G21, then M503 again"),
     QT_TRANSLATE_NOOP("remedies", "correct the value"),
     QT_TRANSLATE_NOOP("remedies",
                       "define it in this program, or put its file beside the program or into a folder given with "

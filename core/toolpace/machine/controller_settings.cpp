@@ -187,6 +187,10 @@ Result<void> fill_klipper(ControllerSettings& s, const ImportedValues& values, c
 
 Result<void> fill_marlin(ControllerSettings& s, const ImportedValues& values, const std::string& name) {
   s.values.emplace<MarlinSettings>();
+  if (const auto inches = values.find(kInchesOfMarlin); inches != values.end()) {
+    return tl::unexpected(settings_error("import-value", "this report of M503 is in inches (G20)",
+                                         "send G21, then M503 again", {name, inches->second.line, 0}));
+  }
   Filling filling(s, values, name);
   if (auto fine = filling.take_all(); !fine) return fine;
   filling.tell_rest([](const std::string&) { return true; });

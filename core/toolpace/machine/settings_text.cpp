@@ -24,6 +24,13 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+/// The last word of a line before its comment: the command of "echo:  G20    ; Units in inches".
+std::string_view last_word(std::string_view line) {
+  line = trimmed(line.substr(0, line.find(';')));
+  const std::size_t before = line.find_last_of(" \t:");
+  return before == std::string_view::npos ? line : line.substr(before + 1);
+}
+
 class IniReader {
  public:
   explicit IniReader(const ReadIncluded& included) : included_(included) {}
@@ -178,6 +185,9 @@ std::optional<MarlinWords> marlin_words_in(std::string_view line) {
 ImportedValues read_marlin_values(std::string_view text) {
   ImportedValues values;
   for_each_line(text, [&](std::string_view line, std::size_t number) {
+    const std::string_view units = last_word(line);
+    if (units == kInchesOfMarlin) values.insert_or_assign(std::string(units), ImportedValue{"", number});
+    if (units == "G21") values.erase(std::string(kInchesOfMarlin));
     const auto command = marlin_words_in(line);
     if (!command) return;
     // "M203 T0 E25" of an extruder is none of an axis.

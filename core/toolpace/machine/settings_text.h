@@ -31,6 +31,8 @@ struct MarlinWords {
 };
 /// What a line of a report says, with what a console puts before it; nothing where it is no command of settings.
 std::optional<MarlinWords> marlin_words_in(std::string_view line);
+/// The key of a report that is in inches.
+inline constexpr std::string_view kInchesOfMarlin = "G20";
 /// By "M203 X"; what comes last counts.
 ImportedValues read_marlin_values(std::string_view text);
 

@@ -154,6 +154,20 @@ TEST(ControllerSettings, AReportOfMarlinIsReadThroughItsEcho) {
   EXPECT_TRUE(has(settings->unused, "M205 B"));
 }
 
+TEST(ControllerSettings, AReportOfMarlinInInchesIsRefused) {
+  const std::string limits = "echo: M203 X11.81 Y11.81 Z0.20\n";
+  for (const char* units : {"echo:  G20 ; (in)\n", "Recv: echo:  G20    ; Units in inches\r\n", "  G20\n"}) {
+    const auto settings = parse_controller_settings("echo:; Linear Units:\n" + std::string(units) + limits, "report");
+    ASSERT_FALSE(settings) << units;
+    EXPECT_EQ(settings.error().code, "import-value");
+    EXPECT_EQ(settings.error().where.line, 2U);
+    EXPECT_NE(settings.error().remedy.find("G21"), std::string::npos);
+    EXPECT_FALSE(parse_machine(units + limits, "report")) << "`plan` would be as wrong";
+  }
+  EXPECT_TRUE(parse_controller_settings("> G20\n" + limits + "> G21\necho:  G21 ; (mm), not G20\n" + limits, "log"))
+      << "the last report counts";
+}
+
 TEST(ControllerSettings, EveryParameterCanBeTriedWithAnotherValue) {
   for (const char* name : {"grbl_g1.txt", "klipper_k1.cfg", "linuxcnc_L1.ini"}) {
     auto settings = *read(name);
