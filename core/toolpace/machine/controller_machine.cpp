@@ -22,6 +22,9 @@ void add_limits(Setup& setup, const GrblSettings& grbl) {
 void add_limits(Setup& setup, const KlipperSettings& klipper) {
   setup.machine.path.speed = klipper.max_velocity;
   setup.machine.path.acceleration = klipper.max_accel;
+  // No axis is faster than the path: that X and Y have this speed says that they are there, and changes no plan but one through
+  // the tube, which keeps its distance from every limit, by hundredths of a per cent.
+  setup.machine.axes[0].speed = setup.machine.axes[1].speed = klipper.max_velocity;
   setup.machine.axes[2].speed = klipper.max_z_velocity;
   setup.machine.axes[2].acceleration = klipper.max_z_accel;
   setup.options.corner.rule = CornerRule::junction;

@@ -208,7 +208,9 @@ TEST(ReadMachine, PrintersAreMachinesToo) {
   EXPECT_EQ(klipper->machine.path.speed, 300);
   EXPECT_EQ(klipper->machine.path.acceleration, 4000);
   EXPECT_EQ(klipper->machine.axes[2].speed, 15);
-  EXPECT_EQ(klipper->machine.axes[0].speed, kUnlimited);
+  EXPECT_EQ(klipper->machine.axes[0].speed, 300) << "as the path: a printer has X and Y, though no key of theirs";
+  EXPECT_EQ(klipper->machine.axes[1].speed, 300);
+  EXPECT_EQ(klipper->machine.axes[0].acceleration, kUnlimited);
   EXPECT_EQ(klipper->options.law, LawKind::trapezoid);
   const auto marlin =
       parse_machine("echo: M203 X200 Y210 Z5\necho: M201 X1000 Y1100 Z50\necho: M204 P800 T900\n", "report");
