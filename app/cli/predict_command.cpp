@@ -68,18 +68,21 @@ Result<ControllerSettings> settings_of(const PredictFlags& flags) {
 
 Result<PredictOptions> options_of(const PredictFlags& flags) {
   PredictOptions options;
-  const auto check = [](const char* flag, double value, double most) -> Result<void> {
-    if (value > 0 && value <= most) return {};
-    return tl::unexpected(usage_error(
-        "bad-flag", fmt::format("{} is {}, but it must be above 0 and at most {}", flag, to_text(value), to_text(most)),
-        ""));
+  const auto check = [](const char* flag, double value, double most, const char* remedy,
+                        bool may_be_0) -> Result<void> {
+    if ((value > 0 || (may_be_0 && value == 0)) && value <= most) return {};
+    return tl::unexpected(usage_error("bad-flag",
+                                      fmt::format("{} is {}, but it must be {} and at most {}", flag, to_text(value),
+                                                  may_be_0 ? "at least 0" : "above 0", to_text(most)),
+                                      remedy));
   };
   if (flags.baud) {
-    if (auto fine = check("--baud", *flags.baud, kMostBaud); !fine) return tl::unexpected(fine.error());
+    if (auto fine = check("--baud", *flags.baud, kMostBaud, "leave it out where blocks are always there", false); !fine)
+      return tl::unexpected(fine.error());
     options.baud = flags.baud;
   }
   if (flags.block_time_ms) {
-    if (auto fine = check("--block-time-ms", *flags.block_time_ms, kMostBlockTime); !fine)
+    if (auto fine = check("--block-time-ms", *flags.block_time_ms, kMostBlockTime, "give milliseconds", true); !fine)
       return tl::unexpected(fine.error());
     options.block_time = *flags.block_time_ms * 1e-3;
   }

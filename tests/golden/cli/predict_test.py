@@ -56,6 +56,12 @@ class Predict(CommandLineTest):
             run = self.run_toolpace("predict", SQUARE, "--settings", GRBL, "--baud", value)
             self.expect_failure(run, BAD_USAGE, "--baud")
 
+    def test_a_default_may_be_given_as_a_flag(self):
+        told = self.predict(SQUARE, "--settings", GRBL, "--block-time-ms", "0", "--no-what-if")
+        self.assertEqual(told["cycle_time_s"], self.predict(SQUARE, "--settings", GRBL, "--no-what-if")["cycle_time_s"])
+        run = self.run_toolpace("predict", SQUARE, "--settings", GRBL, "--block-time-ms", "-1")
+        self.expect_failure(run, BAD_USAGE, "--block-time-ms is -1, but it must be at least 0")
+
     def test_what_the_controller_drives_too_fast_is_told_with_its_line(self):
         program = self.file("arc.nc", "G21 G90 G17 G0 X0 Y0\nG1 X30 F6000\nG3 X30 Y0 I0 J2\nM2\n")
         told = self.predict(program, "--settings", GRBL)["over_limits"]
