@@ -55,6 +55,29 @@ class ProfileCurvesTest : public QObject {
     }
   }
 
+  // A plan behind another is drawn by its two sides: they hold every dip at a corner, and the peak of the rapid.
+  void sides_of_a_far_plan_miss_no_peak_and_no_dip() {
+    Program program = winding(30'000);
+    program.rapid(4000, 100);
+    const auto series = make_profile_series(planned(program));
+    const TimeWindow window{0, series->duration(), 400};
+    QVERIFY(is_dense(*series, window));
+    const MotionEnvelope sides = motion_envelope(*series, window);
+    for (std::size_t track = 0; track < kMotionTrackCount; ++track) {
+      const Extent& e = series->whole[track];
+      Extent drawn;
+      for (const Curve* side : {&sides.high[track], &sides.low[track]}) {
+        check_curve(*side);
+        for (const double value : side->value) {
+          if (!std::isnan(value)) drawn.add(static_cast<float>(value));
+        }
+      }
+      const float slack = track == kSpeedTrack ? 0.011F * e.high : 1e-6F * std::abs(e.low) + 1e-6F;
+      QVERIFY(std::abs(drawn.high - e.high) <= 1e-6F * std::abs(e.high) + 1e-6F);
+      QVERIFY(std::abs(drawn.low - e.low) <= slack);
+    }
+  }
+
   void a_pixel_inside_a_long_phase_shows_only_its_part() {
     // A long cruise among thousands of micro-blocks: the cruise's pixels must be flat.
     Program program = winding(20'000);

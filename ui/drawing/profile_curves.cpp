@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPixelsPerPoint = 1.5;
 constexpr double kLeastPoints = 6;  // of a bent phase, however short
+constexpr double kOneLine = 0.01;   // sides of the speed that are nearer to each other, of its peak, are drawn as one
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// The window cut to the plan; its pixels keep their width.
@@ -157,16 +158,23 @@ MotionEnvelope motion_envelope(const ProfileSeries& series, const TimeWindow& wh
   TimeWindow window = clipped(series, whole);
   window.columns = std::max(window.columns / 3, 1);
   const double pixel = (window.end - window.begin) / window.columns;
+  std::vector<MotionExtent> extents;
   for (int column = 0; column < window.columns; ++column) {
-    const double begin = window.begin + column * pixel, middle = begin + pixel / 2;
-    const MotionExtent extent = extent_between(series, begin, begin + pixel);
+    extents.push_back(extent_between(series, window.begin + column * pixel, window.begin + (column + 1) * pixel));
+  }
+  // The speed seldom changes within three pixels: two lines of dashes on each other are no dashes.
+  const auto is_parted = [&](std::size_t column) {
+    const Extent& speed = extents[column][kSpeedTrack];
+    return speed.high - speed.low >= kOneLine * series.whole[kSpeedTrack].high;
+  };
+  for (std::size_t column = 0; column < extents.size(); ++column) {
+    const double middle = window.begin + (static_cast<double>(column) + 0.5) * pixel;
+    // The lower side begins and ends on the upper one.
+    const bool has_low = is_parted(column) || (column > 0 && is_parted(column - 1)) ||
+                         (column + 1 < extents.size() && is_parted(column + 1));
     for (std::size_t i = 0; i < kMotionTrackCount; ++i) {
-      if (i == kSpeedTrack) {
-        sides.high[i].add(middle, (extent[i].low + extent[i].high) / 2.0);
-        continue;
-      }
-      sides.high[i].add(middle, extent[i].high);
-      sides.low[i].add(middle, extent[i].low);
+      sides.high[i].add(middle, extents[column][i].high);
+      sides.low[i].add(middle, i != kSpeedTrack || has_low ? extents[column][i].low : kNothing);
     }
   }
   return sides;

@@ -36,8 +36,8 @@ std::vector<Extent> speed_extents(const ProfileSeries& series, const TimeWindow&
 /// True where the window holds too many phases to draw each: motion_curves() then strokes the range of each pixel.
 bool is_dense(const ProfileSeries& series, const TimeWindow& window);
 
-/// The two sides of those strokes as curves of their own, for a plan that is shown behind another; of the speed, which
-/// hardly differs within a pixel, the middle in `high` alone.
+/// The two sides of those strokes as curves of their own, for a plan that is shown behind another. Where they hardly differ, that
+/// of the speed is in `high` alone.
 struct MotionEnvelope {
   MotionCurves high, low;
 };
