@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 #include "plots/limit_ribbon.h"
@@ -183,6 +184,31 @@ class ProfileViewTest : public QObject {
     view->setUnits({.inch = true});
     QVERIFY2(readout->text().contains("in/s") && !readout->text().contains("mm"), qPrintable(readout->text()));
     QVERIFY(view->plot().axisRect(0)->axis(QCPAxis::atLeft)->label().contains("in/s"));
+  }
+
+  // 3937 in/s³ in a low plot: the ticks that fit are 5000 apart, which leaves zero alone.
+  void every_plot_has_a_number_besides_zero_however_low_it_is() {
+    for (const double jerk : {1e5, 1.7e5, 3e5, 5.5e5, 9e5}) {
+      Machine machine;
+      machine.path = {
+          .speed = 100, .acceleration = 3000, .deceleration = 3000, .jerk = jerk, .jerk_deceleration = jerk};
+      const auto series = make_profile_series(planned(Program().feed(40, 0, 0, 60).feed(40, 30, 0, 60), {}, machine));
+      for (const int height : {200, 240, 300, 420}) {
+        auto view = shown({560, height});
+        view->setSeries(series);
+        for (const bool inch : {false, true}) {
+          view->setUnits({.inch = inch});
+          view->plot().replot();
+          for (int i = 0; i < 3; ++i) {
+            const QCPAxis* axis = view->plot().axisRect(i)->axis(QCPAxis::atLeft);
+            const QVector<double> ticks = axis->tickVector();
+            QVERIFY2(std::any_of(ticks.begin(), ticks.end(),
+                                 [&](double tick) { return tick != 0 && axis->range().contains(tick); }),
+                     qPrintable(QString("plot %1, %2 high, jerk %3").arg(i).arg(height).arg(jerk)));
+          }
+        }
+      }
+    }
   }
 
   void the_three_plots_share_their_edges_and_heights() {

@@ -1,5 +1,6 @@
 #include "plots/plot_row.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace toolpace::ui {
@@ -8,6 +9,7 @@ namespace {
 constexpr float kDenseInk = 0.7f;       // of the strokes that stand for many phases: whole blocks of them stay calm
 constexpr int kLeastSide = 30;          // px, of a plot without its margins
 constexpr int kLabelSlack = 4;          // px, that a label stays shorter than its plot is high
+constexpr int kMoreTicks = 3;           // than fit well, where it takes them to have one besides zero
 constexpr double kSmallestLabel = 0.7;  // of the size of other texts
 constexpr double kMargin = 0.09, kFloorMargin = 0.03;  // of the height
 
@@ -76,10 +78,23 @@ void dress_rect(QCPAxisRect* rect, const Theme& theme, const QFont& font) {
   rect->axis(QCPAxis::atTop)->setTicks(false);
 }
 
+/// Never so wide apart that zero alone has a number, which tells no height.
+class HeightTicker : public QCPAxisTicker {
+  double getTickStep(const QCPRange& range) override {
+    double step = QCPAxisTicker::getTickStep(range);
+    const double farthest = std::max(-range.lower, range.upper);
+    for (int more = 1; step > farthest && more <= kMoreTicks; ++more) {
+      step = cleanMantissa(range.size() / (tickCount() + more));
+    }
+    return step;
+  }
+};
+
 }  // namespace
 
 MotionRow::MotionRow(QCustomPlot* plot, std::size_t track)
     : track_(track), rect_(new_rect(plot, static_cast<int>(track))) {
+  value()->setTicker(QSharedPointer<HeightTicker>::create());
   value()->ticker()->setTickCount(4);
   value()->setNumberFormat("gb");
   value()->setNumberPrecision(6);
