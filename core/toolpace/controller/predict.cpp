@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 
 #include "toolpace/controller/models.h"
@@ -14,6 +16,24 @@ Result<Prediction> run_model(const ModelInput& input) {
     case Controller::marlin: return predict_marlin(input);
     case Controller::linuxcnc: return predict_linuxcnc(input);
     default: return predict_grbl(input);
+  }
+}
+
+/// The models of grbl, Klipper and Marlin have X, Y and Z: a program that turns more takes longer than they tell.
+void warn_of_rotary_axes(Prediction& prediction, const Moves& moves) {
+  for (std::size_t row = 0; row < moves.size(); ++row) {
+    const AxisVector way = moves.end[row] - moves.begin_of(row);
+    if (way.tail<3>().isZero(0.0)) continue;
+    const auto& files = moves.files;
+    prediction.warnings.push_back(
+        {Severity::warning,
+         "axis-absent",
+         fmt::format("the model of {} has X, Y and Z: what A, B and C take is not counted, from this line on",
+                     controller_title(prediction.controller)),
+         "",
+         {files.empty() ? "" : files[moves.file[row]], moves.line[row], 0},
+         {}});
+    return;
   }
 }
 
@@ -37,6 +57,7 @@ Dialect dialect_of(Controller controller) {
 Result<Prediction> predict(const Reading& reading, const ProgramText& text, const ControllerSettings& settings,
                            const PredictOptions& options, const Monitor& monitor) {
   auto prediction = run_model({reading, text, settings, options, monitor});
+  if (prediction && settings.controller != Controller::linuxcnc) warn_of_rotary_axes(*prediction, reading.moves);
   if (!prediction || (!options.baud && !options.block_time)) return prediction;
   PredictOptions always_there = options;
   always_there.baud = always_there.block_time = std::nullopt;

@@ -290,6 +290,29 @@ TEST(Predict, LeavesOutMovesOfAxesThatLinuxcncHasNot) {
   EXPECT_EQ(p.warnings.front().where.line, 3u);
 }
 
+// Those models move X, Y and Z: a fourth axis was left out without a word, and the setpoints beside it were not.
+TEST(Predict, TellsWhereItsModelLeavesRotaryAxesOut) {
+  const std::string program = "G21 G90\nG1 X10 F600\nG1 X0 A90 F600\nG1 A0\nM2\n";
+  const std::string straight = "G21 G90\nG1 X10 F600\nG1 X0 F600\nM2\n";
+  const std::pair<Controller, const char*> all[] = {
+      {Controller::grbl, "$110=6000\n$120=500\n"},
+      {Controller::grblhal, "$110=6000\n$120=500\n"},
+      {Controller::klipper, "[printer]\nmax_velocity: 100\nmax_accel: 1000\n"},
+      {Controller::marlin, "echo: M203 X100 Y100 Z10\necho: M201 X1000 Y1000 Z100\n"}};
+  for (const auto& [controller, settings] : all) {
+    const auto told = [](const Prediction& p) {
+      std::vector<std::size_t> lines;
+      for (const Diagnostic& d : p.warnings) {
+        if (d.code == "axis-absent") lines.push_back(d.where.line);
+      }
+      return lines;
+    };
+    EXPECT_EQ(told(predict_with(settings, program, controller)), std::vector<std::size_t>{3})
+        << controller_title(controller);
+    EXPECT_TRUE(told(predict_with(settings, straight, controller)).empty()) << controller_title(controller);
+  }
+}
+
 // A move of 10⁷ cycles that all change the speed is one row.
 TEST(Predict, IsCancelledWithinAMoveOfLinuxcnc) {
   const auto settings = parse_controller_settings(
