@@ -64,11 +64,14 @@ Slack SlackRule::at(const RowStream& stream, std::size_t local, bool from_path) 
   }
   const double difference = std::sqrt(std::max(square[0], square[1])), most = acceleration_ * period_ * period_;
   const double fastest = speed_ * period_ * (1 + kLimitSlack) + kOnPath;
-  const double seen = std::max(difference, std::sqrt(ellipse) / 2);
+  const double half_minor = std::sqrt(ellipse) / 2;
+  // What the speed changes by at a corner is shared by both second differences. One alone is off the chord by no more than a quarter
+  // of both together; corners just before and behind may take from either.
+  const double stepped = std::max(std::sqrt(square[0]) + std::sqrt(square[1]), half_minor);
   const bool is_bounded = difference <= most * (1 + kLimitSlack) + kRounding || chord > fastest * fastest;
   Slack slack;
-  slack.at_corner = std::min(seen, std::sqrt(std::max(0.0, fastest * fastest - chord)) / 2);
-  slack.between = is_bounded ? std::min(seen, most / 8) : difference / 7;
+  slack.at_corner = std::min(stepped, std::sqrt(std::max(0.0, fastest * fastest - chord)) / 2);
+  slack.between = is_bounded ? std::min(std::max(difference, half_minor), most / 8) : difference / 7;
   slack.from_path = from_path;
   return slack;
 }

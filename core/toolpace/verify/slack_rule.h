@@ -11,9 +11,9 @@ namespace toolpace {
 /// An acceleration of A carries a motion off the chord between two setpoints by up to A·Ts²/8. Second differences beyond A·Ts²
 /// say that the limit is broken there: then an eighth of them, and what they change by, unless speed is broken too, as where
 /// rows are missing.
-/// Around a corner that is passed with a step of speed it is no farther than a whole one, or than half the minor axis of the
-/// ellipse about the chord whose paths are as long as the way that the columns tell; and never than that of the ellipse for
-/// the way that the machine's speed allows.
+/// Around a corner that is passed with a step of speed it is no farther than the second differences at both ends of the chord
+/// together, or than half the minor axis of the ellipse about the chord whose paths are as long as the way that the columns tell;
+/// and never than that of the ellipse for the way that the machine's speed allows.
 class SlackRule {
  public:
   /// @param period  [s]

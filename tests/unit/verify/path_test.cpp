@@ -1,9 +1,12 @@
 /// Setpoints against the programmed path.
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <numbers>
 
 #include "planned_program.h"
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/io/setpoint_reader.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/pipeline/prove.h"
@@ -230,6 +233,41 @@ TEST(PathCheck, ExemptsTheCornerOfG61BehindMergedBlocks) {
       proven("G21 G90 F285\nG64 P0.1\nG1 X-0.193 Y0.3354\nG1 X-0.2075 Y0.4087\nG61\nG1 X-0.337 Y1.236\nM2\n", setup);
   EXPECT_TRUE(report.passes()) << broken(report);
   EXPECT_EQ(report.exempt_corners, 1);
+}
+
+// Two blocks as long as the way in one period, between long ones: three intervals between setpoints have a corner each, one behind
+// the other, which take from each other's second differences.
+TEST(PathCheck, FollowsCornersInPeriodsOneBehindTheOtherWhereRotaryAxesTurn) {
+  toolpace::Setup setup = default_setup();
+  setup.machine.path = {500, 5000, 5000, 2e5, 2e5};
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    const double unit = axis_unit(k).size;
+    setup.machine.axes[k] =
+        is_rotary(k) ? AxisLimits{180 * unit, 1500 * unit, 4e4 * unit} : AxisLimits{500, 4000, 1.5e5};
+  }
+  setup.options.corner.rule = CornerRule::servo;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    std::mt19937 random(seed);
+    const auto thousandths = [&](int low, int high) {
+      return std::uniform_int_distribution(low, high)(random) * 0.001;
+    };
+    std::string text = "G21 G90 G94\nG1 X0 Y0 Z0 B0 C0 F560\n";
+    double x = 0, y = 0, z = 0, b = 0, c = 0;
+    for (int block = 0; block < 45; ++block) {
+      const bool is_long = block % 3 == 0;
+      x += is_long ? 2 : 0.007;
+      y += is_long ? thousandths(-300, 300) : thousandths(-1, 2);
+      z += is_long ? thousandths(-80, 80) : thousandths(-1, 1);
+      b += is_long ? thousandths(-10, 10) : 0;
+      c += is_long ? thousandths(0, 600) : thousandths(0, 2);
+      text += fmt::format("G1 X{:.3f} Y{:.3f} Z{:.3f} B{:.3f} C{:.3f}\n", x, y, z, b, c);
+    }
+    for (const LawKind law : {LawKind::seven_phase, LawKind::five_phase_time}) {
+      setup.options.law = law;
+      const VerifyReport report = proven(text + "M2\n", setup);
+      EXPECT_TRUE(report.passes()) << broken(report) << "seed " << seed;
+    }
+  }
 }
 
 // Strokes 0.03 mm apart: looked for in a wide reach, rows of one are as well on its neighbour.
