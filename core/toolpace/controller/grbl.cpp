@@ -47,14 +47,11 @@ class GrblModel {
       planner_.receive(walk.bytes(line));
       if (walk.codes(line) != 0 && waits_at(line, walk.codes(line))) stop();
     };
-    for (std::size_t row = 0; row < moves_.size(); ++row) {
-      if (row % kReportEvery == 0) {
-        if (input_.monitor.is_cancelled()) return tl::unexpected(cancelled_error());
-        input_.monitor.report(static_cast<double>(row) / static_cast<double>(moves_.size()));
-      }
+    const auto done = for_each_row(input_, [&](std::size_t row) {
       walk.advance_to(row, read_line);
       run_row(row);
-    }
+    });
+    if (!done) return tl::unexpected(done.error());
     planner_.finish();
     if (planner_.has_moved() && !ends_in_dwell_) take_back_last_step();
     return tally_.finish(input_.settings.controller);

@@ -35,16 +35,13 @@ class KlipperModel {
       if ((walk.codes(line) & kFinishCode) != 0) queue_.finish();
       if (klipper_.has_extruder && line != line_of_row_) run_extruder(line);
     };
-    for (std::size_t row = 0; row < moves_.size(); ++row) {
-      if (row % kReportEvery == 0) {
-        if (input_.monitor.is_cancelled()) return tl::unexpected(cancelled_error());
-        input_.monitor.report(static_cast<double>(row) / static_cast<double>(moves_.size()));
-      }
+    const auto done = for_each_row(input_, [&](std::size_t row) {
       if (moves_.file[row] == 0) line_of_row_ = moves_.line[row];
       row_ = row;
       walk.advance_to(row, read_line);
-      if (auto done = run_row(row); !done) return tl::unexpected(done.error());
-    }
+      return run_row(row);
+    });
+    if (!done) return tl::unexpected(done.error());
     line_of_row_ = 0;
     walk.advance_to_end(read_line);
     queue_.finish();

@@ -76,14 +76,11 @@ class LinuxcncModel {
       if ((walk.codes(line) & (kSpindleCode | kCoolantCode)) != 0) wait(kCyclesOfSpindle);
       if ((walk.codes(line) & kPathCode) != 0) startup_.control = PathControl::job_default;
     };
-    for (std::size_t row = 0; row < moves_.size(); ++row) {
-      if (row % kReportEvery == 0) {
-        if (input_.monitor.is_cancelled()) return tl::unexpected(cancelled_error());
-        input_.monitor.report(static_cast<double>(row) / static_cast<double>(moves_.size()));
-      }
+    const auto done = for_each_row(input_, [&](std::size_t row) {
       walk.advance_to(row, read_line);
       run_row(row);
-    }
+    });
+    if (!done) return tl::unexpected(done.error());
     finish();
     if (input_.monitor.is_cancelled()) return tl::unexpected(cancelled_error());
     if (has_moved_) tally_.add(TimeLimit::stops, kCyclesToRest * linuxcnc_.period);

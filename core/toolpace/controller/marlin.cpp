@@ -40,15 +40,12 @@ class MarlinModel {
       planner_.receive(walk.bytes(line));
       if ((walk.codes(line) & kFinishCode) != 0) stop();
     };
-    for (std::size_t row = 0; row < moves_.size(); ++row) {
-      if (row % kReportEvery == 0) {
-        if (input_.monitor.is_cancelled()) return tl::unexpected(cancelled_error());
-        input_.monitor.report(static_cast<double>(row) / static_cast<double>(moves_.size()));
-      }
+    const auto done = for_each_row(input_, [&](std::size_t row) {
       walk.advance_to(row, read_line);
       extrudes_ = moves_.file[row] == 0 && moves_.line[row] > 0 && (walk.codes(moves_.line[row]) & kExtruderWord) != 0;
       run_row(row);
-    }
+    });
+    if (!done) return tl::unexpected(done.error());
     planner_.finish();
     return tally_.finish(Controller::marlin);
   }

@@ -6,21 +6,14 @@
 #include <random>
 #include <string>
 
+#include "sample_settings.h"
 #include "toolpace/nc/reader.h"
 #include "toolpace/sample/motion.h"
 
 namespace toolpace {
 namespace {
 
-constexpr const char* kGrbl =
-    "$1=25\n$11=0.01\n$12=0.002\n$100=80\n$101=80\n$102=400\n$110=6000\n$111=6000\n$112=600\n$120=500\n$121=500\n$122="
-    "50\n";
-constexpr const char* kKlipper =
-    "[printer]\nkinematics: cartesian\nmax_velocity: 100\nmax_accel: 1000\nmax_z_velocity: 10\nmax_z_accel: 100\n"
-    "[gcode_arcs]\nresolution: 0.5\n";
-constexpr const char* kMarlin =
-    "echo: M92 X80 Y80 Z400\necho: M203 X100 Y100 Z10\necho: M201 X1000 Y1000 Z100\necho: M204 P1000 R1000 T1000\n"
-    "echo: M205 S0 T0 J0.02\n";
+using namespace testing;
 
 ControllerRun run_of(const char* settings, Controller controller, const std::string& program) {
   ReadOptions reading;
