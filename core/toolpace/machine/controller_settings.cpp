@@ -80,7 +80,7 @@ class Filling {
   template <class Known>
   void tell_rest(const Known& known) {
     for (const auto& [key, value] : values_) {
-      if (std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;
+      if (key.ends_with('.') || std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;  // or a section
       (known(key) ? settings_.unused : settings_.unknown).push_back(shown_key(key, settings_.controller));
     }
   }

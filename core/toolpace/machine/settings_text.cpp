@@ -96,7 +96,9 @@ class KlipperReader {
     if (line.empty()) return;
     if (line.front() == '[') {
       section = std::string(trimmed(line.substr(1, line.find(']') - 1)));
-      include(section, number, depth);
+      if (!is_saved && !include(section, number, depth)) {
+        values_.try_emplace(lower(section) + ".", ImportedValue{"", number});  // some have no keys
+      }
       return;
     }
     const std::size_t mark = line.find_first_of(":=");
@@ -106,12 +108,15 @@ class KlipperReader {
                           ImportedValue{std::string(trimmed(line.substr(mark + 1))), number});
   }
 
-  void include(const std::string& section, std::size_t number, int depth) {
+  /// Whether the section is an [include …], which is followed here.
+  bool include(const std::string& section, std::size_t number, int depth) {
     constexpr std::string_view kInclude = "include ";
-    if (!section.starts_with(kInclude) || !included_ || depth >= kIncludeDepth) return;
+    if (!section.starts_with(kInclude)) return false;
+    if (!included_ || depth >= kIncludeDepth) return true;
     for (const std::string& text : included_(trimmed(std::string_view(section).substr(kInclude.size())))) {
       read(text, number, depth + 1);
     }
+    return true;
   }
 
   static std::string_view without_comment(std::string_view line) {

@@ -40,7 +40,8 @@ ImportedValues read_marlin_values(std::string_view text);
 ImportedValues read_ini_values(std::string_view text, const ReadIncluded& included = {});
 
 /// By "printer.max_accel", lower case, comments and lines that go on left out; the last one counts, that of the block of
-/// SAVE_CONFIG (lines of #*#) above all. Sections [include FILE] are followed.
+/// SAVE_CONFIG (lines of #*#) above all. Sections [include FILE] are followed; each other one is there as "gcode_arcs.", too, as
+/// some say by being there what they say.
 ImportedValues read_klipper_values(std::string_view text, const ReadIncluded& included = {});
 
 }  // namespace toolpace

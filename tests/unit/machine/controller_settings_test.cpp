@@ -55,6 +55,14 @@ TEST(ControllerSettings, GrblSpeaksInMillimetresAMinute) {
   EXPECT_TRUE(settings->unknown.empty());
 }
 
+TEST(ControllerSettings, SectionsOfKlipperCountWithoutKeys) {
+  const auto settings =
+      parse_controller_settings("[printer]\nmax_velocity: 300\nmax_accel: 3000\n[gcode_arcs]\n", "p.cfg");
+  ASSERT_TRUE(settings);
+  EXPECT_TRUE(std::get<KlipperSettings>(settings->values).has_arcs);
+  EXPECT_TRUE(settings->unused.empty() && settings->unknown.empty()) << "sections themselves are no settings";
+}
+
 TEST(ControllerSettings, WhatConsolesPutAroundDoesNotMatter) {
   for (const char* text :
        {"$110=6000.000\n$11=0.020\n",
