@@ -57,7 +57,6 @@ void ServoSimulation::take(const Setpoints& chunk, ServoTrace& trace) {
 void ServoSimulation::step_axis(std::size_t axis, const std::vector<double>& commanded, std::vector<double>& actual) {
   AxisServo& servo = servos_[axis];
   double before = before_last_[axis], last = last_[axis];
-  actual.reserve(actual.size() + commanded.size());
   for (const double next : commanded) {
     actual.push_back(servo.step(before, last, next));
     before = last;
