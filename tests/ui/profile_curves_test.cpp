@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "plots/dashed_graph.h"
 #include "support/planned.h"
 #include "support/ui_test.h"
 #include "toolpace/sample/motion.h"
@@ -203,6 +204,29 @@ class ProfileCurvesTest : public QObject {
              (x[kSpeedTrack].value[i] + x[kSpeedTrack].value[i - 1]) / 2;
     }
     QVERIFY2(std::abs(way - 120) < 0.5, qPrintable(QString::number(way)));
+  }
+
+  // 20 zigzags a pixel over the whole width: a dash of 6 px of each 10 has ink, the 4 px between have none but their neighbours'.
+  void dense_dashed_curves_keep_their_gaps() {
+    QCustomPlot plot;
+    plot.resize(300, 100);
+    plot.xAxis->setRange(0, 1);
+    plot.yAxis->setRange(-1, 1);
+    auto* graph = new DashedGraph(plot.xAxis, plot.yAxis);
+    graph->setAdaptiveSampling(false);
+    for (int k = 0; k <= 12000; ++k) graph->addData(k / 12000.0, k % 2 == 0 ? 0.9 : 0.5);
+    QPen pen(Qt::red, 1);
+    pen.setDashPattern({6, 4});
+    graph->setPen(pen);
+    const QImage picture = plot.toPixmap(300, 100).toImage();
+    const QRect seen = plot.axisRect()->rect();
+    int inked = 0;
+    for (int x = seen.left() + 10; x < seen.right() - 10; ++x) {
+      const QColor colour = picture.pixelColor(x, qRound(plot.yAxis->coordToPixel(0.7)));
+      inked += colour.green() < 128 && colour.red() > 200;
+    }
+    const double share = inked / (seen.width() - 20.0);
+    QVERIFY2(share > 0.5 && share < 0.8, qPrintable(QString::number(share)));
   }
 
   void windows_beside_the_plan_and_empty_plans_are_empty() {

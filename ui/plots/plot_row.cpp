@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plots/dashed_graph.h"
+
 namespace toolpace::ui {
 namespace {
 
@@ -99,7 +101,7 @@ MotionRow::MotionRow(QCustomPlot* plot, std::size_t track)
   value()->setNumberFormat("gb");
   value()->setNumberPrecision(6);
   const auto graph = [&](const char* name) {
-    auto* g = plot->addGraph(time(), value());
+    auto* g = new DashedGraph(time(), value());  // the plot's
     g->setName(QString("%1.%2").arg(kMotionTracks[track].symbol).arg(name));
     g->setSelectable(QCP::stNone);
     return g;
