@@ -1362,6 +1362,10 @@
             <translation>按 G 代码体系 B 读取</translation>
         </message>
         <message>
+            <source>setvn-unreadable</source>
+            <translation>SETVN 需要首个变量号和方括号中的名称</translation>
+        </message>
+        <message>
             <source>output-ignored</source>
             <translation>输出到端口的内容已忽略</translation>
         </message>
@@ -2511,6 +2515,10 @@
         <message>
             <source>write N and a number from 0</source>
             <translation>写 N 和不小于 0 的数</translation>
+        </message>
+        <message>
+            <source>write SETVN 500[NAME,NAME]</source>
+            <translation>请写 SETVN 500[NAME,NAME]</translation>
         </message>
         <message>
             <source>write O100 or O&lt;name&gt;</source>

@@ -100,7 +100,6 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "columns are x_mm y_mm z_mm a_deg b_deg c_deg feed_mm_min"),
     QT_TRANSLATE_NOOP("remedies", "comments do not nest: remove the inner parenthesis"),
     QT_TRANSLATE_NOOP("remedies", "correct the controller's settings"),
-    QT_TRANSLATE_NOOP("remedies", "send G21, then M503 again"),
     QT_TRANSLATE_NOOP("remedies", "correct the value"),
     QT_TRANSLATE_NOOP("remedies",
                       "define it in this program, or put its file beside the program or into a folder given with "
@@ -231,6 +230,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "P and Q are the numbers of the first and the last line of the contour"),
     QT_TRANSLATE_NOOP("remedies", "give more decimals; --arc-tolerance-mm decides what is refused"),
     QT_TRANSLATE_NOOP("remedies", "remove the %, or begin the program with one, too"),
+    QT_TRANSLATE_NOOP("remedies", "send G21, then M503 again"),
     QT_TRANSLATE_NOOP("remedies", "spindles are $0 to $7; $-1 is all of them"),
     QT_TRANSLATE_NOOP("remedies", "give the move that the corner leads to in the next block"),
     QT_TRANSLATE_NOOP("remedies", "give it with F"),
@@ -354,6 +354,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "write IF [..] GOTO n or IF [..] THEN #n = .."),
     QT_TRANSLATE_NOOP("remedies", "write N and a number from 0"),
     QT_TRANSLATE_NOOP("remedies", "write O100 or O<name>"),
+    QT_TRANSLATE_NOOP("remedies", "write SETVN 500[NAME,NAME]"),
     QT_TRANSLATE_NOOP("remedies", "write [%1]"),
     QT_TRANSLATE_NOOP("remedies", "write [axes.X]"),
     QT_TRANSLATE_NOOP("remedies", "write [condition]"),

@@ -270,7 +270,8 @@ bool Interpreter::run_line(std::string_view line) {
     if (const auto modal = flow_.take_restored()) restore_modal(context_, *modal);
     return good;
   }
-  if (rules_.macro_statements && (c == 'i' || c == 'w' || c == 'd' || c == 'e' || c == 'g' || c == 'b' || c == 'p')) {
+  constexpr std::string_view kFirstOfStatements = "bdegipsw";
+  if (rules_.macro_statements && kFirstOfStatements.find(c) != std::string_view::npos) {
     bool good = true;
     if (flow_.run_fanuc_statement(text, good)) return good;
   }

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "toolpace/nc/text/decimal_code.h"
 #include "toolpace/nc/text/whole_number.h"
 
 namespace toolpace::nc {
@@ -15,25 +14,6 @@ namespace {
 
 constexpr int kHighestOperation = 99;
 constexpr int kHighestVariable = 9999;
-constexpr double kLargestOperand = 4294967295.0;  // of what works on bits
-constexpr double kLargestDecimal = 99999999.0;    // in binary coded form
-
-std::uint32_t bits_of(double value) { return static_cast<std::uint32_t>(std::clamp(value, 0.0, kLargestOperand)); }
-
-/// Digits that stand in four bits each, as the number that they write.
-double from_decimal_code(double value) {
-  std::uint32_t bits = bits_of(value);
-  double number = 0.0;
-  for (double place = 1.0; bits != 0; bits >>= 4u, place *= 10.0) number += static_cast<double>(bits & 0xFu) * place;
-  return number;
-}
-
-double to_decimal_code(double value) {
-  double digits = std::clamp(std::floor(value), 0.0, kLargestDecimal), code = 0.0;
-  for (double place = 1.0; digits > 0.0; digits = std::floor(digits / 10.0), place *= 16.0)
-    code += std::fmod(digits, 10.0) * place;
-  return code;
-}
 
 /// What an operation of q and r gives; nothing where there is no such operation.
 std::optional<double> result_of(int operation, double before, double q, double r) {

@@ -102,6 +102,26 @@ TEST(Fanuc, WhatIsWrittenToAPortIsLeftOut) {
   EXPECT_EQ(ends(reading), (Values{2}));
 }
 
+TEST(Fanuc, SetvnNamesVariables) {
+  const auto reading = read_program(
+      "O1\nG21\nSETVN 510[TOOL_X,DEPTH]\n#[TOOL_X]=3.\n#511=[#[tool_x]+1.]\nG0 X#[DEPTH]\n#5=1.\nX#[#5+4.]\nM30\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading).front(), 4);
+  EXPECT_EQ(ends(reading).back(), 1) << "#[…] goes on being a calculated number";
+  for (const char* line : {"SETVN", "SETVN 510", "SETVN 510[A", "SETVN 0[A]", "SETVN 199999[A,B]", "SETVN 1.5[A]"}) {
+    EXPECT_EQ(codes(read_program("O1\nG21\nG0 X1.\n" + std::string(line) + "\nM30\n")).front().substr(0, 16),
+              "setvn-unreadable")
+        << line;
+  }
+}
+
+// 0x1234 = 4660; what is behind the point is left out.
+TEST(Fanuc, BinAndBcdGoBetweenNumbersAndTheirDigits) {
+  const auto reading = read_program("O1\nG21\n#1=BIN[4660]\nG0 X[#1/100.]\nXBCD[12.7]\nM30\n");
+  EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
+  EXPECT_EQ(ends(reading), (Values{12.34, 18}));
+}
+
 // G10 L10 P1 R25 makes the length 25 mm, L11 adds its wear; G44 takes it away.
 TEST(Fanuc, ToolOffsetsAreSetByG10) {
   const auto reading =

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "toolpace/nc/flow/flow.h"
+#include "toolpace/nc/text/whole_number.h"
 
 namespace toolpace::nc {
 
@@ -47,6 +48,31 @@ bool Flow::run_goto(Scanner& text) {
   return go_to_number(number, column);
 }
 
+// SETVN n[NAME,NAME,…]: names of #n and those that follow.
+bool Flow::name_variables(Scanner& text) {
+  const auto unreadable = [&] {
+    return faults_.fail("setvn-unreadable", "SETVN needs the first variable and names in []",
+                        "write SETVN 500[NAME,NAME]", text.column());
+  };
+  double first = 0.0;
+  if (text.take_number(first) != NumberStatus::ok || text.peek() != '[') return unreadable();
+  const auto whole = whole_number(first, 1, parameters_.count() - 1);
+  if (!whole) return unreadable();
+  int variable = *whole;
+  for (char mark = '['; mark != ']'; mark = text.peek(), ++variable) {
+    text.take();
+    std::string name;
+    for (; text.peek() != ',' && text.peek() != ']'; text.take()) {
+      if (text.peek() == '\0') return unreadable();
+      name += text.peek();
+    }
+    if (!parameters_.has_number(variable)) return unreadable();
+    if (!name.empty()) parameters_.name_numbered(name, variable);
+  }
+  text.take();
+  return true;
+}
+
 bool Flow::run_fanuc_statement(Scanner& text, bool& good) {
   good = true;
   Scanner ahead = text;
@@ -76,6 +102,11 @@ bool Flow::run_fanuc_statement(Scanner& text, bool& good) {
     ahead = text;
     if (!ahead.take_word(output)) continue;
     faults_.warn("output-ignored", "what the program writes to a port is left out", "", text.column());
+    return true;
+  }
+  ahead = text;
+  if (ahead.take_word("setvn")) {
+    good = name_variables(text = ahead);
     return true;
   }
   ahead = text;

@@ -113,6 +113,7 @@ class Flow {
   bool enter(const std::string& label, std::size_t column, int repeats, bool is_numbered);
   bool finish_sub(Scanner& text);
   bool run_goto(Scanner& text);
+  bool name_variables(Scanner& text);
   std::unordered_map<int, int>& counters() { return calls_.empty() ? counters_ : calls_.back().counters; }
 
   ProgramFiles& files_;

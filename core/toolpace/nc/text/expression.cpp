@@ -107,11 +107,34 @@ bool read_name(Scanner& text, FaultSink& faults, std::string& name) {
   return true;
 }
 
+// [NAME] of a variable that has one.
+std::optional<int> ExpressionReader::read_number_name(Scanner& text) const {
+  if (!parameters_.has_named_numbers()) return std::nullopt;
+  Scanner ahead = text;
+  std::string name;
+  for (ahead.take(); ahead.peek() != ']'; ahead.take()) {
+    if (ahead.peek() == '\0') return std::nullopt;
+    name += ahead.peek();
+  }
+  const auto number = parameters_.number_of(name);
+  if (number) {
+    ahead.take();
+    text = ahead;
+  }
+  return number;
+}
+
 bool ExpressionReader::read_target(Scanner& text, Target& target) {
   const char c = text.peek();
   const std::size_t column = text.column();
   target.index = -1;
   if (c == '<') return read_name(text, faults_, target.name);
+  if (fanuc_ && c == '[') {
+    if (const auto number = read_number_name(text)) {
+      target.index = *number;
+      return true;
+    }
+  }
   double number = 0.0;
   if (!read_value(text, number)) return false;
   const double whole = std::round(number);

@@ -35,7 +35,7 @@ class ExpressionReader {
   /// "[ … ]"
   bool read_bracketed(Scanner& text, double& value);
 
-  /// What follows '#': "12", "[…]", "#3", "<name>"; the cursor stands behind the '#'.
+  /// What follows '#': "12", "[…]", "#3", "<name>", "[NAME]" of SETVN; the cursor stands behind the '#'.
   struct Target {
     int index = -1;    ///< numbered parameter, or −1
     std::string name;  ///< folded name, where index is −1
@@ -50,6 +50,7 @@ class ExpressionReader {
   bool read_compound(Scanner& text, double& value);
   bool read_parameter(Scanner& text, double& value);
   bool read_exists(Scanner& text, double& value);
+  std::optional<int> read_number_name(Scanner& text) const;
   bool read_function(Scanner& text, double& value);
   bool read_pair(Scanner& text, double& x, double& y);
   bool apply_power(Scanner& text, double& value);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "toolpace/base/axes.h"
+#include "toolpace/nc/text/decimal_code.h"
 #include "toolpace/nc/text/expression.h"
 
 namespace toolpace::nc {
@@ -17,6 +18,9 @@ constexpr double kDegreesPerRadian = 1.0 / kRadiansPerDegree;
 // Longer names first where one begins another.
 constexpr std::array<std::string_view, 14> kFunctions = {"abs", "acos", "asin", "atan",  "cos", "exists", "exp",
                                                          "fix", "fup",  "ln",   "round", "sin", "sqrt",   "tan"};
+
+constexpr std::array<std::string_view, 5> kMacroFunctions = {"bcd[", "bin[", "pow[", "rnd",
+                                                             "sqr"};  // of Fanuc's kind, too
 
 /// Where in "[x,y]…" the comma and the bracket that closes stand; 0 where there is none.
 struct Pair {
@@ -65,7 +69,8 @@ bool ExpressionReader::begins_value(Scanner text) {
   const char c = text.peek();
   if (!is_letter(c)) return is_digit(c) || c == '.' || c == '-' || c == '+' || c == '[' || c == '#';
   const auto begins = [&](std::string_view name) { return Scanner(text).take_word(name); };
-  return std::any_of(kFunctions.begin(), kFunctions.end(), begins) || begins("sqr") || begins("rnd") || begins("pow[");
+  return std::any_of(kFunctions.begin(), kFunctions.end(), begins) ||
+         std::any_of(kMacroFunctions.begin(), kMacroFunctions.end(), begins);
 }
 
 bool ExpressionReader::read_function(Scanner& text, double& value) {
@@ -78,6 +83,9 @@ bool ExpressionReader::read_function(Scanner& text, double& value) {
     if (text.take_word("pow")) return apply_power(text, value);
     if (text.take_word("sqr")) return apply_function("sqrt", column, text, value);
     if (text.take_word("rnd")) return apply_function("round", column, text, value);
+    for (const std::string_view name : {"bin", "bcd"}) {
+      if (text.take_word(name)) return apply_function(name, column, text, value);
+    }
   }
   return faults_.fail("function-unknown", fmt::format("'{}' begins no function", text.peek()),
                       "functions are ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN", column);
@@ -151,6 +159,8 @@ bool ExpressionReader::apply_function(std::string_view name, std::size_t column,
   if (name == "fix") value = fanuc_ ? std::trunc(x) : std::floor(x);
   if (name == "fup") value = fanuc_ && x < 0.0 ? std::floor(x) : std::ceil(x);
   if (name == "round") value = std::round(x);
+  if (name == "bin") value = from_decimal_code(x);
+  if (name == "bcd") value = to_decimal_code(x);
   if (name == "ln") {
     if (!(x > 0.0)) return domain("the logarithm needs a positive argument");
     value = std::log(x);

@@ -58,6 +58,14 @@ class Parameters {
   int count() const { return count_; }
   bool is_read_only(int index) const;
 
+  /// Names of variables (Fanuc's SETVN): they stand for their number, as #[NAME]. Folded as those below.
+  void name_numbered(const std::string& name, int index) { names_of_numbers_.insert_or_assign(name, index); }
+  bool has_named_numbers() const { return !names_of_numbers_.empty(); }
+  std::optional<int> number_of(const std::string& name) const {
+    const auto found = names_of_numbers_.find(name);
+    return found == names_of_numbers_.end() ? std::nullopt : std::optional(found->second);
+  }
+
   /// `name` is folded: lower case without blanks. Names that begin with '_' are global.
   std::optional<double> named(std::string_view name) const;
   /// @return false if there are too many names
@@ -81,6 +89,7 @@ class Parameters {
   int count_ = kParameterCount;
   std::vector<Frame> frames_;
   std::unordered_map<std::string, double> globals_;
+  std::unordered_map<std::string, int> names_of_numbers_;
   std::size_t name_count_ = 0;
   int local_count_ = kLinuxcncLocals;
   bool vacant_locals_ = false;
