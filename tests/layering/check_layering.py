@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-ROOMS = ["base", "nc", "path", "limits", "law", "plan", "sample", "servo", "verify", "io", "machine", "controller", "pipeline", "bound",
+ROOMS = ["base", "kinematics", "nc", "path", "limits", "law", "plan", "sample", "servo", "verify", "io", "machine", "controller", "pipeline", "bound",
          "report", "tune"]
 UI_ROOMS = ["theme", "models", "drawing", "jobs", "plots", "preview", "panels"]
 UI_STRANGERS = {("preview", "plots")}  # side by side: neither knows the other
