@@ -35,7 +35,7 @@ struct PlanFlags {
   ReadingFlags reading;
   JobFlags job;
   std::string setpoints;
-  bool axis_derivatives = false, decimal_comma = false;
+  bool axis_derivatives = false, decimal_comma = false, tip = false;
   bool json = false, bound = false, verify = false, servo = false;
   std::optional<double> timer_hz;
 };
@@ -46,7 +46,24 @@ struct Target {
   std::optional<ProgramPulseWriter> pulses;
 };
 
-Result<Target> open_target(const PlanFlags& flags) {
+/// Where --tip is given.
+Result<std::optional<Chain>> tip_chain(const PlanFlags& flags, const Kinematics& kinematics) {
+  if (!flags.tip) return std::nullopt;
+  const auto& joints = kinematics.chain.joints;
+  const bool has_head =
+      std::any_of(joints.begin(), joints.end(), [](const RotaryJoint& j) { return j.side == ChainSide::head; });
+  if (joints.empty()) {
+    return tl::unexpected(usage_error("kinematics-missing", "--tip needs a machine file with [kinematics]",
+                                      "name it with --machine, or add rotary = [...] to it"));
+  }
+  if (has_head && !kinematics.tells_tool_length) {
+    return tl::unexpected(usage_error("tool-length-missing", "--tip needs the length of the tool, which a head swings",
+                                      "add tool_mm to [kinematics]"));
+  }
+  return kinematics.chain;
+}
+
+Result<Target> open_target(const PlanFlags& flags, const Kinematics& kinematics) {
   Target target;
   if (flags.setpoints.empty()) return target;
   if (is_pulse_file(flags.setpoints)) {
@@ -64,6 +81,9 @@ Result<Target> open_target(const PlanFlags& flags) {
   options.axis_derivatives = flags.axis_derivatives;
   options.decimal_comma = flags.decimal_comma;
   options.program_name = flags.reading.program;
+  auto chain = tip_chain(flags, kinematics);
+  if (!chain) return tl::unexpected(std::move(chain.error()));
+  options.tip_of = std::move(*chain);
   auto setpoints = open_setpoint_writer(flags.setpoints, options, terminal_monitor("writing"));
   if (!setpoints) return tl::unexpected(setpoints.error());
   target.setpoints = std::move(*setpoints);
@@ -168,7 +188,7 @@ Done run_plan(const PlanFlags& flags) {
   const bool to_stdout = is_standard_output(flags.setpoints);
   const auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
-  auto target = open_target(flags);
+  auto target = open_target(flags, setup->kinematics);
   if (!target) return tl::unexpected(target.error());
   const auto outcome = plan_program(flags.reading, *setup);
   if (!outcome) return tl::unexpected(outcome.error());
@@ -229,6 +249,7 @@ void add_plan_command(CommandLine& line) {
   command.json(flags->json, "Print one JSON object");
   command.toggle("--servo", flags->servo, "Simulate the drives too, and add what simulate --json tells of them");
   command.toggle("--axis-derivatives", flags->axis_derivatives, "Add speed, acceleration and jerk of each axis");
+  command.toggle("--tip", flags->tip, "Add where the tool's tip is in the workpiece, by [kinematics] of the machine");
   command.toggle("--decimal-comma", flags->decimal_comma, "Decimal commas in .semicolon.csv");
   command.number("--timer-hz HZ", flags->timer_hz, "Clock of the pulse timer, for .pulses.csv");
   flags->job.add_to(command);

@@ -22,15 +22,15 @@ struct LastText {
 
 struct TextStyle {
   char separator;
-  bool axis_derivatives = false, decimal_comma = false;
+  bool decimal_comma = false;
   bool positions_only = false;  ///< without a header
 };
 
 class TextWriter final : public SetpointWriter {
  public:
-  TextWriter(OutputFile file, const TextStyle& style)
+  TextWriter(OutputFile file, SetpointTable table, const TextStyle& style)
       : file_(std::move(file)),
-        table_(style.axis_derivatives),
+        table_(std::move(table)),
         positions_only_(style.positions_only),
         separator_(style.separator),
         comma_(style.decimal_comma) {}
@@ -117,15 +117,18 @@ class TextWriter final : public SetpointWriter {
 }  // namespace
 
 MadeWriter make_csv_writer(OutputFile file, const SetpointFileOptions& options) {
-  return std::make_unique<TextWriter>(std::move(file), TextStyle{',', options.axis_derivatives});
+  return std::make_unique<TextWriter>(std::move(file), SetpointTable(options.axis_derivatives, options.tip_of),
+                                      TextStyle{','});
 }
 
 MadeWriter make_semicolon_writer(OutputFile file, const SetpointFileOptions& options) {
-  return std::make_unique<TextWriter>(std::move(file), TextStyle{';', options.axis_derivatives, options.decimal_comma});
+  return std::make_unique<TextWriter>(std::move(file), SetpointTable(options.axis_derivatives, options.tip_of),
+                                      TextStyle{';', options.decimal_comma});
 }
 
 MadeWriter make_halstream_writer(OutputFile file, const SetpointFileOptions&) {
-  return std::make_unique<TextWriter>(std::move(file), TextStyle{.separator = ' ', .positions_only = true});
+  return std::make_unique<TextWriter>(std::move(file), SetpointTable(false),
+                                      TextStyle{.separator = ' ', .positions_only = true});
 }
 
 }  // namespace toolpace::detail

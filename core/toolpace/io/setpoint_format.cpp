@@ -12,12 +12,12 @@ namespace {
 using Access = OutputFile::Access;
 
 constexpr std::array<SetpointFormat, 5> kFormats = {
-    {{"csv", ".csv", "Comma-separated", Access::forward, detail::make_csv_writer, "", detail::open_text},
-     {"npy", ".npy", "NumPy array", Access::patched, detail::make_npy_writer, "\x93NUMPY", detail::open_npy},
-     {"npz", ".npz", "NumPy archive", Access::patched, detail::make_npz_writer, "PK\x03\x04", detail::open_npz},
-     {"halstream", ".halstream", "LinuxCNC halstreamer", Access::forward, detail::make_halstream_writer, "",
+    {{"csv", ".csv", "Comma-separated", Access::forward, true, detail::make_csv_writer, "", detail::open_text},
+     {"npy", ".npy", "NumPy array", Access::patched, false, detail::make_npy_writer, "\x93NUMPY", detail::open_npy},
+     {"npz", ".npz", "NumPy archive", Access::patched, false, detail::make_npz_writer, "PK\x03\x04", detail::open_npz},
+     {"halstream", ".halstream", "LinuxCNC halstreamer", Access::forward, false, detail::make_halstream_writer, "",
       detail::open_halstream},
-     {"semicolon", ".semicolon.csv", "Semicolons", Access::forward, detail::make_semicolon_writer, "",
+     {"semicolon", ".semicolon.csv", "Semicolons", Access::forward, true, detail::make_semicolon_writer, "",
       detail::open_text}}};
 
 }  // namespace

@@ -22,6 +22,7 @@ struct SetpointFormat {
   std::string_view suffix;  ///< of file names, in small letters: ".csv"
   const char* title;        ///< for people: "Comma-separated"
   OutputFile::Access access;
+  bool names_columns;  ///< so that there may be more of them than readers know
   Result<std::unique_ptr<SetpointWriter>> (*write)(OutputFile file, const SetpointFileOptions& options);
   /// First bytes of such a file; empty = of text, which only the suffix tells from other text.
   std::string_view magic;

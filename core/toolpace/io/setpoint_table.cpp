@@ -72,13 +72,13 @@ void SetpointTable::decide_columns(const Setpoints& chunk) {
   }
   names_.insert(names_.end(), {"v_mm_s", "a_mm_s2", "j_mm_s3"});
   rotary_.resize(count);
-  if (!axis_derivatives_) return;
-  for (std::size_t order = 0; order < 3; ++order) {
+  for (std::size_t order = 0; axis_derivatives_ && order < 3; ++order) {
     derivatives_[order].resize(count);
     for (const std::size_t axis : axes_) {
       names_.push_back(std::string(1, "vaj"[order]) + "_" + kLetters[axis] + "_" + axis_unit(axis).key[order + 1]);
     }
   }
+  if (tip_of_) names_.insert(names_.end(), {"tip_x_mm", "tip_y_mm", "tip_z_mm"});
 }
 
 Result<void> SetpointTable::check(const Setpoints& chunk) const {
@@ -117,11 +117,24 @@ void SetpointTable::fill(const Setpoints& chunk) {
     columns_.push_back(rotary_[slot].data());
   }
   columns_.insert(columns_.end(), {chunk.speed.data(), chunk.acceleration.data(), chunk.jerk.data()});
-  if (!axis_derivatives_) return;
-  for (std::size_t slot = 0; slot < axes_.size(); ++slot) differentiate(slot, columns_[1 + slot]);
+  for (std::size_t slot = 0; axis_derivatives_ && slot < axes_.size(); ++slot) differentiate(slot, columns_[1 + slot]);
   for (const auto& order : derivatives_) {
     for (const auto& column : order) columns_.push_back(column.data());
   }
+  if (tip_of_) find_tip(chunk);
+}
+
+void SetpointTable::find_tip(const Setpoints& chunk) {
+  for (auto& column : tip_) column.resize(rows_);
+  for (std::size_t k = 0; k < rows_; ++k) {
+    AxisVector axes = AxisVector::Zero();
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      if (given_[axis]) axes[static_cast<Eigen::Index>(axis)] = chunk.position[axis][k];
+    }
+    const Eigen::Vector3d tip = forward(*tip_of_, axes).tip;
+    for (std::size_t i = 0; i < tip_.size(); ++i) tip_[i][k] = tip[static_cast<Eigen::Index>(i)];
+  }
+  for (const auto& column : tip_) columns_.push_back(column.data());
 }
 
 void SetpointTable::differentiate(std::size_t slot, const double* position) {

@@ -3,10 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "toolpace/base/result.h"
+#include "toolpace/kinematics/chain.h"
 #include "toolpace/sample/setpoints.h"
 
 namespace toolpace {
@@ -28,7 +31,9 @@ class SetpointTable {
  public:
   /// @param axis_derivatives  adds v, a, j of each axis, as backward differences of the positions over one period: what
   ///                          the drives see. Before the first row the machine is taken to rest.
-  explicit SetpointTable(bool axis_derivatives) : axis_derivatives_(axis_derivatives) {}
+  /// @param tip_of  adds tip_x_mm, tip_y_mm, tip_z_mm: where the chain has the tip, in the workpiece
+  explicit SetpointTable(bool axis_derivatives, std::optional<Chain> tip_of = {})
+      : axis_derivatives_(axis_derivatives), tip_of_(std::move(tip_of)) {}
 
   /// Makes `chunk` the present one; it must outlive the use of columns(). The first chunk decides the set of columns.
   /// Errors (input): columns of unequal length or other axes than before (code setpoint-columns), rows that do not
@@ -49,8 +54,10 @@ class SetpointTable {
   Result<void> check(const Setpoints& chunk) const;
   void fill(const Setpoints& chunk);
   void differentiate(std::size_t slot, const double* position);
+  void find_tip(const Setpoints& chunk);
 
   bool axis_derivatives_;
+  std::optional<Chain> tip_of_;
   bool started_ = false;
   double period_ = 0.0;
   std::uint64_t next_row_ = 0;
@@ -63,6 +70,7 @@ class SetpointTable {
   std::vector<double> time_;
   std::vector<std::vector<double>> rotary_;                      ///< scratch in degrees, one an axis shown
   std::array<std::vector<std::vector<double>>, 3> derivatives_;  ///< v, a, j: one an axis shown
+  std::array<std::vector<double>, 3> tip_;
   std::vector<std::array<double, 3>> last_;  ///< position, v, a of the row before, one an axis shown
 };
 

@@ -16,6 +16,15 @@ Result<std::unique_ptr<SetpointWriter>> open_setpoint_writer(const std::filesyst
                                 {file.string(), 0, 0},
                                 {}});
   }
+  if (options.tip_of && !format->names_columns) {
+    return tl::unexpected(
+        Error{ErrorKind::usage,
+              "setpoint-columns-unnamed",
+              std::string(format->suffix) + " has no names of columns, so that there is no room for the tip",
+              "write .csv or .semicolon.csv",
+              {file.string(), 0, 0},
+              {}});
+  }
   auto out = OutputFile::create(file, format->access, monitor);
   if (!out) return tl::unexpected(out.error());
   return format->write(std::move(*out), options);

@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
 #include "toolpace/io/setpoint_format.h"
+#include "toolpace/kinematics/chain.h"
 #include "toolpace/sample/setpoints.h"
 #include "toolpace/verify/setpoint_file.h"
 
@@ -17,6 +19,7 @@ struct SetpointFileOptions {
   const SetpointFormat* format = nullptr;  ///< null = by the name, see format_of()
   bool axis_derivatives = false;           ///< add v, a, j of each axis by differences (not in halstream)
   bool decimal_comma = false;              ///< semicolon only
+  std::optional<Chain> tip_of = {};        ///< add where that chain has the tip, in formats that name their columns
   std::string program_name = {};           ///< stands in the "meta" of .npz
 };
 
@@ -44,7 +47,7 @@ class SetpointWriter {
 };
 
 /// @param monitor  its stop token ends waits for the reader of a pipe
-/// Errors: usage (setpoint-format-unknown), io, cancelled.
+/// Errors: usage (setpoint-format-unknown, setpoint-columns-unnamed), io, cancelled.
 Result<std::unique_ptr<SetpointWriter>> open_setpoint_writer(const std::filesystem::path& file,
                                                              const SetpointFileOptions& options = {},
                                                              const Monitor& monitor = {});

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "toolpace/machine/key_text.h"
+#include "toolpace/machine/kinematics_section.h"
 #include "toolpace/machine/setup.h"
 #include "toolpace/machine/setup_proof.h"
 
@@ -32,6 +33,7 @@ Result<std::string> format_setup(const Setup& setup) {
     }
     if (!body.empty()) text += fmt::format("{}[{}]\n{}", text.empty() ? "" : "\n", sections[s].name, body);
   }
+  if (const std::string chain = detail::kinematics_text(setup.kinematics); !chain.empty()) text += "\n" + chain;
   return proven_text(std::move(text), setup, UnknownKeys::refuse);
 }
 

@@ -8,47 +8,26 @@
 
 #include "toolpace/base/input_file.h"
 #include "toolpace/base/nearest_word.h"
-#include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
 #include "toolpace/machine/key_text.h"
+#include "toolpace/machine/kinematics_section.h"
 #include "toolpace/machine/setup_keys.h"
-#include "toolpace/machine/toml_library.h"
+#include "toolpace/machine/toml_values.h"
 
 namespace toolpace {
 namespace {
 
 constexpr std::size_t kLongestFile = std::size_t{1} << 20;  ///< bytes; a file of settings has thousands
 
-Location place(const std::string& file, const toml::source_region& source) {
-  return {file, source.begin.line, source.begin.column};
-}
+using detail::number_of;
+using detail::place_in;
+using detail::shown;
 
 bool has_key(const SetupSection& section, const std::string& key) {
   const auto is_key = [&](const auto& known) { return known.name == key; };
   return std::any_of(section.numbers.begin(), section.numbers.end(), is_key) ||
          std::any_of(section.ranges.begin(), section.ranges.end(), is_key) ||
          std::find(section.words.begin(), section.words.end(), key) != section.words.end();
-}
-
-/// The parser's own conversions take true for 1.
-std::optional<double> number_of(const toml::node* node) {
-  if (node == nullptr) return std::nullopt;
-  if (const auto* real = node->as_floating_point()) return real->get();
-  if (const auto* whole = node->as_integer()) return static_cast<double>(whole->get());
-  return std::nullopt;
-}
-
-/// A value as the message about it shows it.
-std::string shown(const toml::node& node) {
-  if (const auto number = number_of(&node)) return to_text(*number);
-  if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
-  if (const auto* list = node.as_array()) {
-    if (list->size() == 2 && number_of(list->get(0)) && number_of(list->get(1)))
-      return fmt::format("[{}, {}]", shown(*list->get(0)), shown(*list->get(1)));
-    return "a list";
-  }
-  if (node.is_string()) return "a text";
-  return node.is_table() ? "a section" : "a date or a time";
 }
 
 /// Reads one TOML document into a Setup.
@@ -62,9 +41,10 @@ class SetupReader {
   Result<Setup> read(const toml::table& root) {
     for (auto&& [key, node] : root) {
       const std::string section(key.str());
-      const bool ok = section == "axes"    ? read_axes(node)
-                      : section == "servo" ? read_servo(node)
-                                           : read_named(section, key, node);
+      const bool ok = section == "axes"         ? read_axes(node)
+                      : section == "servo"      ? read_servo(node)
+                      : section == "kinematics" ? read_chain(node)
+                                                : read_named(section, key, node);
       if (!ok) return tl::unexpected(*error_);
     }
     PathLimits& path = setup_.machine.path;
@@ -75,7 +55,7 @@ class SetupReader {
 
  private:
   bool fail(const char* code, std::string message, std::string remedy, const toml::source_region& source) {
-    error_ = Error{ErrorKind::usage, code, std::move(message), std::move(remedy), place(name_, source), {}};
+    error_ = Error{ErrorKind::usage, code, std::move(message), std::move(remedy), place_in(name_, source), {}};
     return false;
   }
 
@@ -83,6 +63,13 @@ class SetupReader {
     if (unknown_ == UnknownKeys::pass_over) return true;
     return fail("machine-key", fmt::format("there is no {} '{}'", what, key.str()),
                 fmt::format("did you mean '{}'?", nearest_word(key.str(), known)), key.source());
+  }
+
+  bool read_chain(const toml::node& node) {
+    auto kinematics = detail::read_kinematics(node, name_, unknown_);
+    if (!kinematics) error_ = std::move(kinematics.error());
+    if (kinematics) setup_.kinematics = *std::move(kinematics);
+    return !error_;
   }
 
   bool unknown_axis(const toml::key& key) { return unknown("axis", key, {"X", "Y", "Z", "A", "B", "C"}); }
@@ -140,7 +127,7 @@ class SetupReader {
       return fail("machine-key", fmt::format("'{}' stands outside of any section", section),
                   fmt::format("write it under [{}]", other.name), key.source());
     }
-    return unknown("section", key, {"machine", "path", "axes", "servo", "law", "lookahead"});
+    return unknown("section", key, {"machine", "path", "axes", "servo", "law", "lookahead", "kinematics"});
   }
 
   const SetupSection* find(const std::string& name) const {
@@ -293,7 +280,7 @@ Result<Setup> parse_setup(std::string_view text, const std::string& name, Unknow
   if (plain != text) {
     const toml::parse_result structure = toml::parse(plain, name);
     if (!structure || continues_a_line(text)) {
-      const Location where = structure ? Location{name, 0, 0} : place(name, structure.error().source());
+      const Location where = structure ? Location{name, 0, 0} : place_in(name, structure.error().source());
       return tl::unexpected(syntax_error(
           structure ? "a line that goes on behind a backslash" : std::string(structure.error().description()),
           "letters outside of ASCII stand in comments and in texts of one line", where));
@@ -302,7 +289,7 @@ Result<Setup> parse_setup(std::string_view text, const std::string& name, Unknow
   const toml::parse_result parsed = toml::parse(text, name);
   if (!parsed) {
     return tl::unexpected(syntax_error(std::string(parsed.error().description()), "machine files are TOML",
-                                       place(name, parsed.error().source())));
+                                       place_in(name, parsed.error().source())));
   }
   return SetupReader(name, unknown).read(parsed.table());
 }

@@ -8,14 +8,22 @@
 
 #include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
+#include "toolpace/kinematics/chain.h"
 #include "toolpace/limits/machine.h"
 #include "toolpace/plan/options.h"
 
 namespace toolpace {
 
+/// [kinematics]: how the rotary axes carry workpiece and tool.
+struct Kinematics {
+  Chain chain;
+  bool tells_tool_length = false;
+};
+
 struct Setup {
   Machine machine;
   PlanOptions options;
+  Kinematics kinematics = {};
   Diagnostics warnings = {};  ///< what settings of another controller left open
 };
 

@@ -7,7 +7,7 @@ from command_line import FINE, SOURCE_DIR, CommandLineTest
 
 TEXT = (SOURCE_DIR / "docs" / "FORMATS.md").read_text()
 PROGRAM = "G21 G90 G94\nG1 X10 F3000\nM2\n"
-WORDS = {"name": '"m"', "kind": '"quintic"', "blocks": '"all"', "ramps": '"block"', "corner": '"servo"'}
+WORDS = {"name": '"m"', "rotary": "[]", "kind": '"quintic"', "blocks": '"all"', "ramps": '"block"', "corner": '"servo"'}
 
 
 def table(heading):

@@ -6,7 +6,7 @@ import resource
 import subprocess
 import unittest
 
-from command_line import BAD_INPUT, EXAMPLES, FILE_TROUBLE, FINE, PATIENCE_S, PROGRAM, CommandLineTest
+from command_line import BAD_INPUT, BAD_USAGE, EXAMPLES, FILE_TROUBLE, FINE, PATIENCE_S, PROGRAM, CommandLineTest
 
 LINE = "G21 G90 G94\nG1 X10 F3000\nM2\n"
 
@@ -44,6 +44,20 @@ class Output(CommandLineTest):
             self.assertAlmostEqual(float(row[0]), 0.002 * k, delta=1e-12)
         self.assertEqual(cells[0][1:4], ["0", "0", "0"])
         self.assertEqual(cells[-1][1:5], ["10", "-7.3", "0", "0"])
+
+    def test_the_tip_stands_beside_the_axes(self):
+        self.file("tilt.ngc", "G21 G90 G94\nG1 X10 B90 F3000\nM2\n")
+        machine = EXAMPLES.parent.parent / "resources" / "machines" / "five-axis.toml"
+        run = self.run_toolpace("plan", "tilt.ngc", "--machine", machine, "--setpoints", "tilt.csv", "--tip", "--verify")
+        self.assertEqual(run.code, FINE, run.err)
+        header, *rows = (self.folder / "tilt.csv").read_text().splitlines()
+        tip = [float(cell) for cell in rows[-1].split(",")[10:13]]
+        self.assertEqual(header.split(",")[10:13], ["tip_x_mm", "tip_y_mm", "tip_z_mm"])
+        for value, expected in zip(tip, (10 - 150, 0, 150)):  # a tool of 150 mm, laid down
+            self.assertAlmostEqual(value, expected, delta=1e-9)
+        for flags in (["--setpoints", "tilt.csv"], ["--machine", machine, "--setpoints", "tilt.npz"]):
+            refused = self.run_toolpace("plan", "tilt.ngc", "--tip", *flags)
+            self.assertEqual(refused.code, BAD_USAGE, refused.err)
 
     def test_an_hour_of_setpoints_fits_into_less_memory_than_its_rows(self):
         # 36 moves of 100 mm at 60 mm/min: 3.6 million rows of eight numbers are 230 MB.

@@ -100,6 +100,25 @@ TEST(Csv, GivesDerivativesOfEachAxisAsDifferences) {
   EXPECT_NEAR(std::strtod(fields[13].c_str(), nullptr), 2.5e8, 1e-6);
 }
 
+// B = 90° in the head lays a tool of 100 mm down: the tip is 100 mm towards −X, and as much above where it hung.
+TEST(Csv, ShowsWhereTheTipIs) {
+  Setpoints s = sample_setpoints(0, 1);
+  for (auto& axis : s.position) axis = {0.0};
+  s.position[4] = {90 * kRadiansPerDegree};
+  const Chain head{{{4, ChainSide::head, Eigen::Vector3d::UnitY(), Eigen::Vector3d::Zero()}}, 100};
+  const auto lines = lines_of(written(s, "a.csv", {.tip_of = head}));
+  EXPECT_EQ(lines[0], "t_s,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg,v_mm_s,a_mm_s2,j_mm_s3,tip_x_mm,tip_y_mm,tip_z_mm,line");
+  const auto fields = fields_of(lines[1], ',');
+  EXPECT_NEAR(std::strtod(fields[10].c_str(), nullptr), -100, 1e-12);
+  EXPECT_NEAR(std::strtod(fields[12].c_str(), nullptr), 100, 1e-12);
+  const TemporaryDirectory dir;
+  for (const char* name : {"a.npy", "a.npz", "a.halstream"}) {
+    const auto writer = open_setpoint_writer(dir / name, {.tip_of = head});
+    ASSERT_FALSE(writer) << name;
+    EXPECT_EQ(writer.error().code, "setpoint-columns-unnamed");
+  }
+}
+
 TEST(Semicolon, WritesDecimalCommasByChoice) {
   Setpoints s = sample_setpoints(0, 1);
   s.position[2][0] = -5.5;

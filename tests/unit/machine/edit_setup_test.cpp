@@ -139,7 +139,7 @@ TEST(EditSetup, DrivesThatShareAValueGoOnSharingIt) {
 }
 
 TEST(EditSetup, KeysOfALaterVersionStay) {
-  const std::string text = "[kinematics]\nrotary = [ # first\n{axis = \"A\", side = \"head\"}]\n[path]\nmax_snap = 5\n";
+  const std::string text = "[turret]\nplaces = [ # first\n{tool = \"A\", side = \"head\"}]\n[path]\nmax_snap = 5\n";
   EXPECT_EQ(edited(text, [](Machined& s) { s.machine.path.speed = 9; }), text + "max_speed_mm_s = 9\n");
 }
 
