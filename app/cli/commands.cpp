@@ -11,6 +11,7 @@ void add_commands(CommandLine& line) {
   add_simulate_command(line);
   add_report_command(line);
   add_predict_command(line);
+  add_rewrite_command(line);
 }
 
 }  // namespace toolpace::cli

@@ -10,6 +10,7 @@ void add_blocks_command(CommandLine& line);
 void add_move_command(CommandLine& line);
 void add_report_command(CommandLine& line);
 void add_predict_command(CommandLine& line);
+void add_rewrite_command(CommandLine& line);
 void add_simulate_command(CommandLine& line);
 void add_steps_command(CommandLine& line);
 void add_verify_command(CommandLine& line);

@@ -151,8 +151,11 @@ tl::expected<Reading, Failure> ReadingFlags::told(Result<Reading> reading) const
   return std::move(*reading);
 }
 
-tl::expected<Reading, Failure> ReadingFlags::read_accepted() const {
-  auto reading = read();
+tl::expected<Reading, Failure> ReadingFlags::read_accepted() const { return accepted(read()); }
+
+tl::expected<Reading, Failure> ReadingFlags::read_accepted(std::string_view text) const { return accepted(read(text)); }
+
+tl::expected<Reading, Failure> ReadingFlags::accepted(tl::expected<Reading, Failure> reading) const {
   if (!reading || !reading->refused) return reading;
   Error refused{ErrorKind::input,     "program-refused", "the program has errors",
                 "correct them first", {program, 0, 0},   {}};

@@ -37,9 +37,12 @@ struct ReadingFlags {
 
   /// The same, for commands that make nothing of a program with errors: it is a Failure.
   tl::expected<Reading, Failure> read_accepted() const;
+  /// The same of a text that was read from it already.
+  tl::expected<Reading, Failure> read_accepted(std::string_view text) const;
 
  private:
   tl::expected<void, Failure> check() const;
+  tl::expected<Reading, Failure> accepted(tl::expected<Reading, Failure> reading) const;
   tl::expected<Reading, Failure> told(Result<Reading> reading) const;
 
   const FileUse* files_ = nullptr;

@@ -1,0 +1,106 @@
+#include "toolpace/rewrite/fit_run.h"
+
+#include <algorithm>
+#include <array>
+
+#include "toolpace/rewrite/fit_line.h"
+
+namespace toolpace::detail::rewrite {
+namespace {
+
+constexpr double kPair = 0.1;        // of the tolerance, within which two rows become one
+constexpr std::size_t kWorthIt = 3;  // rows that become one within all of it
+
+/// The farthest end up to `limit` that `fits`, looked for in doubling steps from `from`, which does.
+template <class Fits>
+std::size_t farthest(std::size_t from, std::size_t limit, const Fits& fits) {
+  std::size_t step = 1;
+  while (from + step <= limit && fits(from + step)) {
+    from += step;
+    step *= 2;
+  }
+  for (step /= 2; step > 0; step /= 2) {
+    while (from + step <= limit && fits(from + step)) from += step;
+  }
+  return from;
+}
+
+class RunFitter {
+ public:
+  RunFitter(const Curve& curve, const FitRules& rules, int plane)
+      : curve_(curve),
+        rules_(rules),
+        tolerance_(rules.tolerance - curve.sagitta),
+        arcs_(curve, rules.arc, tolerance_),
+        planes_{plane, plane == 17 ? 18 : 17, plane == 19 ? 18 : 19} {}
+
+  std::vector<Span> fit() {
+    std::vector<Span> spans;
+    for (std::size_t at = 0; at < curve_.rows();) {
+      const Span span = longest(at, next_barrier(at));
+      at = span.last;
+      spans.push_back(span);
+    }
+    return spans;
+  }
+
+ private:
+  std::size_t next_barrier(std::size_t vertex) {
+    if (barrier_ <= vertex) {
+      barrier_ = vertex + 1;
+      while (curve_.barrier[barrier_] == 0) ++barrier_;
+    }
+    return barrier_;
+  }
+
+  static Span span(Span::Kind kind, std::size_t first, std::size_t last) {
+    return {kind, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last), {}};
+  }
+
+  Span longest(std::size_t first, std::size_t limit) {
+    Span best =
+        span(Span::Kind::line, first,
+             farthest(first + 1, limit, [&](std::size_t last) { return fits_line(curve_, first, last, tolerance_); }));
+    const std::size_t planes = !rules_.has_arcs ? 0 : rules_.arc.any_plane ? planes_.size() : 1;
+    for (std::size_t k = 0; k < planes && best.last < limit; ++k) try_arcs(planes_[k], limit, best);
+    return is_worth_it(best) ? best : span(Span::Kind::kept, first, first + std::size_t{1});
+  }
+
+  /// Replaces `best` by an arc of this plane that reaches farther.
+  void try_arcs(int plane, std::size_t limit, Span& best) {
+    const std::size_t first = best.first;
+    FittedArc found;
+    const auto fits = [&](std::size_t last) {
+      const auto arc = arcs_.fit(plane, first, last);
+      if (arc) found = *arc;
+      return arc.has_value();
+    };
+    const std::size_t begin = best.last;
+    const std::size_t last = farthest(begin, limit, fits);
+    if (last == begin) return;
+    best = span(Span::Kind::arc, first, last);
+    best.arc = found;
+  }
+
+  bool is_worth_it(const Span& span) {
+    const std::size_t rows = span.last - span.first;
+    if (rows != 2) return rows >= kWorthIt;
+    if (span.kind == Span::Kind::line) return fits_line(curve_, span.first, span.last, kPair * tolerance_);
+    return ArcFitter(curve_, rules_.arc, kPair * tolerance_).fit(span.arc.plane, span.first, span.last).has_value();
+  }
+
+  const Curve& curve_;
+  const FitRules& rules_;
+  double tolerance_;
+  ArcFitter arcs_;
+  std::array<int, 3> planes_;
+  std::size_t barrier_ = 0;
+};
+
+}  // namespace
+
+std::vector<Span> fit_run(const Curve& curve, const FitRules& rules, int plane) {
+  return RunFitter(curve, rules, plane).fit();
+}
+
+}  // namespace toolpace::detail::rewrite
