@@ -10,6 +10,7 @@
 #include "json.h"
 
 #include "commands.h"
+#include "controller_flags.h"
 #include "interrupt.h"
 #include "outcome_json.h"
 #include "reading_flags.h"
@@ -28,14 +29,11 @@ namespace {
 constexpr double kToleranceOfSetpoints = 0.01;  // [mm] at corners of "as setpoints"
 constexpr double kLongestRefined = 20'000;      // [s] of motion that are planned as well as can be
 constexpr std::size_t kShownRows = 8;
-constexpr double kMostBaud = 1e12;
-constexpr double kMostBlockTime = 1e6;  // [ms]
 constexpr const char* kAsSetpoints = "Toolpace's setpoints on the same limits";
 
 struct PredictFlags {
   ReadingFlags reading;
-  std::string controller, settings;
-  std::optional<double> baud, block_time_ms;
+  ControllerFlags controller;
   bool json = false, no_what_if = false;
 };
 
@@ -47,47 +45,6 @@ struct Told {
   std::optional<std::vector<AxisExcess>> excess;  ///< nothing where its motion is not known
   Diagnostics warnings;
 };
-
-std::string controller_names() {
-  std::string names;
-  for (const Controller c : all_controllers()) names += (names.empty() ? "" : ", ") + std::string(controller_name(c));
-  return names;
-}
-
-Result<ControllerSettings> settings_of(const PredictFlags& flags) {
-  std::optional<Controller> controller;
-  if (!flags.controller.empty()) {
-    controller = controller_named(flags.controller);
-    if (!controller) {
-      return tl::unexpected(usage_error("bad-flag", fmt::format("--controller knows no '{}'", flags.controller),
-                                        "give one of " + controller_names()));
-    }
-  }
-  return read_controller_settings(flags.settings, controller, terminal_monitor("settings"));
-}
-
-Result<PredictOptions> options_of(const PredictFlags& flags) {
-  PredictOptions options;
-  const auto check = [](const char* flag, double value, double most, const char* remedy,
-                        bool may_be_0) -> Result<void> {
-    if ((value > 0 || (may_be_0 && value == 0)) && value <= most) return {};
-    return tl::unexpected(usage_error("bad-flag",
-                                      fmt::format("{} is {}, but it must be {} and at most {}", flag, to_text(value),
-                                                  may_be_0 ? "at least 0" : "above 0", to_text(most)),
-                                      remedy));
-  };
-  if (flags.baud) {
-    if (auto fine = check("--baud", *flags.baud, kMostBaud, "leave it out where blocks are always there", false); !fine)
-      return tl::unexpected(fine.error());
-    options.baud = flags.baud;
-  }
-  if (flags.block_time_ms) {
-    if (auto fine = check("--block-time-ms", *flags.block_time_ms, kMostBlockTime, "give milliseconds", true); !fine)
-      return tl::unexpected(fine.error());
-    options.block_time = *flags.block_time_ms * 1e-3;
-  }
-  return options;
-}
 
 Json what_if_json(const Told& told) {
   Json list = Json::array();
@@ -159,13 +116,13 @@ Json predict_json(const PredictFlags& flags, const Reading& reading, const Contr
           {"rapid_time_s", p.rapid_time},
           {"dwell_time_s", p.dwell_time},
           {"blocks", p.blocks},
-          {"baud", Json(flags.baud)},
+          {"baud", Json(flags.controller.baud)},
           {"starved_s", p.starved},
           {"time_by_limit_s", std::move(limits)},
           {"what_if", what_if_json(told)},
           {"over_limits", excess_json(told)},
           {"settings",
-           {{"file", flags.settings},
+           {{"file", flags.controller.settings},
             {"used", settings.used},
             {"unused", settings.unused},
             {"unknown", settings.unknown},
@@ -208,11 +165,11 @@ void print_prediction(const PredictFlags& flags, const Reading& reading, const C
                       const Told& told) {
   const Prediction& p = told.prediction;
   fmt::print("{}\n  controller   {}, {}\n", flags.reading.program, controller_title(settings.controller),
-             flags.settings);
+             flags.controller.settings);
   fmt::print("  path         {} blocks\n", p.blocks);
   fmt::print("  cycle time   {:.4f} s  (feed {:.4f}, rapid {:.4f}, dwell {:.4f})\n", p.cycle_time, p.feed_time,
              p.rapid_time, p.dwell_time);
-  if (flags.baud || flags.block_time_ms)
+  if (flags.controller.baud || flags.controller.block_time_ms)
     fmt::print("  starved      {:.4f} s  (blocks did not arrive in time)\n", p.starved);
   for (std::size_t i = 0; i < kTimeLimitCount; ++i) {
     if (p.time_by_limit[i] > 0) {
@@ -239,7 +196,7 @@ void warn_of_what_is_left_out(const PredictFlags& flags, const ProgramText& text
   }
   const bool reads_from_disk =
       settings.controller == Controller::klipper || settings.controller == Controller::linuxcnc;
-  if (reads_from_disk && flags.baud) {
+  if (reads_from_disk && flags.controller.baud) {
     warn("link-not-used", fmt::format("{} reads programs from its own disk: --baud changes nothing",
                                       controller_title(settings.controller)));
   }
@@ -259,7 +216,7 @@ Result<std::optional<std::vector<AxisExcess>>> excess_of(const ControllerRun& ru
 
 tl::expected<Told, Failure> told_of(const PredictFlags& flags, const std::shared_ptr<const Reading>& reading,
                                     const ProgramText& text, const ControllerSettings& settings) {
-  auto options = options_of(flags);
+  auto options = flags.controller.options();
   if (!options) return tl::unexpected<Failure>(options.error());
   auto prediction = predict(*reading, text, settings, *options, terminal_monitor("predicting"));
   end_progress();
@@ -295,9 +252,9 @@ tl::expected<Told, Failure> told_of(const PredictFlags& flags, const std::shared
 }
 
 Done run_predict(PredictFlags flags) {
-  const auto settings = settings_of(flags);
+  const auto settings = flags.controller.read_settings();
   if (!settings) return tl::unexpected(settings.error());
-  if (auto options = options_of(flags); !options) return tl::unexpected(options.error());
+  if (auto options = flags.controller.options(); !options) return tl::unexpected(options.error());
   if (flags.reading.dialect == "auto")
     flags.reading.dialect = std::string(dialect_name(dialect_of(settings->controller)));
   const auto content = read_whole_file(flags.reading.program, terminal_monitor("reading"));
@@ -326,13 +283,7 @@ void add_predict_command(CommandLine& line) {
   Command command =
       line.add("predict", "Predict how long a real controller takes for a program, and what its settings would give",
                [flags] { return run_predict(*flags); });
-  command.input("--settings FILE", flags->settings, "the settings file",
-                "The controller's own settings: an answer to $$, a printer.cfg, a report of M503, a LinuxCNC .ini",
-                Need::required);
-  command.word("--controller NAME", flags->controller,
-               "One of " + controller_names() + "; default: as the settings tell");
-  command.number("--baud B", flags->baud, "Serial link, bit/s at 10 bits a byte; default: blocks are always there");
-  command.number("--block-time-ms T", flags->block_time_ms, "What the controller needs to read a block; default 0");
+  flags->controller.add_to(command, Need::required);
   command.toggle("--no-what-if", flags->no_what_if, "Leave out what other settings would give");
   command.json(flags->json, "Print one JSON object");
   flags->reading.add_to(command);

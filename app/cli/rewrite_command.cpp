@@ -8,6 +8,7 @@
 #include "json.h"
 
 #include "commands.h"
+#include "controller_flags.h"
 #include "interrupt.h"
 #include "job_flags.h"
 #include "outcome_json.h"
@@ -16,6 +17,7 @@
 #include "toolpace/base/descriptor.h"
 #include "toolpace/base/input_file.h"
 #include "toolpace/io/output_file.h"
+#include "toolpace/rewrite/controller_timer.h"
 #include "toolpace/rewrite/rewrite.h"
 
 namespace toolpace::cli {
@@ -24,9 +26,42 @@ namespace {
 struct RewriteFlags {
   ReadingFlags reading;
   JobFlags job;
+  ControllerFlags controller;
   std::string output, fit = "arcs";
   bool json = false;
 };
+
+/// What is known before the program is read.
+struct Order {
+  Setup setup;
+  std::optional<ControllerSettings> settings;
+  PredictOptions predict;
+};
+
+Result<Order> order_of(const RewriteFlags& flags) {
+  if (flags.fit != "arcs" && flags.fit != "lines") {
+    return tl::unexpected(
+        usage_error("bad-flag", "--fit does not know '" + flags.fit + "'", "give one of arcs, lines"));
+  }
+  auto setup = flags.job.setup();
+  if (!setup) return tl::unexpected(setup.error());
+  auto predict = flags.controller.options();
+  if (!predict) return tl::unexpected(predict.error());
+  Order order{std::move(*setup), std::nullopt, *predict};
+  if (!(order.setup.options.corner.tolerance > 0)) {
+    return tl::unexpected(usage_error("bad-flag", "--tolerance-mm is 0: nothing can be written otherwise within it",
+                                      "give a tolerance above 0"));
+  }
+  if (flags.controller.is_given()) {
+    auto settings = flags.controller.read_settings();
+    if (!settings) return tl::unexpected(settings.error());
+    order.settings = std::move(*settings);
+  } else if (!flags.controller.controller.empty() || flags.controller.baud || flags.controller.block_time_ms) {
+    return tl::unexpected(
+        usage_error("settings-missing", "a controller is named without its settings", "give them with --settings"));
+  }
+  return order;
+}
 
 std::size_t motion_blocks(const Moves& moves) {
   std::size_t motion = 0;
@@ -34,31 +69,88 @@ std::size_t motion_blocks(const Moves& moves) {
   return motion;
 }
 
-/// A program and what is told of it.
-struct Side {
-  std::size_t blocks, bytes;
-  std::optional<double> cycle_time;  ///< [s]
-};
-
-Result<Side> side_of(const RewriteFlags& flags, const Setup& setup, const Reading& reading, std::size_t bytes) {
+/// [s] of a plan.
+Result<double> planned_time(const RewriteFlags& flags, const Setup& setup, Reading reading) {
   auto job = std::make_shared<Job>();
   job->program_name = flags.reading.program;
-  job->program = std::make_shared<const Reading>(reading);
+  job->program = std::make_shared<const Reading>(std::move(reading));
   job->machine = setup.machine;
   job->options = setup.options;
   const auto outcome = toolpace::run(job, terminal_monitor("planning"));
   end_progress();
   if (!outcome) return tl::unexpected(outcome.error());
-  return Side{motion_blocks(reading.moves), bytes, outcome->summary.cycle_time};
+  return outcome->summary.cycle_time;
 }
 
-Done run_rewrite(const RewriteFlags& flags) {
-  if (flags.fit != "arcs" && flags.fit != "lines") {
-    return tl::unexpected<Failure>(
-        usage_error("bad-flag", "--fit does not know '" + flags.fit + "'", "give one of arcs, lines"));
-  }
-  const auto setup = flags.job.setup();
-  if (!setup) return tl::unexpected(setup.error());
+/// Klipper without [gcode_arcs] has none.
+bool has_arcs(const std::optional<ControllerSettings>& settings) {
+  const auto* const klipper = settings ? std::get_if<KlipperSettings>(&settings->values) : nullptr;
+  return !klipper || klipper->has_arcs;
+}
+
+Result<Rewritten> rewrite_with_times(const RewriteFlags& flags, const Order& order, std::string_view text,
+                                     const Reading& reading) {
+  RewriteOptions options{order.setup.options.corner.tolerance, flags.fit == "arcs" && has_arcs(order.settings), {}};
+  const Monitor monitor = terminal_monitor("rewriting");
+  if (order.settings) options.timer = controller_timer(*order.settings, order.predict, {monitor.stop, {}});
+  auto rewritten = rewrite(text, flags.reading.program, reading, flags.reading.options(), options, monitor);
+  end_progress();
+  if (!rewritten || order.settings) return rewritten;
+  const auto before = planned_time(flags, order.setup, reading);
+  if (!before) return tl::unexpected(before.error());
+  const auto after = planned_time(flags, order.setup, rewritten->reading);
+  if (!after) return tl::unexpected(after.error());
+  rewritten->time_before = *before;
+  rewritten->time_after = *after;
+  return rewritten;
+}
+
+struct Told {
+  const RewriteFlags& flags;
+  const Order& order;
+  const Reading& reading;
+  std::size_t bytes;
+  const Rewritten& rewritten;
+};
+
+Json rewrite_json(const Told& t) {
+  Json controller;
+  if (t.order.settings) controller = std::string(controller_name(t.order.settings->controller));
+  return {{"program", t.flags.reading.program},
+          {"output", t.flags.output},
+          {"dialect", std::string(dialect_name(t.reading.dialect))},
+          {"controller", std::move(controller)},
+          {"fit", t.flags.fit},
+          {"tolerance_mm", t.order.setup.options.corner.tolerance},
+          {"blocks_in", motion_blocks(t.reading.moves)},
+          {"blocks_out", motion_blocks(t.rewritten.reading.moves)},
+          {"bytes_in", t.bytes},
+          {"bytes_out", t.rewritten.text.size()},
+          {"max_deviation_mm", t.rewritten.max_deviation},
+          {"cycle_time_in_s", Json(t.rewritten.time_before)},
+          {"cycle_time_out_s", Json(t.rewritten.time_after)},
+          {"replaced_blocks", t.rewritten.replaced},
+          {"left_unproven", t.rewritten.unproven},
+          {"left_for_time", t.rewritten.slower}};
+}
+
+void print_summary(const Told& t) {
+  const Rewritten& r = t.rewritten;
+  fmt::print("{} -> {}\n", t.flags.reading.program, t.flags.output);
+  fmt::print("  blocks       {} -> {}\n", motion_blocks(t.reading.moves), motion_blocks(r.reading.moves));
+  fmt::print("  bytes        {} -> {}\n", t.bytes, r.text.size());
+  fmt::print("  deviation    {:.6f} mm, of {} mm\n", r.max_deviation, t.order.setup.options.corner.tolerance);
+  fmt::print("  cycle time   {:.4f} s -> {:.4f} s by {}\n", *r.time_before, *r.time_after,
+             t.order.settings ? controller_title(t.order.settings->controller) : std::string_view("the plan"));
+  if (r.slower > 0) fmt::print("  left alone   {} blocks, which would take longer otherwise\n", r.slower);
+  if (r.unproven > 0) fmt::print("  left alone   {} stretches, whose replacement did not pass the proof\n", r.unproven);
+}
+
+Done run_rewrite(RewriteFlags flags) {
+  const auto order = order_of(flags);
+  if (!order) return tl::unexpected(order.error());
+  if (order->settings && flags.reading.dialect == "auto")
+    flags.reading.dialect = std::string(dialect_name(dialect_of(order->settings->controller)));
   // What cannot be written is known at once.
   auto file = OutputFile::create(flags.output, OutputFile::Access::forward, terminal_monitor("writing"));
   if (!file) return tl::unexpected(file.error());
@@ -66,39 +158,15 @@ Done run_rewrite(const RewriteFlags& flags) {
   if (!content) return tl::unexpected(content.error());
   const auto reading = flags.reading.read_accepted(content->bytes());
   if (!reading) return tl::unexpected(reading.error());
-  const RewriteOptions options{setup->options.corner.tolerance, flags.fit == "arcs"};
-  const auto rewritten = rewrite(content->bytes(), flags.reading.program, *reading, flags.reading.options(), options,
-                                 terminal_monitor("rewriting"));
-  end_progress();
+  const auto rewritten = rewrite_with_times(flags, *order, content->bytes(), *reading);
   if (!rewritten) return tl::unexpected(rewritten.error());
-  const auto in = side_of(flags, *setup, *reading, content->bytes().size());
-  if (!in) return tl::unexpected(in.error());
-  const auto out = side_of(flags, *setup, rewritten->reading, rewritten->text.size());
-  if (!out) return tl::unexpected(out.error());
   if (auto written = file->write(rewritten->text); !written) return tl::unexpected(written.error());
   if (auto done = file->commit(); !done) return tl::unexpected(done.error());
+  const Told told{flags, *order, *reading, content->bytes().size(), *rewritten};
   if (flags.json) {
-    print_json({{"program", flags.reading.program},
-                {"output", flags.output},
-                {"dialect", std::string(dialect_name(reading->dialect))},
-                {"fit", flags.fit},
-                {"tolerance_mm", options.tolerance},
-                {"blocks_in", in->blocks},
-                {"blocks_out", out->blocks},
-                {"bytes_in", in->bytes},
-                {"bytes_out", out->bytes},
-                {"max_deviation_mm", rewritten->max_deviation},
-                {"cycle_time_in_s", Json(in->cycle_time)},
-                {"cycle_time_out_s", Json(out->cycle_time)},
-                {"runs", rewritten->runs},
-                {"runs_replaced", rewritten->replaced},
-                {"runs_unproven", rewritten->unproven}});
+    print_json(rewrite_json(told));
   } else if (!is_standard_output(flags.output)) {
-    fmt::print("{} -> {}\n", flags.reading.program, flags.output);
-    fmt::print("  blocks       {} -> {}\n", in->blocks, out->blocks);
-    fmt::print("  bytes        {} -> {}\n", in->bytes, out->bytes);
-    fmt::print("  deviation    {:.6f} mm\n", rewritten->max_deviation);
-    fmt::print("  cycle time   {:.4f} s -> {:.4f} s\n", *in->cycle_time, *out->cycle_time);
+    print_summary(told);
   }
   return kFine;
 }
@@ -112,12 +180,18 @@ void add_rewrite_command(CommandLine& line) {
                [flags] { return run_rewrite(*flags); });
   command.output("-o,--output FILE", flags->output, "The new program; - = standard output");
   command.word("--fit HOW", flags->fit, "arcs (default): lines, arcs and helices; lines: lines alone");
+  flags->controller.add_to(command, Need::optional);
   command.json(flags->json, "Print one JSON object");
   flags->job.add_to(command);
   flags->reading.add_to(command);
   command.footer(
+      "Runs of plain G1, G2 and G3 lines become longer ones within --tolerance-mm; everything else stays byte for "
+      "byte.\n"
+      "With --settings the times are those of the controller, and what it would take longer for is left alone.\n\n"
       "Examples:\n"
-      "  toolpace rewrite part.ngc -o shorter.ngc");
+      "  toolpace rewrite part.ngc -o shorter.ngc\n"
+      "  toolpace rewrite part.nc -o part-grbl.nc --tolerance-mm 0.005 --settings mill-settings.txt\n"
+      "  toolpace rewrite part.ngc -o - --fit lines");
 }
 
 }  // namespace toolpace::cli

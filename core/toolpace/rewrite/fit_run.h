@@ -16,6 +16,14 @@ struct Span {
   FittedArc arc;
 };
 
+/// Neighbouring blocks of a run that are written, or left, together.
+struct Stretch {
+  std::uint32_t first = 0, last = 0;  ///< rows of the run
+  enum class Fit : std::uint8_t { kept, lines, arcs };
+  Fit fit = Fit::kept;
+  std::vector<Span> spans;  ///< of all its rows
+};
+
 struct FitRules {
   double tolerance = 0.01;  ///< [mm] > 0
   bool has_arcs = true;     ///< else lines alone

@@ -2,21 +2,32 @@
 
 #include <algorithm>
 
+#include "toolpace/rewrite/same_rows.h"
 #include "toolpace/rewrite/walk.h"
 
 namespace toolpace::detail::rewrite {
 namespace {
 
+constexpr std::size_t kWalkedAtOnce = 32;  // spans
+
 class Prover {
  public:
   Prover(const Reading& before, const Reading& after, const Composed& composed, const std::vector<Edit>& edits,
          double tolerance, const Monitor& monitor)
-      : before_(before), after_(after), composed_(composed), edits_(edits), meter_(tolerance), monitor_(monitor) {
+      : before_(before),
+        after_(after),
+        a_(before.moves),
+        b_(after.moves),
+        composed_(composed),
+        edits_(edits),
+        meter_(tolerance),
+        monitor_(monitor) {
     for (std::size_t k = 0; k < edits.size(); ++k) {
-      if (!edits[k].spans.empty()) by_row_.push_back(k);
+      if (!edits[k].stretches.empty()) by_row_.push_back(k);
     }
-    const auto row_of = [&](std::size_t k) { return edits_[k].run.row; };
-    std::sort(by_row_.begin(), by_row_.end(), [&](std::size_t a, std::size_t b) { return row_of(a) < row_of(b); });
+    std::sort(by_row_.begin(), by_row_.end(),
+              [&](std::size_t p, std::size_t q) { return edits_[p].run.row < edits_[q].run.row; });
+    proof_.rows.resize(edits.size());
   }
 
   Result<Proof> prove() {
@@ -26,113 +37,145 @@ class Prover {
     }
     proof_.holds_outside = before_.dialect == after_.dialect && follow_rows() && same_modal();
     if (is_cancelled_) return tl::unexpected(cancelled_error());
-    proof_.deviation = by_row_.empty() ? 0.0 : meter_.largest();
+    if (any_walked_) proof_.deviation = meter_.largest();
     return proof_;
   }
 
  private:
-  /// The edit that a line of the new program belongs to, or none.
-  std::optional<std::size_t> edit_at(std::size_t line) const {
-    if (line == 0 || line > composed_.origin.size() || composed_.origin[line - 1] > 0) return std::nullopt;
-    return static_cast<std::size_t>(-composed_.origin[line - 1] - 1);
+  /// Of a line that belongs to an edit; else null.
+  const Origin* edited(std::size_t line) const {
+    if (line == 0 || line > composed_.origin.size() || composed_.origin[line - 1].line != 0) return nullptr;
+    return &composed_.origin[line - 1];
   }
 
   void blame_first_error() {
     for (const Diagnostic& d : after_.diagnostics) {
       if (d.severity != Severity::error) continue;
-      if (const auto edit = edit_at(d.where.line)) {
+      if (const Origin* const origin = edited(d.where.line)) {
         proof_.holds_outside = true;
-        proof_.wrong = {*edit};
+        proof_.wrong = {{origin->edit, origin->stretch, origin->span}};
       }
       return;
     }
   }
 
-  /// Goes through the rows of both; replaced runs are measured as wholes.
+  /// Goes through the rows of both.
   bool follow_rows() {
-    const Moves &a = before_.moves, &b = after_.moves;
-    std::size_t i = 0, j = 0, next = 0;
-    while (i < a.size()) {
-      if (monitor_.is_cancelled()) return !(is_cancelled_ = true);
-      if (next < by_row_.size() && edits_[by_row_[next]].run.row == i) {
-        const std::size_t edit = by_row_[next++], begin = j;
-        while (j < b.size() && b.file[j] == 0 && edit_at(b.line[j]) == edit) ++j;
-        measure(edit, {a, i, i + edits_[edit].run.count}, {b, begin, j});
-        i += edits_[edit].run.count;
+    std::size_t next = 0;
+    while (i_ < a_.size()) {
+      if (i_ % kReportEvery == 0 && monitor_.is_cancelled()) return !(is_cancelled_ = true);
+      if (next < by_row_.size() && edits_[by_row_[next]].run.row == i_) {
+        if (!follow_edit(by_row_[next++])) return false;
         continue;
       }
-      if (j >= b.size() || !same_row(i, j)) return false;
-      ++i, ++j;
+      if (j_ >= b_.size() || !same_row(a_, i_, b_, j_) || !same_line()) return false;
+      ++i_, ++j_;
     }
-    return j == b.size();
+    return j_ == b_.size();
   }
 
-  void measure(std::size_t edit, const Stretch& before, const Stretch& after) {
-    const Moves& b = after.moves;
-    bool fine = after.last > after.first && b.end[after.last - 1] == before.moves.end[before.last - 1] &&
-                b.begin_of(after.first) == before.moves.begin_of(before.first);
-    for (std::size_t row = after.first; fine && row < after.last; ++row) {
-      const bool feeds = b.kind[row] == MoveKind::feed || b.kind[row] == MoveKind::arc;
-      MoveMode mode = b.modes[b.mode[row]];  // but for the plane, of what the lines were under
-      mode.plane = static_cast<std::uint8_t>(edits_[edit].run.plane);
-      fine = feeds && mode == before.moves.modes[before.moves.mode[before.first]];
-    }
-    fine = fine && same_feeds(edit, before, after) && meter_.take(before, after);
-    if (!fine) proof_.wrong.push_back(edit);
+  bool same_line() const {
+    const std::size_t line = b_.line[j_];
+    if (b_.file[j_] != 0) return line == a_.line[i_];
+    if (line == 0 || line > composed_.origin.size()) return true;  // the end of the text itself
+    return composed_.origin[line - 1].line == a_.line[i_];
   }
 
-  /// Whether each block is as fast as all of the rows that it stands for.
-  bool same_feeds(std::size_t edit, const Stretch& before, const Stretch& after) const {
-    const std::vector<Span>& spans = edits_[edit].spans;
-    if (spans.size() != after.last - after.first) return false;
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-      for (std::size_t row = spans[k].first; row < spans[k].last; ++row) {
-        if (before.moves.feed[before.first + row] != after.moves.feed[after.first + k]) return false;
+  bool follow_edit(std::size_t number) {
+    const std::vector<Stretch>& stretches = edits_[number].stretches;
+    for (std::size_t s = 0; s < stretches.size(); ++s) {
+      const std::size_t begin = j_;
+      for (std::size_t k = 0; k < stretches[s].spans.size(); ++k) {
+        if (!follow_span({number, s, k}, stretches[s].spans[k])) return false;
       }
+      walk_pending();
+      proof_.rows[number].push_back({begin, j_});
     }
     return true;
   }
 
-  bool same_row(std::size_t i, std::size_t j) const {
-    const Moves &a = before_.moves, &b = after_.moves;
-    if (a.kind[i] != b.kind[j] || a.end[i] != b.end[j] || a.feed[i] != b.feed[j] || a.file[i] != b.file[j])
-      return false;
-    if (!(a.modes[a.mode[i]] == b.modes[b.mode[j]])) return false;
-    if (b.file[j] != 0) return a.line[i] == b.line[j] && same_detail(i, j);
-    const std::size_t line = b.line[j];
-    const bool same_line = line >= 1 && line <= composed_.origin.size()
-                               ? composed_.origin[line - 1] == static_cast<std::int64_t>(a.line[i])
-                               : line == composed_.origin.size() + 1 || line == 0;  // the end of the text itself
-    return same_line && same_detail(i, j);
+  /// @return false where the rows no longer stand side by side
+  bool follow_span(const SpanPlace& place, const Span& span) {
+    const std::size_t rows = span.last - span.first, begin = j_;
+    for (; j_ < b_.size() && b_.file[j_] == 0; ++j_) {
+      const Origin* const origin = edited(b_.line[j_]);
+      if (!origin || origin->edit != place.edit || origin->stretch != place.stretch || origin->span != place.span)
+        break;
+    }
+    if (j_ == begin) return false;
+    const Pending pending{place, {i_, i_ + rows}, {begin, j_}};
+    i_ += rows;
+    if (!begins_and_ends_alike(pending) || !says_the_same(pending)) {
+      proof_.wrong.push_back(place);
+    } else if (span.kind != Span::Kind::kept) {
+      pending_.push_back(pending);
+      if (pending_.size() < kWalkedAtOnce) return true;
+      walk_pending();
+    } else {
+      walk_pending();
+      if (j_ != begin + 1 || a_.kind[i_ - 1] != b_.kind[begin]) proof_.wrong.push_back(place);
+    }
+    return true;
   }
 
-  bool same_detail(std::size_t i, std::size_t j) const {
-    const Moves &a = before_.moves, &b = after_.moves;
-    const std::uint32_t p = a.detail[i], q = b.detail[j];
-    if (p >= kTapReturn || q >= kTapReturn) return p == q;
-    switch (a.kind[i]) {
-      case MoveKind::arc: {
-        const ArcDetail &x = a.arcs[p], &y = b.arcs[q];
-        const Eigen::Vector3d n = x.normal, m = y.normal;
-        return x.centre == y.centre && n == m && x.sweep == y.sweep;
-      }
-      case MoveKind::spline:
-        return a.splines[p].points == b.splines[q].points && a.splines[p].knots == b.splines[q].knots;
-      case MoveKind::dwell: return a.dwells[p] == b.dwells[q];
-      case MoveKind::tool:
-      case MoveKind::stop:
-      case MoveKind::end: return a.notes[p] == b.notes[q];
-      default: return p == q;
+  struct Pending {
+    SpanPlace place;
+    Rows before, after;
+  };
+
+  bool begins_and_ends_alike(const Pending& p) const {
+    return a_.begin_of(p.before.first) == b_.begin_of(p.after.first) &&
+           a_.end[p.before.last - 1] == b_.end[p.after.last - 1];
+  }
+
+  /// As fast, and under the same modes but for the plane.
+  bool says_the_same(const Pending& p) const {
+    const std::size_t first = p.before.first;
+    for (std::size_t row = first; row < p.before.last; ++row) {
+      if (a_.feed[row] != a_.feed[first]) return false;
     }
+    for (std::size_t row = p.after.first; row < p.after.last; ++row) {
+      MoveMode mode = b_.modes[b_.mode[row]];
+      mode.plane = a_.modes[a_.mode[first]].plane;
+      const bool feeds = b_.kind[row] == MoveKind::feed || b_.kind[row] == MoveKind::arc;
+      if (!feeds || b_.feed[row] != a_.feed[first] || !(mode == a_.modes[a_.mode[first]])) return false;
+    }
+    return true;
+  }
+
+  /// All at once, and only where that does not hold one by one.
+  void walk_pending() {
+    if (pending_.empty()) return;
+    any_walked_ = true;
+    const Pending &first = pending_.front(), &last = pending_.back();
+    const bool adjacent = last.before.last - first.before.first == total(&Pending::before) &&
+                          last.after.last - first.after.first == total(&Pending::after);
+    if (!adjacent ||
+        !meter_.take({a_, first.before.first, last.before.last}, {b_, first.after.first, last.after.last})) {
+      for (const Pending& p : pending_) {
+        if (!meter_.take({a_, p.before.first, p.before.last}, {b_, p.after.first, p.after.last}))
+          proof_.wrong.push_back(p.place);
+      }
+    }
+    pending_.clear();
+  }
+
+  std::size_t total(Rows Pending::*rows) const {
+    std::size_t sum = 0;
+    for (const Pending& p : pending_) sum += (p.*rows).last - (p.*rows).first;
+    return sum;
   }
 
   /// At the lines that stayed; the modal motion may differ where the next move names its own.
-  bool same_modal() {
-    if (!is_in_order(before_.moves)) return true;  // rows alone tell, then
+  bool same_modal() const {
+    if (!is_in_order(a_)) return true;  // rows alone tell, then
+    std::size_t last = 0;
     for (std::size_t k = 0; k < composed_.origin.size(); ++k) {
-      if (composed_.origin[k] <= 0) continue;
-      if (k > 0 && composed_.origin[k - 1] == composed_.origin[k] - 1) continue;  // as its neighbour, which was seen
-      auto a = before_.modal.at(static_cast<std::size_t>(composed_.origin[k])), b = after_.modal.at(k + 1);
+      const std::size_t line = composed_.origin[k].line;
+      const bool is_behind_edit = line != 0 && line != last + 1;  // elsewhere lines follow their neighbours
+      last = line;
+      if (!is_behind_edit) continue;
+      auto a = before_.modal.at(line), b = after_.modal.at(k + 1);
       if (a.has_value() != b.has_value()) return false;
       if (!a) continue;
       a->motion = b->motion = 0;
@@ -142,12 +185,15 @@ class Prover {
   }
 
   const Reading &before_, &after_;
+  const Moves &a_, &b_;
   const Composed& composed_;
   const std::vector<Edit>& edits_;
   WalkMeter meter_;
   const Monitor& monitor_;
   std::vector<std::size_t> by_row_;
-  bool is_cancelled_ = false;
+  std::size_t i_ = 0, j_ = 0;  // rows of both that come next
+  std::vector<Pending> pending_;
+  bool any_walked_ = false, is_cancelled_ = false;
   Proof proof_;
 };
 

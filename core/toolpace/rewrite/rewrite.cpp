@@ -1,11 +1,10 @@
 #include "toolpace/rewrite/rewrite.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "toolpace/nc/reader.h"
-#include "toolpace/nc/state.h"
+#include "toolpace/rewrite/fit_program.h"
 #include "toolpace/rewrite/proof.h"
 
 namespace toolpace {
@@ -13,31 +12,9 @@ namespace {
 
 using namespace detail::rewrite;
 
-constexpr int kRounds = 12;               // of writing and proving
-constexpr double kFinePerTolerance = 20;  // steps of I J K in a tolerance, at least
-constexpr double kMargin = 0.998;         // of the tolerance is used, so that rounding does not break it
-
-int decimals_for(double tolerance, double unit) {
-  const double digits = std::ceil(std::log10(kFinePerTolerance * unit / tolerance));
-  return static_cast<int>(std::clamp(digits, unit > 1.0 ? 4.0 : 3.0, 9.0));
-}
-
-/// What controllers of a dialect make of arcs.
-ArcRules arc_rules(Dialect dialect) {
-  ArcRules rules;
-  switch (dialect) {
-    case Dialect::linuxcnc: rules.may_turn_on = true; break;
-    case Dialect::grbl: rules.most_radius = 1000; break;  // it counts in floats
-    case Dialect::marlin:                                 // Klipper turns the other way in G18
-      rules.most_radius = 1000;
-      rules.any_plane = false;
-      break;
-    case Dialect::fanuc_lathe:
-    case Dialect::fanuc_lathe_b: rules.any_plane = false; break;
-    default: break;
-  }
-  return rules;
-}
+constexpr int kProofRounds = 12;    // of writing and proving
+constexpr int kTimeRounds = 8;      // of timing
+constexpr double kSameTime = 1e-9;  // relative
 
 class Rewriter {
  public:
@@ -49,56 +26,110 @@ class Rewriter {
         reading_(reading),
         read_options_(read_options),
         options_(options),
-        monitor_(monitor) {}
+        monitor_(monitor),
+        fitter_(lines_, reading, options.tolerance, options.has_arcs) {}
 
   Result<Rewritten> run() {
-    if (!fit()) return tl::unexpected(cancelled_error());
-    for (int round = 0; round < kRounds && has_edits(); ++round) {
+    auto edits = fitter_.fit(monitor_);
+    if (!edits) return tl::unexpected(edits.error());
+    edits_ = std::move(*edits);
+    if (!options_.timer) return settled();
+    return fastest();
+  }
+
+ private:
+  /// The program with the present edits, less what does not pass the proof.
+  Result<Rewritten> settled() {
+    for (int round = 0; round < kProofRounds && has_edits(); ++round) {
       const Composed composed = compose(lines_, reading_.moves, edits_, counts_integers(reading_.dialect));
       auto after = read_text(composed.text, name_, read_options_, {monitor_.stop, {}});
       if (!after && after.error().kind == ErrorKind::cancelled) return tl::unexpected(after.error());
       if (!after) break;
-      const auto proof = prove(reading_, *after, composed, edits_, options_.tolerance, monitor_);
+      auto proof = prove(reading_, *after, composed, edits_, options_.tolerance, monitor_);
       if (!proof) return tl::unexpected(proof.error());
-      if (proof->holds()) return finish(composed.text, std::move(*after), proof->deviation);
+      rows_ = std::move(proof->rows);
+      if (proof->holds()) return result(composed.text, std::move(*after), proof->deviation);
       if (!proof->holds_outside) break;
-      for (const std::size_t k : proof->wrong) drop(k);
+      take_back(std::move(proof->wrong));
     }
-    for (std::size_t k = 0; k < edits_.size(); ++k) drop(k);
-    return finish(std::string(text_), reading_, 0.0);
+    for (Edit& edit : edits_) edit.stretches.clear();
+    return result(std::string(text_), reading_, 0.0);
   }
 
- private:
-  bool fit() {
-    const std::vector<Run> runs = find_runs(lines_, reading_);
-    Curve curve;
-    for (const Run& run : runs) {
-      if (monitor_.is_cancelled()) return false;
-      monitor_.report(0.5 * static_cast<double>(run.line) / static_cast<double>(lines_.count()));
-      edits_.push_back({run, {}});
-      FitRules rules{kMargin * options_.tolerance, options_.has_arcs, arc_rules(reading_.dialect)};
-      if (reading_.dialect == Dialect::marlin && run.plane != 17) rules.has_arcs = false;
-      const int decimals = edits_.back().decimals = decimals_for(options_.tolerance, run.unit);
-      rules.arc.centre_step = run.unit * std::pow(10.0, -decimals);
-      make_curve(reading_.moves, run, options_.tolerance, curve);
-      std::vector<Span> spans = fit_run(curve, rules, run.plane);
-      if (spans.size() < run.count) edits_.back().spans = std::move(spans);
+  /// From the back on, so that places stay what they are.
+  void take_back(std::vector<SpanPlace> places) {
+    const auto key = [](const SpanPlace& p) { return std::tuple(p.edit, p.stretch, p.span); };
+    std::sort(places.begin(), places.end(), [&](const auto& p, const auto& q) { return key(p) > key(q); });
+    for (const SpanPlace& p : places) {
+      Edit& edit = edits_[p.edit];
+      if (keep_span(edit.stretches[p.stretch], p.span)) {
+        ++unproven_;
+      } else {  // a line that was copied does not mean what it did: the whole run is left
+        edit.stretches.clear();
+        while (!places.empty() && places.back().edit != p.edit) places.pop_back();
+        return;
+      }
     }
-    return true;
+  }
+
+  /// The fastest of the programs that come up while what takes longer than before is fitted with less, stretch by stretch.
+  Result<Rewritten> fastest() {
+    const auto before = options_.timer(reading_, text_);
+    if (!before) return tl::unexpected(before.error());
+    std::optional<Rewritten> best;
+    for (int round = 0; round < kTimeRounds; ++round) {
+      auto candidate = settled();
+      if (!candidate) return candidate;
+      const auto after = options_.timer(candidate->reading, candidate->text);
+      if (!after) return tl::unexpected(after.error());
+      candidate->time_before = before->total;
+      candidate->time_after = after->total;
+      const double most = best ? *best->time_after : before->total;
+      if (after->total <= most * (1 + kSameTime)) best = std::move(*candidate);
+      if (!simplify_slower(*before, *after)) break;
+    }
+    if (best && *best->time_after <= before->total * (1 + kSameTime)) return std::move(*best);
+    for (Edit& edit : edits_) slower_ += edit.stretches.empty() ? 0 : edit.run.count;
+    for (Edit& edit : edits_) edit.stretches.clear();
+    Rewritten as_it_was = result(std::string(text_), reading_, 0.0);
+    as_it_was.time_before = as_it_was.time_after = before->total;
+    return as_it_was;
+  }
+
+  /// @return whether there was any
+  bool simplify_slower(const ProgramTime& before, const ProgramTime& after) {
+    const auto sum = [](const ProgramTime& time, std::size_t first, std::size_t last) {
+      double total = 0.0;
+      for (std::size_t row = first; row < last && row < time.row.size(); ++row) total += time.row[row];
+      return total;
+    };
+    bool any = false;
+    for (std::size_t k = 0; k < edits_.size(); ++k) {
+      Edit& edit = edits_[k];
+      for (std::size_t s = 0; s < edit.stretches.size(); ++s) {
+        Stretch& stretch = edit.stretches[s];
+        if (stretch.fit == Stretch::Fit::kept) continue;
+        const double old = sum(before, edit.run.row + stretch.first, edit.run.row + stretch.last);
+        if (sum(after, rows_[k][s].first, rows_[k][s].last) <= old * (1 + kSameTime)) continue;
+        fitter_.fit_simpler(edit, stretch);
+        any = true;
+      }
+    }
+    return any;
   }
 
   bool has_edits() const {
-    return std::any_of(edits_.begin(), edits_.end(), [](const Edit& e) { return !e.spans.empty(); });
+    return std::any_of(edits_.begin(), edits_.end(), [](const Edit& e) { return !e.stretches.empty(); });
   }
 
-  void drop(std::size_t k) {
-    unproven_ += edits_[k].spans.empty() ? 0 : 1;
-    edits_[k].spans.clear();
-  }
-
-  Rewritten finish(std::string text, Reading after, double deviation) const {
-    Rewritten result{std::move(text), std::move(after), edits_.size(), 0, unproven_, deviation};
-    for (const Edit& edit : edits_) result.replaced += edit.spans.empty() ? 0 : 1;
+  Rewritten result(std::string text, Reading after, double deviation) const {
+    Rewritten result{std::move(text), std::move(after), deviation, 0, unproven_, slower_, {}, {}};
+    for (const Edit& edit : edits_) {
+      for (const Stretch& stretch : edit.stretches) {
+        if (stretch.fit == Stretch::Fit::kept) result.slower += stretch.last - stretch.first;
+        for (const Span& span : stretch.spans) result.replaced += span.kind == Span::Kind::kept ? 0 : 1;
+      }
+    }
     return result;
   }
 
@@ -109,8 +140,10 @@ class Rewriter {
   const ReadOptions& read_options_;
   const RewriteOptions& options_;
   const Monitor& monitor_;
+  ProgramFitter fitter_;
   std::vector<Edit> edits_;
-  std::size_t unproven_ = 0;
+  std::vector<std::vector<Rows>> rows_;  // of stretches in the program written last
+  std::size_t unproven_ = 0, slower_ = 0;
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 constexpr double kChordSagitta = 1.0 / 500;  // [tolerances] of chords that stand for arcs
 constexpr double kExact = 0.01;              // [tolerances]
 
-Moves rows_of(const Stretch& stretch) {
+Moves rows_of(const MoveRows& stretch) {
   const Moves& all = stretch.moves;
   Moves some;
   some.start = all.begin_of(stretch.first);
@@ -65,7 +65,7 @@ bool walks(const std::vector<AxisVector>& points, const Path& path, double withi
 
 WalkMeter::WalkMeter(double tolerance) : tolerance_(tolerance), largest_(std::min(kOnPath, tolerance)) {}
 
-bool WalkMeter::take(const Stretch& before, const Stretch& after) {
+bool WalkMeter::take(const MoveRows& before, const MoveRows& after) {
   const auto from = build_path(rows_of(before), 0.0), to = build_path(rows_of(after), 0.0);
   if (!from || !to) return false;
   if (from->size() == 0 && to->size() == 0) return true;

@@ -8,7 +8,7 @@
 
 namespace toolpace::detail::rewrite {
 
-struct Stretch {
+struct MoveRows {
   const Moves& moves;
   std::size_t first, last;  ///< rows first … last − 1
 };
@@ -20,7 +20,7 @@ class WalkMeter {
 
   /// Fréchet distance of two stretches against the tolerance: exact to a hundredth of it where it is the largest so far.
   /// @return whether it is within the tolerance
-  bool take(const Stretch& before, const Stretch& after);
+  bool take(const MoveRows& before, const MoveRows& after);
 
   /// [mm] rounded up
   double largest() const { return largest_; }

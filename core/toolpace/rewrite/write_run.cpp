@@ -37,20 +37,25 @@ class RunWriter {
     if (first->motion == 0) motion_ = motion_of_row(moves, edit.run.row);
   }
 
-  void write() {
-    for (const Span& span : edit_.spans) {
-      const bool is_last = span.last == edit_.run.count;
-      const auto line = plain_line(lines_.content(edit_.run.line + span.last - 1));
-      if (span.kind == Span::Kind::kept) {
-        keep(span, *line);
-      } else {
-        write_span(span, line->label, is_last);
-      }
+  void write(std::size_t number) {
+    origin_.edit = number;
+    for (origin_.stretch = 0; origin_.stretch < edit_.stretches.size(); ++origin_.stretch) {
+      const std::vector<Span>& spans = edit_.stretches[origin_.stretch].spans;
+      for (origin_.span = 0; origin_.span < spans.size(); ++origin_.span) write(spans[origin_.span]);
     }
     restore();
   }
 
  private:
+  void write(const Span& span) {
+    const auto line = plain_line(lines_.content(edit_.run.line + span.last - 1));
+    if (span.kind == Span::Kind::kept) {
+      keep(span, *line);
+    } else {
+      write_span(span, line->label, span.last == edit_.run.count);
+    }
+  }
+
   std::size_t line_of(std::size_t row) const { return edit_.run.line + row; }
 
   void add(std::string_view word_letter, std::string_view number) {
@@ -66,7 +71,7 @@ class RunWriter {
     out_.text += block_;
     out_.text += ending;
     block_.clear();
-    out_.origin.push_back(run_number_);
+    out_.origin.push_back(origin_);
   }
 
   /// A row as it was written, with what has to stand before it.
@@ -162,10 +167,6 @@ class RunWriter {
     end_line({}, ending.empty() ? "\n" : ending);
   }
 
- public:
-  void set_number(std::size_t number) { run_number_ = -static_cast<std::int64_t>(number); }
-
- private:
   const ProgramLines& lines_;
   const Moves& moves_;
   const Edit& edit_;
@@ -173,7 +174,7 @@ class RunWriter {
   Composed& out_;
   int plane_;
   int motion_ = 0;  // modal one in what is written; 0 = not known
-  std::int64_t run_number_ = 0;
+  Origin origin_;
   std::string_view gap_;
   int case_ = 0;
   std::string block_;
@@ -187,16 +188,14 @@ Composed compose(const ProgramLines& lines, const Moves& moves, const std::vecto
   const auto keep_up_to = [&](std::size_t end) {
     for (; line < end; ++line) {
       out.text += lines.whole(line);
-      out.origin.push_back(static_cast<std::int64_t>(line));
+      out.origin.push_back({line});
     }
   };
   for (std::size_t k = 0; k < edits.size(); ++k) {
     const Edit& edit = edits[k];
-    if (edit.spans.empty()) continue;
+    if (edit.stretches.empty()) continue;
     keep_up_to(edit.run.line);
-    RunWriter writer(lines, moves, edit, keeps_points, out);
-    writer.set_number(k + 1);
-    writer.write();
+    RunWriter(lines, moves, edit, keeps_points, out).write(k);
     line += edit.run.count;
   }
   keep_up_to(lines.count() + 1);

@@ -11,20 +11,25 @@
 
 namespace toolpace::detail::rewrite {
 
-/// A run and what replaces it; no spans = nothing does.
+/// A run and what replaces it.
 struct Edit {
   Run run;
-  std::vector<Span> spans;
-  int decimals = 4;  ///< of I J K
+  std::vector<Stretch> stretches;  ///< of all its rows; none = it stays as it is
+  int decimals = 4;                ///< of I J K
+};
+
+/// What a line of a composed text stands for.
+struct Origin {
+  std::size_t line = 0;  ///< of the program, from 1; 0 = it belongs to an edit
+  std::size_t edit = 0, stretch = 0, span = 0;
 };
 
 struct Composed {
   std::string text;
-  /// Of each line, [0] is line 1: the line of the program that it is, from 1; or −k: it stands for run k of the edits.
-  std::vector<std::int64_t> origin;
+  std::vector<Origin> origin;  ///< of each line, [0] is line 1
 };
 
-/// Replaces the runs that have spans. All other lines stay byte for byte, and mean what they meant: behind a run the modal
+/// Replaces the runs that have stretches. All other lines stay byte for byte, and mean what they meant: behind a run the modal
 /// motion, plane and feed are as they would be. Ends of blocks are written with the program's own numbers, without zeros at
 /// their ends.
 /// @param keeps_points  X100. is something else than X100

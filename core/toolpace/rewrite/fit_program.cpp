@@ -1,0 +1,116 @@
+#include "toolpace/rewrite/fit_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace toolpace::detail::rewrite {
+namespace {
+
+constexpr double kFinePerTolerance = 20;    // steps of I J K in a tolerance, at least
+constexpr double kMargin = 0.998;           // of the tolerance is used, so that rounding does not break it
+constexpr std::size_t kRowsOfStretch = 64;  // at least
+constexpr double kFloatRadius = 1000;       // [mm] up to which arcs are fine on controllers that count in floats
+
+int decimals_for(double tolerance, double unit) {
+  const double digits = std::ceil(std::log10(kFinePerTolerance * unit / tolerance));
+  return static_cast<int>(std::clamp(digits, unit > 1.0 ? 4.0 : 3.0, 9.0));
+}
+
+/// What controllers of a dialect make of arcs.
+ArcRules arc_rules(Dialect dialect) {
+  ArcRules rules;
+  switch (dialect) {
+    case Dialect::linuxcnc: rules.may_turn_on = true; break;
+    case Dialect::grbl: rules.most_radius = kFloatRadius; break;
+    case Dialect::marlin:  // Klipper turns the other way in G18
+      rules.most_radius = kFloatRadius;
+      rules.any_plane = false;
+      break;
+    case Dialect::fanuc_lathe:
+    case Dialect::fanuc_lathe_b: rules.any_plane = false; break;
+    default: break;
+  }
+  return rules;
+}
+
+Span kept(std::size_t row) {
+  return {Span::Kind::kept, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(row + 1), {}};
+}
+
+std::vector<Span> kept_rows(std::size_t first, std::size_t last) {
+  std::vector<Span> spans;
+  for (std::size_t row = first; row < last; ++row) spans.push_back(kept(row));
+  return spans;
+}
+
+std::vector<Stretch> stretches_of(const std::vector<Span>& spans, Stretch::Fit fit) {
+  std::vector<Stretch> stretches;
+  for (const Span& span : spans) {
+    if (stretches.empty() || stretches.back().last - stretches.back().first >= kRowsOfStretch) {
+      stretches.push_back({span.first, span.first, fit, {}});
+    }
+    stretches.back().spans.push_back(span);
+    stretches.back().last = span.last;
+  }
+  return stretches;
+}
+
+}  // namespace
+
+ProgramFitter::ProgramFitter(const ProgramLines& lines, const Reading& reading, double tolerance, bool has_arcs)
+    : lines_(lines), reading_(reading), tolerance_(tolerance), has_arcs_(has_arcs) {}
+
+FitRules ProgramFitter::rules_for(const Run& run) const {
+  FitRules rules{kMargin * tolerance_, has_arcs_, arc_rules(reading_.dialect)};
+  if (reading_.dialect == Dialect::marlin && run.plane != 17) rules.has_arcs = false;
+  rules.arc.centre_step = run.unit * std::pow(10.0, -decimals_for(tolerance_, run.unit));
+  return rules;
+}
+
+Result<std::vector<Edit>> ProgramFitter::fit(const Monitor& monitor) {
+  std::vector<Edit> edits;
+  for (const Run& run : find_runs(lines_, reading_)) {
+    if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+    monitor.report(static_cast<double>(run.line) / static_cast<double>(lines_.count()));
+    edits.push_back({run, {}, decimals_for(tolerance_, run.unit)});
+    make_curve(reading_.moves, run, tolerance_, curve_);
+    const FitRules rules = rules_for(run);
+    const std::vector<Span> spans = fit_run(curve_, rules, run.plane);
+    const bool gains =
+        std::any_of(spans.begin(), spans.end(), [](const Span& s) { return s.kind != Span::Kind::kept; });
+    if (gains) edits.back().stretches = stretches_of(spans, rules.has_arcs ? Stretch::Fit::arcs : Stretch::Fit::lines);
+  }
+  return edits;
+}
+
+void ProgramFitter::fit_simpler(const Edit& edit, Stretch& stretch) {
+  if (stretch.fit == Stretch::Fit::lines) {
+    stretch.spans = kept_rows(stretch.first, stretch.last);
+    stretch.fit = Stretch::Fit::kept;
+    return;
+  }
+  const Run part{edit.run.line + stretch.first, stretch.last - stretch.first, edit.run.row + stretch.first,
+                 edit.run.plane, edit.run.unit};
+  make_curve(reading_.moves, part, tolerance_, curve_);
+  FitRules rules = rules_for(part);
+  rules.has_arcs = false;
+  stretch.spans = fit_run(curve_, rules, part.plane);
+  for (Span& span : stretch.spans) {
+    span.first += stretch.first;
+    span.last += stretch.first;
+  }
+  stretch.fit = Stretch::Fit::lines;
+}
+
+bool keep_span(Stretch& stretch, std::size_t span) {
+  const Span old = stretch.spans[span];
+  if (old.kind == Span::Kind::kept) return false;
+  const std::vector<Span> rows = kept_rows(old.first, old.last);
+  const auto at = stretch.spans.erase(stretch.spans.begin() + static_cast<std::ptrdiff_t>(span));
+  stretch.spans.insert(at, rows.begin(), rows.end());
+  return true;
+}
+
+}  // namespace toolpace::detail::rewrite
