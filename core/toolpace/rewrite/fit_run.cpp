@@ -8,8 +8,8 @@
 namespace toolpace::detail::rewrite {
 namespace {
 
-constexpr double kPair = 0.1;        // of the tolerance, within which two rows become one
-constexpr std::size_t kWorthIt = 3;  // rows that become one within all of it
+/// Within which share of the tolerance so many rows become one block; more of them do within all of it.
+constexpr std::array<double, 4> kWorthIt = {0.0, 0.0, 0.3, 1.0};
 
 /// The farthest end up to `limit` that `fits`, looked for in doubling steps from `from`, which does.
 template <class Fits>
@@ -84,9 +84,11 @@ class RunFitter {
 
   bool is_worth_it(const Span& span) {
     const std::size_t rows = span.last - span.first;
-    if (rows != 2) return rows >= kWorthIt;
-    if (span.kind == Span::Kind::line) return fits_line(curve_, span.first, span.last, kPair * tolerance_);
-    return ArcFitter(curve_, rules_.arc, kPair * tolerance_).fit(span.arc.plane, span.first, span.last).has_value();
+    if (rows >= kWorthIt.size()) return true;
+    if (rows < 2) return false;
+    const double tolerance = kWorthIt[rows] * tolerance_;
+    if (span.kind == Span::Kind::line) return fits_line(curve_, span.first, span.last, tolerance);
+    return ArcFitter(curve_, rules_.arc, tolerance).fit(span.arc.plane, span.first, span.last).has_value();
   }
 
   const Curve& curve_;

@@ -32,7 +32,7 @@ struct FitRules {
 
 /// Replaces by the longest line, arc or helix that fits, from the run's begin on, barrier by barrier.
 ///
-/// What gains little is left: two rows become one only where they were as good as one. So that, and because the ends of blocks
+/// What gains little is left: two or three rows become one only where they were as good as one. So that, and because the ends of blocks
 /// are ends of rows, a run that was fitted before hardly changes again.
 std::vector<Span> fit_run(const Curve& curve, const FitRules& rules, int plane);
 
