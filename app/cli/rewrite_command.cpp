@@ -43,6 +43,8 @@ Result<Order> order_of(const RewriteFlags& flags) {
     return tl::unexpected(
         usage_error("bad-flag", "--fit does not know '" + flags.fit + "'", "give one of arcs, lines"));
   }
+  if (flags.output.empty())
+    return tl::unexpected(usage_error("flag-missing", "there is no file to write", "name it with -o"));
   auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
   auto predict = flags.controller.options();

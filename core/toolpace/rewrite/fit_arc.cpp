@@ -150,7 +150,7 @@ std::optional<ArcFitter::Centre> ArcFitter::evened(const Centre& c, const Walk& 
 }
 
 std::optional<FittedArc> ArcFitter::finished(const Centre& c, const Walk& walk, std::size_t end) const {
-  FittedArc arc{plane_, c.u, c.v, turn_ < 0.0, 1};
+  FittedArc arc{plane_, c.u, c.v, turn_ < 0.0, 1, walk.sweep};
   const Eigen::Vector3d back = curve_.point[end] - start_;
   const bool ends_at_start = back[u_] == 0.0 && back[v_] == 0.0;
   const double turns = walk.sweep / kTwoPi;

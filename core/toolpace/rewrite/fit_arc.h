@@ -22,7 +22,8 @@ struct FittedArc {
   double i = 0.0,
          j = 0.0;  ///< [mm] from the start to the centre, along the plane's first and second axis; whole centre_steps
   bool clockwise = false;
-  int turns = 1;  ///< begun: 1 up to a full turn
+  int turns = 1;       ///< begun: 1 up to a full turn
+  double sweep = 0.0;  ///< [rad] without sign
 };
 
 /// An arc or helix between two vertices in one plane, judged as it will be written.

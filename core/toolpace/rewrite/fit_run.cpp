@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "toolpace/rewrite/fit_line.h"
 
@@ -10,6 +11,10 @@ namespace {
 
 /// Within which share of the tolerance so many rows become one block; more of them do within all of it.
 constexpr std::array<double, 4> kWorthIt = {0.0, 0.0, 0.3, 1.0};
+
+constexpr double kWholeTurn = 6.283185307179586;
+constexpr double kNearlyRound = 0.9;        // of a turn, behind which its end is looked for
+constexpr std::size_t kMostToClose = 1024;  // rows further on
 
 /// The farthest end up to `limit` that `fits`, looked for in doubling steps from `from`, which does.
 template <class Fits>
@@ -76,10 +81,27 @@ class RunFitter {
       return arc.has_value();
     };
     const std::size_t begin = best.last;
-    const std::size_t last = farthest(begin, limit, fits);
+    std::size_t last = farthest(begin, limit, fits);
     if (last == begin) return;
+    // Close to a whole turn only its very end will do.
+    while (const std::size_t closing = closing_vertex(plane, first, last, limit, found.sweep)) {
+      if (!fits(closing)) break;
+      last = farthest(closing, limit, fits);
+    }
     best = span(Span::Kind::arc, first, last);
     best.arc = found;
+  }
+
+  /// The vertex a little further on where the chain comes back to the start, seen along the plane's normal; 0 = none.
+  std::size_t closing_vertex(int plane, std::size_t first, std::size_t last, std::size_t limit, double sweep) const {
+    const double turns = sweep / kWholeTurn;
+    if (turns - std::floor(turns) < kNearlyRound) return 0;
+    const Eigen::Index normal = plane == 17 ? 2 : plane == 18 ? 1 : 0;
+    for (std::size_t k = last + 1; k <= std::min(limit, last + kMostToClose); ++k) {
+      const Eigen::Vector3d way = curve_.at(k) - curve_.at(first);
+      if (way[(normal + 1) % 3] == 0.0 && way[(normal + 2) % 3] == 0.0) return k;
+    }
+    return 0;
   }
 
   bool is_worth_it(const Span& span) {

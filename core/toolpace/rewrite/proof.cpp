@@ -91,7 +91,17 @@ class Prover {
       walk_pending();
       proof_.rows[number].push_back({begin, j_});
     }
+    skip_standing(number);
     return true;
+  }
+
+  /// A motion code alone, which restores what is modal, is a row that goes nowhere.
+  void skip_standing(std::size_t number) {
+    while (j_ < b_.size() && b_.file[j_] == 0 && b_.kind[j_] == MoveKind::feed && b_.end[j_] == b_.begin_of(j_)) {
+      const Origin* const origin = edited(b_.line[j_]);
+      if (!origin || origin->edit != number) return;
+      ++j_;
+    }
   }
 
   /// @return false where the rows no longer stand side by side

@@ -106,13 +106,15 @@ class RunWriter {
     end_line(label, lines_.ending(line_of(span.last - 1)));
   }
 
-  /// The words of axes that the span moves; at least one of a line.
+  /// The words of axes that the span moves, and of an arc both of its plane; at least one.
   void add_end(const Span& span) {
     const std::size_t row = edit_.run.row;
     const AxisVector &from = moves_.begin_of(row + span.first), &to = moves_.end[row + span.last - 1];
-    bool any = span.kind == Span::Kind::arc;
+    const bool is_arc = span.kind == Span::Kind::arc;
+    const Eigen::Index normal = !is_arc ? 3 : 19 - span.arc.plane;
+    bool any = false;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      if (from[axis] == to[axis]) continue;
+      if (from[axis] == to[axis] && (!is_arc || axis == normal)) continue;
       any = add_axis(span, axis) || any;
     }
     for (Eigen::Index axis = 0; axis < 3 && !any; ++axis) any = add_axis(span, axis);

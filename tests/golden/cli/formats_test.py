@@ -56,6 +56,11 @@ class Formats(CommandLineTest):
             part = re.search(rf"`{name} --json`:(.*?)(?:\n\n|`\w+ --json`:|\Z)", TEXT, re.S).group(1)
             self.assertLessEqual(set(self.run_toolpace(name, *arguments, "--json").json()), set(names(part)), name)
 
+    def test_every_key_of_rewrite_is_told(self):
+        run = self.run_toolpace("rewrite", self.file("a.ngc", PROGRAM), "-o", "b.ngc", "--json")
+        told = {key for row in table("JSON of rewrite") for key in names(row[0])}
+        self.assertEqual(told, set(run.json()))
+
     def test_columns_are_those_that_are_written(self):
         self.file("a.ngc", PROGRAM)
         blocks = self.run_toolpace("blocks", "a.ngc").out.decode().splitlines()[0]
