@@ -46,10 +46,10 @@ class TraceFile {
     std::string text;
     if (commanded.first_row == 0) {
       text = "t_s";
-      for (const char* kind : {"", "_actual"}) {
+      for (const char* kind : {"", "actual_"}) {
         for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
           if (commanded.position[axis].empty()) continue;
-          text += "," + std::string(1, kAxes[axis]) + kind + "_" + axis_unit(axis).key[0];
+          text += std::string(",") + kind + kAxes[axis] + "_" + axis_unit(axis).key[0];
         }
       }
       text += ",lag_mm,contour_error_mm,line\n";

@@ -330,6 +330,50 @@
             <translation>子程序的文件不能用</translation>
         </message>
         <message>
+            <source>trace-axes</source>
+            <translation>测量轨迹中没有运动的轴</translation>
+        </message>
+        <message>
+            <source>trace-broken</source>
+            <translation>测量轨迹文件损坏</translation>
+        </message>
+        <message>
+            <source>trace-columns</source>
+            <translation>测量轨迹的列不明</translation>
+        </message>
+        <message>
+            <source>trace-empty</source>
+            <translation>测量轨迹文件为空</translation>
+        </message>
+        <message>
+            <source>trace-gap</source>
+            <translation>测量轨迹有间断</translation>
+        </message>
+        <message>
+            <source>trace-number</source>
+            <translation>测量轨迹中的值不是有限数</translation>
+        </message>
+        <message>
+            <source>trace-other-program</source>
+            <translation>测量轨迹属于另一个程序</translation>
+        </message>
+        <message>
+            <source>trace-saturated</source>
+            <translation>测量通道饱和</translation>
+        </message>
+        <message>
+            <source>trace-short</source>
+            <translation>测量轨迹太短</translation>
+        </message>
+        <message>
+            <source>trace-time</source>
+            <translation>测量轨迹的时间有误</translation>
+        </message>
+        <message>
+            <source>trace-unit</source>
+            <translation>测量轨迹的单位有误</translation>
+        </message>
+        <message>
             <source>travel</source>
             <translation>超出行程</translation>
         </message>
@@ -1501,8 +1545,28 @@
     <context>
         <name>remedies</name>
         <message>
+            <source>a trace is a table of numbers with a name above each column</source>
+            <translation>测量轨迹是一张数字表，每列上方有名称</translation>
+        </message>
+        <message>
             <source>add [gcode_arcs] to the printer.cfg</source>
             <translation>在 printer.cfg 中加入 [gcode_arcs]</translation>
+        </message>
+        <message>
+            <source>cut the trace there</source>
+            <translation>请在该处截断轨迹</translation>
+        </message>
+        <message>
+            <source>cut the trace there, or record again without lost samples</source>
+            <translation>请在该处截断轨迹，或重新记录且不丢样本</translation>
+        </message>
+        <message>
+            <source>cut the trace to where all of its channels were recorded</source>
+            <translation>请把轨迹截取到所有通道都有记录的部分</translation>
+        </message>
+        <message>
+            <source>each row needs a number in every column; record all channels at one rate</source>
+            <translation>每行的每一列都需要一个数；请以同一采样率记录所有通道</translation>
         </message>
         <message>
             <source>give M205 J of a firmware with junction deviation</source>
@@ -1511,6 +1575,18 @@
         <message>
             <source>give an answer to $$, a printer.cfg, a report of M503 or a LinuxCNC .ini</source>
             <translation>给出 $$ 的回答、printer.cfg、M503 报告或 LinuxCNC 的 .ini</translation>
+        </message>
+        <message>
+            <source>give mm, um, nm, m, in, deg or rad in brackets</source>
+            <translation>请在方括号中给出 mm、um、nm、m、in、deg 或 rad</translation>
+        </message>
+        <message>
+            <source>give s, ms, us, ns or min in brackets</source>
+            <translation>请在方括号中给出 s、ms、us、ns 或 min</translation>
+        </message>
+        <message>
+            <source>give setpoints as they were commanded</source>
+            <translation>请给出实际下达的设定点</translation>
         </message>
         <message>
             <source>give the printer.cfg that has it</source>
@@ -1525,6 +1601,50 @@
             <translation>请减小 --tacc-ms 和 --tdec-ms</translation>
         </message>
         <message>
+            <source>give the setpoints that were run, and check which column is which axis</source>
+            <translation>请给出实际运行的设定点，并检查各列对应哪个轴</translation>
+        </message>
+        <message>
+            <source>name it with --columns t=NAME, or give the time from row to row with --trace-period-ms</source>
+            <translation>请用 --columns t=名称 指定该列，或用 --trace-period-ms 给出行间时间</translation>
+        </message>
+        <message>
+            <source>record again with a larger buffer (depth of the sampler)</source>
+            <translation>请用更大的缓冲区（采样器深度）重新记录</translation>
+        </message>
+        <message>
+            <source>record again with a larger range of this channel</source>
+            <translation>请以更大的通道量程重新记录</translation>
+        </message>
+        <message>
+            <source>record at least the motion of a few blocks</source>
+            <translation>请至少记录几个程序段的运动</translation>
+        </message>
+        <message>
+            <source>record the time with more digits, or one recording at a time</source>
+            <translation>请以更多位数记录时间，或每次只记录一段</translation>
+        </message>
+        <message>
+            <source>record while the program runs</source>
+            <translation>请在程序运行时记录</translation>
+        </message>
+        <message>
+            <source>say its column and unit: --columns x=NAME[mm], with mm, um, m, in, deg or rad</source>
+            <translation>请说明其列和单位：--columns x=名称[mm]，单位为 mm、um、m、in、deg 或 rad</translation>
+        </message>
+        <message>
+            <source>say which columns are which axis: --columns x=NAME,y=NAME</source>
+            <translation>请说明各列对应哪个轴：--columns x=名称,y=名称</translation>
+        </message>
+        <message>
+            <source>say which is which: --columns t=1,x=2; the columns are %1</source>
+            <translation>请说明各列含义：--columns t=1,x=2；现有的列为 %1</translation>
+        </message>
+        <message>
+            <source>the columns are %1</source>
+            <translation>现有的列为 %1</translation>
+        </message>
+        <message>
             <source>try again when it is written</source>
             <translation>等它写完后再试</translation>
         </message>
@@ -1535,6 +1655,10 @@
         <message>
             <source>please report it</source>
             <translation>请报告此问题</translation>
+        </message>
+        <message>
+            <source>write t=NAME,x=NAME, … with names or numbers of columns; a unit may follow: x=3[um]; commanded positions are commanded_x</source>
+            <translation>请写 t=名称,x=名称,…，可用列名或列号；后面可带单位：x=3[um]；指令位置写作 commanded_x</translation>
         </message>
         <message>
             <source>write to another file</source>

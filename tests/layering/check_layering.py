@@ -10,8 +10,8 @@ import pathlib
 import re
 import sys
 
-ROOMS = ["base", "kinematics", "nc", "path", "limits", "law", "plan", "sample", "servo", "verify", "io", "machine", "controller", "pipeline",
-         "bound", "report", "rewrite", "tune"]
+ROOMS = ["base", "kinematics", "nc", "path", "limits", "law", "plan", "sample", "servo", "verify", "io", "trace", "machine", "controller",
+         "pipeline", "bound", "report", "rewrite", "tune"]
 UI_ROOMS = ["theme", "models", "drawing", "jobs", "plots", "preview", "panels"]
 UI_STRANGERS = {("preview", "plots")}  # side by side: neither knows the other
 THREADED_ROOMS = {"tune", "pipeline"}

@@ -366,7 +366,30 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "write it to a file and read that"),
     QT_TRANSLATE_NOOP("remedies", "write repeat [count]"),
     QT_TRANSLATE_NOOP("remedies", "write to another file"),
-    QT_TRANSLATE_NOOP("remedies", "write to different files")};
+    QT_TRANSLATE_NOOP("remedies", "write to different files"),
+    QT_TRANSLATE_NOOP("remedies", "give setpoints as they were commanded"),
+    QT_TRANSLATE_NOOP("remedies", "a trace is a table of numbers with a name above each column"),
+    QT_TRANSLATE_NOOP("remedies", "each row needs a number in every column; record all channels at one rate"),
+    QT_TRANSLATE_NOOP("remedies", "cut the trace to where all of its channels were recorded"),
+    QT_TRANSLATE_NOOP("remedies", "cut the trace there"),
+    QT_TRANSLATE_NOOP("remedies", "record again with a larger buffer (depth of the sampler)"),
+    QT_TRANSLATE_NOOP("remedies",
+                      "name it with --columns t=NAME, or give the time from row to row with --trace-period-ms"),
+    QT_TRANSLATE_NOOP("remedies", "record at least the motion of a few blocks"),
+    QT_TRANSLATE_NOOP("remedies", "record the time with more digits, or one recording at a time"),
+    QT_TRANSLATE_NOOP("remedies", "cut the trace there, or record again without lost samples"),
+    QT_TRANSLATE_NOOP("remedies", "say which columns are which axis: --columns x=NAME,y=NAME"),
+    QT_TRANSLATE_NOOP("remedies", "give the setpoints that were run, and check which column is which axis"),
+    QT_TRANSLATE_NOOP("remedies", "say its column and unit: --columns x=NAME[mm], with mm, um, m, in, deg or rad"),
+    QT_TRANSLATE_NOOP("remedies", "record again with a larger range of this channel"),
+    QT_TRANSLATE_NOOP("remedies", "record while the program runs"),
+    QT_TRANSLATE_NOOP("remedies", "say which is which: --columns t=1,x=2; the columns are %1"),
+    QT_TRANSLATE_NOOP("remedies", "the columns are %1"),
+    QT_TRANSLATE_NOOP("remedies", "give s, ms, us, ns or min in brackets"),
+    QT_TRANSLATE_NOOP("remedies", "give mm, um, nm, m, in, deg or rad in brackets"),
+    QT_TRANSLATE_NOOP("remedies",
+                      "write t=NAME,x=NAME, … with names or numbers of columns; a unit may follow: x=3[um]; commanded "
+                      "positions are commanded_x")};
 
 }  // namespace
 

@@ -12,11 +12,14 @@ constexpr std::size_t kPointsBehind = 1 << 16;  // at most
 
 }  // namespace
 
+void ContourMeter::pass(const AxisVector& commanded) {
+  if (!points_.empty() && points_.back().commanded == commanded) return;
+  const double way = points_.empty() ? 0.0 : points_.back().way + (commanded - points_.back().commanded).norm();
+  points_.push_back({commanded, way});
+}
+
 void ContourMeter::take(const AxisVector& commanded, const AxisVector& actual) {
-  if (points_.empty() || points_.back().commanded != commanded) {
-    const double way = points_.empty() ? 0.0 : points_.back().way + (commanded - points_.back().commanded).norm();
-    points_.push_back({commanded, way});
-  }
+  pass(commanded);
   waiting_.push_back({actual, points_.size() - 1});
 }
 

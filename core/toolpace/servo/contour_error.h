@@ -24,6 +24,8 @@ class ContourMeter {
 
   /// Takes a commanded and an actual point (XYZ in mm, ABC in deg).
   void take(const AxisVector& commanded, const AxisVector& actual);
+  /// A point of the commanded path where nothing was measured: between the rows of a slower trace.
+  void pass(const AxisVector& commanded);
   /// Measures rows that have enough command after them, or all at the end, and hands them out in order.
   void measure(bool all, std::vector<Row>& rows);
 

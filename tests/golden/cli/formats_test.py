@@ -60,6 +60,13 @@ class Formats(CommandLineTest):
         run = self.run_toolpace("rewrite", self.file("a.ngc", PROGRAM), "-o", "b.ngc", "--json")
         told = {key for row in table("JSON of rewrite") for key in names(row[0])}
         self.assertEqual(told, set(run.json()))
+    def test_every_key_of_a_comparison_is_told(self):
+        self.file("a.ngc", PROGRAM)
+        self.run_toolpace("simulate", "a.ngc", "--trace", "t.csv")
+        told = {key for row in table("JSON of compare") for key in names(row[0])}
+        run = self.run_toolpace("compare", "a.ngc", "t.csv", "--json")
+        self.assertEqual(told, set(run.json()))
+        self.assertIn((self.folder / "t.csv").read_text().splitlines()[0], TEXT)
 
     def test_columns_are_those_that_are_written(self):
         self.file("a.ngc", PROGRAM)

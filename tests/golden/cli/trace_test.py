@@ -1,0 +1,85 @@
+"""compare and its traces, as their users meet them."""
+
+import csv
+import unittest
+
+from command_line import BAD_INPUT, BAD_USAGE, FILE_TROUBLE, FINE, CommandLineTest
+
+PROGRAM = "G21 G90 G17 G94\nG1 X30 F3000\nY20\nG2 X50 Y40 I20 J0\nG1 X10 Y5\nX0 Y0\nM2\n"
+MACHINE = """[path]
+max_speed_mm_s = 100
+max_acceleration_mm_s2 = 3000
+max_jerk_mm_s3 = 1e6
+
+[servo]   # of all axes
+kv_1_s = 63
+velocity_feed_forward = 0.5
+"""
+
+
+class Trace(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        self.file("a.ngc", PROGRAM)
+        self.file("m.toml", MACHINE)
+        self.simulated = self.run_toolpace("simulate", "a.ngc", "--machine", "m.toml", "--trace", "t.csv", "--json").json()["servo"]
+        self.run_toolpace("plan", "a.ngc", "--machine", "m.toml", "--setpoints", "a.csv")
+
+    def write(self, name, header, row, separator=",", rows=None):
+        """A trace of the columns of t.csv that `row` picks from a dictionary of numbers."""
+        with open(self.folder / "t.csv") as file:
+            table = [{k: float(v) for k, v in r.items()} for r in csv.DictReader(file)][:rows]
+        lines = [separator.join(header)] + [separator.join(repr(v) for v in row(r)) for r in table]
+        return self.file(name, "\n".join(lines) + "\n")
+
+    def test_the_trace_of_simulate_is_told_as_simulate_tells_it(self):
+        told = self.run_toolpace("compare", "a.csv", "t.csv", "--json").json()
+        for key in ("max_contour_error_mm", "rms_contour_error_mm", "worst_t_s"):
+            self.assertAlmostEqual(told[key], self.simulated[key], places=6, msg=key)
+        self.assertEqual(told["worst_line"], self.simulated["worst_line"])
+        self.assertAlmostEqual(told["max_following_error_mm"], self.simulated["max_lag_mm"], places=6)
+        self.assertAlmostEqual(told["alignment"]["offset_s"], 0, places=7)
+        self.assertEqual(told["alignment"]["by"], "commanded")
+        self.assertEqual([line["line"] for line in told["lines"]], [2, 3, 4, 5, 6])
+        # Half of the speed is passed on, so the lag is half of 1/Kv.
+        self.assertAlmostEqual(told["axes"]["X"]["lag_ms"], 0.5 / 63 * 1e3, delta=0.3)
+        of_program = self.run_toolpace("compare", "a.ngc", "t.csv", "--machine", "m.toml", "--json").json()
+        self.assertAlmostEqual(of_program["max_contour_error_mm"], told["max_contour_error_mm"], places=9)
+
+    def test_a_trace_of_another_clock_is_laid_in_time(self):
+        late = self.write("late.csv", ["time [ms]", "x", "x cmd", "y", "y cmd"],
+                          lambda r: (r["t_s"] * 1e3 + 1234.5, r["actual_x_mm"], r["x_mm"], r["actual_y_mm"], r["y_mm"]))
+        told = self.run_toolpace("compare", "a.csv", late, "--json").json()
+        self.assertAlmostEqual(told["alignment"]["offset_s"], 1.2345, places=6)
+        self.assertEqual([c["taken_for"] for c in told["columns"]], ["time", "actual X", "commanded X", "actual Y", "commanded Y"])
+        self.assertAlmostEqual(told["max_contour_error_mm"], self.simulated["max_contour_error_mm"], places=6)
+
+    def test_people_are_told_the_same(self):
+        run = self.run_toolpace("compare", "a.csv", "t.csv")
+        self.assertEqual(run.code, FINE, run.err)
+        for word in (b"correlation 1.0000", b"axis X", b"axis Y", b"worst        line 3"):
+            self.assertIn(word, run.out)
+
+    def test_columns_may_be_told(self):
+        inches = self.write("i.csv", ["u", "v", "w"], lambda r: (r["t_s"], r["actual_x_mm"] / 25.4, r["actual_y_mm"]))
+        run = self.run_toolpace("compare", "a.csv", inches, "--columns", "t=u,x=v[in],y=3", "--json")
+        self.assertEqual(run.code, FINE, run.err)
+        run = self.run_toolpace("compare", "a.csv", inches, "--columns", "t=u,x=v,y=3", "--json")
+        self.expect_failure(run, BAD_INPUT, "trace-unit", "inches")
+        self.expect_failure(self.run_toolpace("compare", "a.csv", inches), BAD_INPUT, "trace-columns", "'v'")
+        self.expect_failure(self.run_toolpace("compare", "a.csv", inches, "--columns", "x:v"), BAD_USAGE, "--columns")
+        self.expect_failure(self.run_toolpace("compare", "a.csv", "t.csv", "--trace-period-ms", "0"), BAD_USAGE, "--trace-period-ms")
+
+    def test_bad_traces_are_refused_with_a_clear_word(self):
+        self.file("o.ngc", "G21 G90 G94\nG1 X3 Y5 F400\nX2 Y60\nX20\nX0 Y0 F2000\nM2\n")
+        self.expect_failure(self.run_toolpace("compare", "o.ngc", "t.csv", "--json"), BAD_INPUT, "not of this program")
+        short = self.write("short.csv", ["t_s", "x_mm"], lambda r: (r["t_s"], r["actual_x_mm"]), rows=20)
+        self.expect_failure(self.run_toolpace("compare", "a.csv", short), BAD_INPUT, "short.csv:22", "20 rows")
+        flat = self.write("flat.csv", ["t_s", "x_mm", "y_mm"], lambda r: (r["t_s"], min(40.0, r["actual_x_mm"]), r["actual_y_mm"]))
+        self.expect_failure(self.run_toolpace("compare", "a.csv", flat), BAD_INPUT, "trace-saturated", "axis X")
+        self.expect_failure(self.run_toolpace("compare", "a.csv", "none.csv"), FILE_TROUBLE, "none.csv")
+        self.expect_failure(self.run_toolpace("compare", "none.csv", "t.csv"), FILE_TROUBLE, "none.csv")
+
+
+if __name__ == "__main__":
+    unittest.main()
