@@ -14,6 +14,7 @@ void add_predict_command(CommandLine& line);
 void add_rewrite_command(CommandLine& line);
 void add_simulate_command(CommandLine& line);
 void add_steps_command(CommandLine& line);
+void add_tune_command(CommandLine& line);
 void add_verify_command(CommandLine& line);
 
 /// All of them, in the order in which --help lists them.

@@ -5,6 +5,8 @@
 namespace toolpace {
 namespace {
 
+constexpr std::size_t kRowsAtATime = 4096;  // that stay in the cache from one stage to the next
+
 template <class T>
 void drop(std::vector<T>& column, std::size_t rows) {
   if (!column.empty()) column.erase(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(rows));
@@ -56,7 +58,7 @@ Result<ServoSummary> follow(const Outcome& outcome, const FollowedRows& take, co
   if (!simulation) return tl::unexpected(simulation.error());
   Sampler sampler(*outcome.path, outcome.plan, job.program->moves, job.machine.period);
   Waiting waiting;
-  for (Setpoints chunk; sampler.next(chunk);) {
+  for (Setpoints chunk; sampler.next(chunk, kRowsAtATime);) {
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
     waiting.add(chunk);
     simulation->take(chunk, waiting.trace);

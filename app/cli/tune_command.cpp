@@ -1,0 +1,228 @@
+/// toolpace tune: the best settings for a program on a machine.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "commands.h"
+#include "interrupt.h"
+#include "job_flags.h"
+#include "report.h"
+#include "setting_flags.h"
+#include "toolpace/base/descriptor.h"
+#include "toolpace/base/numbers.h"
+#include "toolpace/io/output_file.h"
+#include "toolpace/machine/read_machine.h"
+#include "toolpace/tune/tune.h"
+
+namespace toolpace::cli {
+namespace {
+
+constexpr std::uint64_t kDefaultPlans = 200, kMostPlans = 1'000'000;
+constexpr double kMicro = 1e-3;        // [mm]
+constexpr double kLargestError = 1e6;  // [µm]
+constexpr double kMostSeconds = 1e7;
+constexpr std::size_t kShownPoints = 12;
+
+struct TuneFlags {
+  ReadingFlags reading;
+  JobFlags job;
+  std::string vary, output;
+  std::optional<double> contour_um, seconds;
+  std::uint64_t plans = 0;  ///< 0 = not given
+  bool json = false;
+};
+
+/// The knobs of "am,jm,law"; all without a list.
+Result<std::vector<Knob>> knobs_of(const std::string& list) {
+  std::vector<Knob> knobs;
+  if (list.empty()) return std::vector<Knob>(kAllKnobs.begin(), kAllKnobs.end());
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string name = list.substr(begin, end - begin);
+    const auto knob = knob_named(name);
+    if (!knob)
+      return tl::unexpected(usage_error("bad-flag", "--vary does not know '" + name + "'",
+                                        "give some of " + knob_names() + ", with commas between"));
+    knobs.push_back(*knob);
+    begin = end + 1;
+  }
+  return knobs;
+}
+
+Result<void> check_number(const char* flag, const std::optional<double>& value, double most, const char* unit) {
+  if (!value || (*value > 0 && *value <= most)) return {};
+  return tl::unexpected(usage_error("bad-flag",
+                                    fmt::format("{} is {}, but it must be above 0 and at most {} {}", flag,
+                                                toolpace::to_text(*value), toolpace::to_text(most), unit),
+                                    ""));
+}
+
+Result<TuneOptions> options_of(const TuneFlags& flags) {
+  auto knobs = knobs_of(flags.vary);
+  if (!knobs) return tl::unexpected(knobs.error());
+  for (const auto& fine : {check_number("--contour-um", flags.contour_um, kLargestError, "µm"),
+                           check_number("--seconds", flags.seconds, kMostSeconds, "s")}) {
+    if (!fine) return tl::unexpected(fine.error());
+  }
+  TuneOptions options;
+  options.turned = std::move(*knobs);
+  if (flags.contour_um) options.contour = *flags.contour_um * kMicro;
+  const std::uint64_t plans = flags.plans;
+  if (plans > kMostPlans) {
+    return tl::unexpected(
+        usage_error("bad-flag", fmt::format("--plans is {}, but must be 1 to {}", plans, kMostPlans), ""));
+  }
+  options.plans = plans > 0 ? plans : flags.seconds ? kMostPlans : kDefaultPlans;
+  if (flags.seconds) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(*flags.seconds);
+    options.is_over = [end] { return std::chrono::steady_clock::now() >= end; };
+  }
+  return options;
+}
+
+Setup setup_of(const Job& job) { return {job.machine, job.options}; }
+
+/// The machine file with other settings, its comments kept; a new one where it was none of ours.
+Result<std::string> machine_text(const TuneFlags& flags, const Setup& setup) {
+  if (flags.job.machine.empty() || flags.job.machine == "-") return format_setup(setup);
+  const auto text = read_settings_text(flags.job.machine, terminal_monitor("reading"));
+  if (!text) return tl::unexpected(text.error());
+  if (machine_format(flags.job.machine, *text) != MachineFormat::toml) return format_setup(setup);
+  return edit_setup(*text, flags.job.machine, setup);
+}
+
+/// What was found, with what it takes to tell it.
+struct Found {
+  const TuneFlags& flags;
+  Setup setup;
+  Tuning tuning;
+
+  std::vector<SettingFlag> settings(const Tuned& tuned) const {
+    return setting_flags(flags.job, setup, setup_of(*tuned.job));
+  }
+};
+
+Json point_json(const Found& found, const Tuned& tuned) {
+  return {{"cycle_time_s", tuned.objectives.cycle_time},
+          {"contour_um", tuned.objectives.contour / kMicro},
+          {"vibration_um", nullptr},
+          {"settings", to_json(found.settings(tuned))}};
+}
+
+Json tune_json(const Found& found, const Diagnostics& warnings) {
+  const Tuning& t = found.tuning;
+  Json front = Json::array(), told = Json::array();
+  for (const Tuned& point : t.front) front.push_back(point_json(found, point));
+  for (const Diagnostic& w : warnings)
+    told.push_back({{"line", w.where.line}, {"column", w.where.column}, {"code", w.code}, {"message", w.message}});
+  return {{"program", found.flags.reading.program},
+          {"machine", found.flags.job.machine.empty() ? Json(nullptr) : Json(found.flags.job.machine)},
+          {"plans_evaluated", t.plans},
+          {"present", point_json(found, t.present)},
+          {"front", std::move(front)},
+          {"knee", point_json(found, t.front[t.knee])},
+          {"contour_limit_um", t.contour_limit / kMicro},
+          {"best", t.best ? point_json(found, t.front[*t.best]) : Json(nullptr)},
+          {"warnings", std::move(told)}};
+}
+
+void print_point(const Found& found, const char* title, const Tuned& point) {
+  const std::string settings = to_text(found.settings(point));
+  fmt::print("  {:<11} {:>11.4f} s {:>10.3f} µm  {}\n", title, point.objectives.cycle_time,
+             point.objectives.contour / kMicro, settings.empty() ? "as it is" : settings);
+}
+
+void print_found(const Found& found) {
+  const Tuning& t = found.tuning;
+  fmt::print("{}\n  plans       {}\n", found.flags.reading.program, t.plans);
+  print_point(found, "now", t.present);
+  const std::size_t shown = std::min(kShownPoints, t.front.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::size_t row = shown < 2 ? 0 : i * (t.front.size() - 1) / (shown - 1);
+    print_point(found, i == 0 ? "front" : "", t.front[row]);
+  }
+  print_point(found, "knee", t.front[t.knee]);
+  if (t.best) {
+    print_point(found, "best", t.front[*t.best]);
+  } else {
+    fmt::print("  best        none keeps {:.6g} µm\n", t.contour_limit / kMicro);
+  }
+}
+
+Done run_tune(const TuneFlags& flags) {
+  const auto options = options_of(flags);
+  if (!options) return tl::unexpected(options.error());
+  const auto setup = flags.job.setup();
+  if (!setup) return tl::unexpected(setup.error());
+  std::optional<OutputFile> file;
+  if (!flags.output.empty()) {  // what cannot be written is known at once
+    auto opened = OutputFile::create(flags.output, OutputFile::Access::forward, terminal_monitor("writing"));
+    if (!opened) return tl::unexpected(opened.error());
+    file.emplace(std::move(*opened));
+  }
+  auto reading = flags.reading.read_accepted();
+  if (!reading) return tl::unexpected(std::move(reading.error()));
+  Diagnostics warnings = reading->diagnostics;
+  warnings.insert(warnings.end(), setup->warnings.begin(), setup->warnings.end());
+  report(setup->warnings);
+  auto job = std::make_shared<Job>();
+  job->program_name = flags.reading.program;
+  job->program = std::make_shared<const Reading>(std::move(*reading));
+  job->machine = setup->machine;
+  job->options = setup->options;
+  auto tuning = tune(job, *options, terminal_monitor("tuning"));
+  end_progress();
+  if (!tuning) return tl::unexpected(tuning.error());
+  const Found found{flags, *setup, std::move(*tuning)};
+  const auto& best = found.tuning.best;
+  if (file && best) {
+    const auto text = machine_text(flags, setup_of(*found.tuning.front[*best].job));
+    if (!text) return tl::unexpected(text.error());
+    if (auto written = file->write(*text); !written) return tl::unexpected(written.error());
+    if (auto done = file->commit(); !done) return tl::unexpected(done.error());
+  }
+  if (flags.json) {
+    print_json(tune_json(found, warnings));
+  } else if (!is_standard_output(flags.output)) {
+    print_found(found);
+  }
+  return best ? kFine : kLimitBroken;
+}
+
+}  // namespace
+
+void add_tune_command(CommandLine& line) {
+  auto flags = std::make_shared<TuneFlags>();
+  Command command = line.add("tune", "Find the best settings: cycle time against contour error",
+                             [flags] { return run_tune(*flags); });
+  command.word("--vary LIST", flags->vary,
+               "What may be changed, with commas between: " + knob_names() + "; default all");
+  command.number(
+      "--contour-um UM", flags->contour_um,
+      "Largest contour error through the drives that the best may have; default: that of the settings as they are");
+  command.count("--plans N", flags->plans, "Plans that may be made; default 200");
+  command.number("--seconds S", flags->seconds, "Or the time that may be spent: looked at between plans");
+  command.output("-o,--output FILE", flags->output,
+                 "Write the machine file with the best settings, its comments kept (.toml); - = standard output");
+  command.json(flags->json, "Print one JSON object");
+  flags->job.add_to(command);
+  flags->reading.add_to(command);
+  command.footer(
+      "Each point of the front is what plan and simulate print with its flags beside those that were given. "
+      "Acceleration, jerk,\n"
+      "tolerance, junction deviation and look-ahead are limits: never above what machine file and flags say. Contour "
+      "error is\n"
+      "that of the drives ([servo]) from the commanded path.\n"
+      "Exit codes: 0 fine; 1 no settings keep --contour-um; 2 bad usage; 3 bad input; 4 file trouble; 130 "
+      "interrupted.\n\n"
+      "Examples:\n"
+      "  toolpace tune part.ngc --machine mill.toml\n"
+      "  toolpace tune part.ngc --machine mill.toml --contour-um 20 -o best.toml\n"
+      "  toolpace tune part.ngc --machine mill.toml --vary am,jm,law --plans 100 --json");
+}
+
+}  // namespace toolpace::cli

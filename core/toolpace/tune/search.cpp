@@ -1,0 +1,204 @@
+#include "toolpace/tune/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "toolpace/tune/expected_gain.h"
+
+namespace toolpace {
+namespace {
+
+constexpr double kFloor = 1e-6;       // [mm] below which contour errors are all the same
+constexpr double kWidest = 4;         // times the least cycle time: slower settings are of no use
+constexpr double kMargin = 0.1;       // of the reference point, in logarithms
+constexpr double kDearWeight = 0.25;  // of what takes long to plan
+constexpr double kAtHome = 0.3;       // of a spread position's knobs of numbers
+constexpr std::size_t kMostKnown = 256, kSpreadPool = 160, kLocalPool = 320, kFrontPool = 24;
+constexpr std::size_t kRefitEvery = 3;                        // batches
+constexpr std::size_t kLimitEvery = 4, kGivenLimitEvery = 2;  // proposals
+constexpr std::array<std::size_t, kKnobCount> kBases = {2, 3, 5, 7, 11, 13, 17, 19};
+
+/// The index in base b, mirrored at the point. @source Halton 1960
+double radical_inverse(std::size_t index, std::size_t base) {
+  double value = 0, digit = 1.0 / static_cast<double>(base);
+  for (; index > 0; index /= base, digit /= static_cast<double>(base))
+    value += digit * static_cast<double>(index % base);
+  return value;
+}
+
+struct Logarithms {
+  std::vector<double> time, error;
+};
+
+Logarithms logarithms_of(const std::vector<Tried>& tried) {
+  Logarithms logs;
+  for (const Tried& t : tried) {
+    logs.time.push_back(std::log(std::max(t.objectives.cycle_time, kFloor)));
+    logs.error.push_back(std::log(t.objectives.contour + kFloor));
+  }
+  return logs;
+}
+
+std::vector<std::size_t> front_of(const std::vector<Tried>& tried) {
+  std::vector<Objectives> objectives;
+  for (const Tried& t : tried) objectives.push_back({t.objectives.cycle_time, t.objectives.contour, {}});
+  return pareto_front(objectives);
+}
+
+/// What is best known where it matters: front after front is peeled off.
+std::vector<Tried> most_telling(std::vector<Tried> tried) {
+  if (tried.size() <= kMostKnown) return tried;
+  std::vector<Tried> telling;
+  while (telling.size() < kMostKnown && !tried.empty()) {
+    auto front = front_of(tried);
+    for (const std::size_t i : front) telling.push_back(tried[i]);
+    std::sort(front.rbegin(), front.rend());
+    for (const std::size_t i : front) tried.erase(tried.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return telling;
+}
+
+double fastest_within(const Logarithms& logs, double limit) {
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < logs.time.size(); ++i) {
+    if (logs.error[i] <= limit) best = std::min(best, logs.time[i]);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::size_t Search::random_below(std::size_t count) {
+  // splitmix64, as distributions of the standard library differ from one to the next
+  std::uint64_t z = random_ += 0x9E3779B97F4A7C15;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+  return static_cast<std::size_t>((z ^ (z >> 31)) % count);
+}
+
+bool Search::propose(const Position& position, std::vector<Position>& list) {
+  const Position canonical = space_.canonical(position);
+  if (!seen_.insert(canonical).second) return false;
+  list.push_back(canonical);
+  return true;
+}
+
+Position Search::spread(std::size_t index) const {
+  Position p = space_.home();
+  for (std::size_t k = 0; k < kKnobCount; ++k) {
+    const auto knob = static_cast<Knob>(k);
+    double share = radical_inverse(index, kBases[k]);
+    if (!TuningSpace::is_choice(knob)) {
+      if (share < kAtHome) continue;
+      share = (share - kAtHome) / (1 - kAtHome);
+    }
+    p[k] = static_cast<std::uint16_t>(share * static_cast<double>(space_.places(knob)));
+  }
+  return space_.canonical(p);
+}
+
+std::vector<Position> Search::first(std::size_t count) {
+  std::vector<Position> list;
+  propose(space_.home(), list);
+  for (std::size_t k = 0; k < kKnobCount; ++k) {
+    const auto knob = static_cast<Knob>(k);
+    if (!TuningSpace::is_choice(knob)) continue;
+    for (std::size_t place = 0; place < space_.places(knob) && list.size() < count; ++place) {
+      Position p = space_.home();
+      p[k] = static_cast<std::uint16_t>(place);
+      propose(p, list);
+    }
+  }
+  for (std::size_t tries = 0; list.size() < count && tries < 8 * count; ++tries) propose(spread(++spread_), list);
+  std::stable_partition(list.begin() + 1, list.end(), [&](const Position& p) { return !space_.is_dear(p); });
+  return list;
+}
+
+/// One or two knobs turned, numbers by a few places more often than by many.
+Position Search::turned(const Position& from) {
+  Position p = from;
+  const std::size_t turns = 1 + random_below(2);
+  for (std::size_t i = 0; i < turns; ++i) {
+    const std::size_t k = random_below(kKnobCount);
+    const auto knob = static_cast<Knob>(k);
+    const std::size_t places = space_.places(knob);
+    if (places < 2) continue;
+    if (TuningSpace::is_choice(knob)) {
+      p[k] = static_cast<std::uint16_t>(random_below(places));
+      continue;
+    }
+    const std::size_t far = 1 + random_below(std::size_t{1} << random_below(6));
+    const bool up = random_below(2) == 0;
+    p[k] = static_cast<std::uint16_t>(up ? std::min(places - 1, p[k] + far) : p[k] - std::min<std::size_t>(p[k], far));
+  }
+  return space_.canonical(p);
+}
+
+Search::Pool Search::pool_around(const std::vector<Tried>& tried, const std::vector<std::size_t>& front) {
+  std::set<Position> places;
+  const auto add = [&](const Position& p) {
+    if (!seen_.contains(p)) places.insert(p);
+  };
+  for (std::size_t i = 0; i < kSpreadPool; ++i) add(spread(++spread_));
+  const std::size_t kept = std::min(front.size(), kFrontPool);
+  for (std::size_t i = 0; i < kLocalPool; ++i) {
+    const std::size_t nth = kept < front.size() ? random_below(front.size()) : i % kept;
+    add(turned(tried[front[nth]].at));
+  }
+  Pool pool;
+  pool.at.assign(places.begin(), places.end());
+  pool.is_taken.assign(pool.at.size(), false);
+  for (const Position& p : pool.at) pool.weight.push_back(space_.is_dear(p) ? kDearWeight : 1.0);
+  return pool;
+}
+
+std::vector<Position> Search::next(const std::vector<Tried>& all, std::size_t count) {
+  std::vector<Position> list;
+  if (all.empty()) return list;
+  const std::vector<Tried> tried = most_telling(all);
+  const std::vector<std::size_t> front = front_of(tried);
+  Pool pool = pool_around(tried, front);
+  std::vector<Features> at, candidates;
+  for (const Tried& t : tried) at.push_back(features_of(space_, t.at));
+  for (const Position& p : pool.at) candidates.push_back(features_of(space_, p));
+  const Logarithms logs = logarithms_of(tried);
+  if (batches_++ % kRefitEvery == 0) {
+    time_lengths_ = Surrogate::fit(at, logs.time, time_lengths_);
+    error_lengths_ = Surrogate::fit(at, logs.error, error_lengths_);
+  }
+  Surrogate time(at, logs.time, time_lengths_, candidates), error(at, logs.error, error_lengths_, candidates);
+
+  LogFront known;
+  for (const std::size_t i : front) known.add({logs.time[i], logs.error[i]});
+  known.reference = {known.points.front().time + std::log(kWidest), known.points.front().error + kMargin};
+  const double limit = std::log(contour_.value_or(all.front().objectives.contour) + kFloor);
+  double fastest = fastest_within(logs, limit);
+  const std::size_t limit_every = contour_ ? kGivenLimitEvery : kLimitEvery;
+  for (std::size_t n = 0; n < count; ++n) {
+    const bool for_limit = n % limit_every == limit_every - 1;
+    double most = -1;
+    std::size_t best = pool.at.size();
+    for (std::size_t c = 0; c < pool.at.size(); ++c) {
+      if (pool.is_taken[c]) continue;
+      const Guess t = time.at_candidate(c), e = error.at_candidate(c);
+      const double gain =
+          pool.weight[c] * (for_limit ? expected_saving(t, e, fastest, limit) : known.expected_gain(t, e));
+      if (gain <= most) continue;
+      most = gain;
+      best = c;
+    }
+    if (best == pool.at.size()) break;
+    pool.is_taken[best] = true;
+    seen_.insert(pool.at[best]);
+    list.push_back(pool.at[best]);
+    const LogPoint believed = {time.at_candidate(best).mean, error.at_candidate(best).mean};
+    known.add(believed);
+    if (believed.error <= limit) fastest = std::min(fastest, believed.time);
+    time.believe(best);
+    error.believe(best);
+  }
+  return list;
+}
+
+}  // namespace toolpace

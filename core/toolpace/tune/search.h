@@ -1,0 +1,59 @@
+#pragma once
+/// Where to look next.
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "toolpace/tune/pareto.h"
+#include "toolpace/tune/surrogate.h"
+#include "toolpace/tune/tuning_space.h"
+
+namespace toolpace {
+
+/// A position that was tried.
+struct Tried {
+  Position at;
+  Objectives objectives;
+};
+
+/// First a design that covers the space: the job's own settings, each other choice alone, then places spread evenly over all knobs.
+/// Then, batch by batch, positions from which Gaussian processes through the logarithms of cycle time and contour error expect most:
+/// hypervolume gained by the front, or time saved within the limit on contour error. What takes long to plan has to promise more.
+/// Asked anew with the same tried positions it answers the same.
+///
+/// @source Emmerich, Deutz, Klinkenberg, "Hypervolume-based expected improvement: monotonicity properties and exact computation",
+/// 2011, for two objectives; Gardner et al., "Bayesian optimization with inequality constraints", 2014, eq. (5); Ginsbourger, Le Riche,
+/// Carraro, "Kriging is well-suited to parallelize optimization", 2010, for batches by believing.
+class Search {
+ public:
+  /// @param contour  [mm] limit that the fastest is looked for under; nothing = the present settings' (the first one tried)
+  Search(const TuningSpace& space, std::optional<double> contour) : space_(space), contour_(contour) {}
+
+  /// At most `count`; those that take long to plan last.
+  std::vector<Position> first(std::size_t count);
+  /// At most `count`, none that was proposed before. Nothing where there is nothing left.
+  std::vector<Position> next(const std::vector<Tried>& tried, std::size_t count);
+
+ private:
+  /// Positions that may be proposed, and what is expected there.
+  struct Pool {
+    std::vector<Position> at;
+    std::vector<double> weight;  ///< 1, or less where planning takes long
+    std::vector<bool> is_taken;
+  };
+  bool propose(const Position& position, std::vector<Position>& list);
+  Position spread(std::size_t index) const;
+  Position turned(const Position& from);
+  Pool pool_around(const std::vector<Tried>& tried, const std::vector<std::size_t>& front);
+  std::size_t random_below(std::size_t count);
+
+  const TuningSpace& space_;
+  std::optional<double> contour_;
+  std::set<Position> seen_;
+  Surrogate::Lengths time_lengths_ = Surrogate::first_lengths(), error_lengths_ = Surrogate::first_lengths();
+  std::size_t batches_ = 0, spread_ = 0;
+  std::uint64_t random_ = 0x9E3779B97F4A7C15;
+};
+
+}  // namespace toolpace
