@@ -12,7 +12,8 @@ void add_commands(CommandLine& line) {
   add_compare_command(line);
   add_report_command(line);
   add_predict_command(line);
-  add_rewrite_command(line); add_tune_command(line);
+  add_rewrite_command(line);
+  add_tune_command(line);
 }
 
 }  // namespace toolpace::cli

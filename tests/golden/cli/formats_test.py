@@ -60,6 +60,7 @@ class Formats(CommandLineTest):
         run = self.run_toolpace("rewrite", self.file("a.ngc", PROGRAM), "-o", "b.ngc", "--json")
         told = {key for row in table("JSON of rewrite") for key in names(row[0])}
         self.assertEqual(told, set(run.json()))
+
     def test_every_key_of_a_comparison_is_told(self):
         self.file("a.ngc", PROGRAM)
         self.run_toolpace("simulate", "a.ngc", "--trace", "t.csv")
