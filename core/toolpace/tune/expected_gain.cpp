@@ -47,4 +47,17 @@ double expected_saving(const Guess& time, const Guess& error, double fastest, do
   return std::isfinite(fastest) ? within * expected_below(fastest, time) : within;
 }
 
+double Expectation::gain(std::size_t candidate, bool for_limit) const {
+  const Guess t = time.at_candidate(candidate), e = error.at_candidate(candidate);
+  return for_limit ? expected_saving(t, e, fastest, limit) : known.expected_gain(t, e);
+}
+
+void Expectation::believe(std::size_t candidate) {
+  const LogPoint guessed = {time.at_candidate(candidate).mean, error.at_candidate(candidate).mean};
+  known.add(guessed);
+  if (guessed.error <= limit) fastest = std::min(fastest, guessed.time);
+  time.believe(candidate);
+  error.believe(candidate);
+}
+
 }  // namespace toolpace

@@ -31,4 +31,15 @@ struct LogFront {
 /// far (infinite `fastest`), the probability that this is.
 double expected_saving(const Guess& time, const Guess& error, double fastest, double limit);
 
+/// What is known and guessed of all candidates, as a batch of them is chosen one by one.
+struct Expectation {
+  Surrogate time, error;  ///< of the logarithms
+  LogFront known;
+  double limit, fastest;  ///< logarithms: on the error; the least time within it so far
+
+  double gain(std::size_t candidate, bool for_limit) const;
+  /// As if a candidate had been tried and were as guessed.
+  void believe(std::size_t candidate);
+};
+
 }  // namespace toolpace

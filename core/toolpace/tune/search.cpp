@@ -14,9 +14,9 @@ constexpr double kWidest = 4;         // times the least cycle time: slower sett
 constexpr double kMargin = 0.1;       // of the reference point, in logarithms
 constexpr double kDearWeight = 0.25;  // of what takes long to plan
 constexpr double kAtHome = 0.3;       // of a spread position's knobs of numbers
-constexpr std::size_t kMostKnown = 256, kSpreadPool = 160, kLocalPool = 320, kFrontPool = 24;
+constexpr std::size_t kMostKnown = 256, kSpreadPool = 160, kLocalPool = 320;
 constexpr std::size_t kRefitEvery = 3;                        // batches
-constexpr std::size_t kLimitEvery = 4, kGivenLimitEvery = 2;  // proposals
+constexpr std::size_t kLimitEvery = 4, kGivenLimitEvery = 2;  // proposals, and positions near the best
 constexpr std::array<std::size_t, kKnobCount> kBases = {2, 3, 5, 7, 11, 13, 17, 19};
 
 /// The index in base b, mirrored at the point. @source Halton 1960
@@ -77,11 +77,19 @@ std::size_t Search::random_below(std::size_t count) {
   return static_cast<std::size_t>((z ^ (z >> 31)) % count);
 }
 
-bool Search::propose(const Position& position, std::vector<Position>& list) {
+/// One of eight may take long, where the job itself does not.
+bool Search::may_be_dear() const {
+  constexpr std::size_t kFirst = 2, kOneOf = 8;
+  return space_.is_dear(space_.home()) || dear_ < kFirst + seen_.size() / kOneOf;
+}
+
+void Search::propose(const Position& position, std::vector<Position>& list) {
   const Position canonical = space_.canonical(position);
-  if (!seen_.insert(canonical).second) return false;
+  const bool is_dear = space_.is_dear(canonical);
+  if (is_dear && !may_be_dear()) return;
+  if (!seen_.insert(canonical).second) return;
+  dear_ += is_dear ? 1 : 0;
   list.push_back(canonical);
-  return true;
 }
 
 Position Search::spread(std::size_t index) const {
@@ -135,21 +143,23 @@ Position Search::turned(const Position& from) {
   return space_.canonical(p);
 }
 
-Search::Pool Search::pool_around(const std::vector<Tried>& tried, const std::vector<std::size_t>& front) {
+Search::Pool Search::pool_around(const std::vector<Tried>& tried, const std::vector<std::size_t>& front, double limit) {
   std::set<Position> places;
   const auto add = [&](const Position& p) {
     if (!seen_.contains(p)) places.insert(p);
   };
   for (std::size_t i = 0; i < kSpreadPool; ++i) add(spread(++spread_));
-  const std::size_t kept = std::min(front.size(), kFrontPool);
+  // The front's time rises as its error falls: the first one within the limit is the best there.
+  std::size_t best = 0;
+  while (best + 1 < front.size() && std::log(tried[front[best]].objectives.contour + kFloor) > limit) ++best;
   for (std::size_t i = 0; i < kLocalPool; ++i) {
-    const std::size_t nth = kept < front.size() ? random_below(front.size()) : i % kept;
+    const std::size_t nth = i % kLimitEvery == 0 ? best : random_below(front.size());
     add(turned(tried[front[nth]].at));
   }
   Pool pool;
   pool.at.assign(places.begin(), places.end());
   pool.is_taken.assign(pool.at.size(), false);
-  for (const Position& p : pool.at) pool.weight.push_back(space_.is_dear(p) ? kDearWeight : 1.0);
+  for (const Position& p : pool.at) pool.is_dear.push_back(space_.is_dear(p));
   return pool;
 }
 
@@ -158,7 +168,31 @@ std::vector<Position> Search::next(const std::vector<Tried>& all, std::size_t co
   if (all.empty()) return list;
   const std::vector<Tried> tried = most_telling(all);
   const std::vector<std::size_t> front = front_of(tried);
-  Pool pool = pool_around(tried, front);
+  const double limit = std::log(contour_.value_or(all.front().objectives.contour) + kFloor);
+  Pool pool = pool_around(tried, front, limit);
+  Expectation expected = expect(tried, front, pool, limit);
+  const std::size_t limit_every = contour_ ? kGivenLimitEvery : kLimitEvery;
+  for (std::size_t n = 0; n < count; ++n) {
+    const bool for_limit = n % limit_every == limit_every - 1;
+    double most = -1;
+    std::size_t best = pool.at.size();
+    for (std::size_t c = 0; c < pool.at.size(); ++c) {
+      if (pool.is_taken[c] || (pool.is_dear[c] && !may_be_dear())) continue;
+      const double gain = (pool.is_dear[c] ? kDearWeight : 1.0) * expected.gain(c, for_limit);
+      if (gain <= most) continue;
+      most = gain;
+      best = c;
+    }
+    if (best == pool.at.size()) break;
+    pool.is_taken[best] = true;
+    propose(pool.at[best], list);
+    expected.believe(best);
+  }
+  return list;
+}
+
+Expectation Search::expect(const std::vector<Tried>& tried, const std::vector<std::size_t>& front, const Pool& pool,
+                           double limit) {
   std::vector<Features> at, candidates;
   for (const Tried& t : tried) at.push_back(features_of(space_, t.at));
   for (const Position& p : pool.at) candidates.push_back(features_of(space_, p));
@@ -167,38 +201,11 @@ std::vector<Position> Search::next(const std::vector<Tried>& all, std::size_t co
     time_lengths_ = Surrogate::fit(at, logs.time, time_lengths_);
     error_lengths_ = Surrogate::fit(at, logs.error, error_lengths_);
   }
-  Surrogate time(at, logs.time, time_lengths_, candidates), error(at, logs.error, error_lengths_, candidates);
-
   LogFront known;
   for (const std::size_t i : front) known.add({logs.time[i], logs.error[i]});
   known.reference = {known.points.front().time + std::log(kWidest), known.points.front().error + kMargin};
-  const double limit = std::log(contour_.value_or(all.front().objectives.contour) + kFloor);
-  double fastest = fastest_within(logs, limit);
-  const std::size_t limit_every = contour_ ? kGivenLimitEvery : kLimitEvery;
-  for (std::size_t n = 0; n < count; ++n) {
-    const bool for_limit = n % limit_every == limit_every - 1;
-    double most = -1;
-    std::size_t best = pool.at.size();
-    for (std::size_t c = 0; c < pool.at.size(); ++c) {
-      if (pool.is_taken[c]) continue;
-      const Guess t = time.at_candidate(c), e = error.at_candidate(c);
-      const double gain =
-          pool.weight[c] * (for_limit ? expected_saving(t, e, fastest, limit) : known.expected_gain(t, e));
-      if (gain <= most) continue;
-      most = gain;
-      best = c;
-    }
-    if (best == pool.at.size()) break;
-    pool.is_taken[best] = true;
-    seen_.insert(pool.at[best]);
-    list.push_back(pool.at[best]);
-    const LogPoint believed = {time.at_candidate(best).mean, error.at_candidate(best).mean};
-    known.add(believed);
-    if (believed.error <= limit) fastest = std::min(fastest, believed.time);
-    time.believe(best);
-    error.believe(best);
-  }
-  return list;
+  return {Surrogate(at, logs.time, time_lengths_, candidates), Surrogate(at, logs.error, error_lengths_, candidates),
+          std::move(known), limit, fastest_within(logs, limit)};
 }
 
 }  // namespace toolpace

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "toolpace/tune/expected_gain.h"
 #include "toolpace/tune/pareto.h"
 #include "toolpace/tune/surrogate.h"
 #include "toolpace/tune/tuning_space.h"
@@ -36,23 +37,25 @@ class Search {
   std::vector<Position> next(const std::vector<Tried>& tried, std::size_t count);
 
  private:
-  /// Positions that may be proposed, and what is expected there.
+  /// Positions that may be proposed.
   struct Pool {
     std::vector<Position> at;
-    std::vector<double> weight;  ///< 1, or less where planning takes long
-    std::vector<bool> is_taken;
+    std::vector<bool> is_dear, is_taken;
   };
-  bool propose(const Position& position, std::vector<Position>& list);
+  bool may_be_dear() const;
+  void propose(const Position& position, std::vector<Position>& list);
   Position spread(std::size_t index) const;
   Position turned(const Position& from);
-  Pool pool_around(const std::vector<Tried>& tried, const std::vector<std::size_t>& front);
+  Pool pool_around(const std::vector<Tried>& tried, const std::vector<std::size_t>& front, double limit);
+  Expectation expect(const std::vector<Tried>& tried, const std::vector<std::size_t>& front, const Pool& pool,
+                     double limit);
   std::size_t random_below(std::size_t count);
 
   const TuningSpace& space_;
   std::optional<double> contour_;
   std::set<Position> seen_;
   Surrogate::Lengths time_lengths_ = Surrogate::first_lengths(), error_lengths_ = Surrogate::first_lengths();
-  std::size_t batches_ = 0, spread_ = 0;
+  std::size_t batches_ = 0, spread_ = 0, dear_ = 0;
   std::uint64_t random_ = 0x9E3779B97F4A7C15;
 };
 

@@ -221,6 +221,9 @@ std::shared_ptr<const Job> TuningSpace::job_at(const Position& position) const {
   return job;
 }
 
-bool TuningSpace::is_dear(const Position& position) const { return takes_long(*job_at(position)); }
+bool TuningSpace::is_dear(const Position& position) const {
+  const auto job = job_at(position);
+  return is_through_tube(*job) || may_leave_path(*job);
+}
 
 }  // namespace toolpace

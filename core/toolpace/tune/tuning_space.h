@@ -49,7 +49,7 @@ class TuningSpace {
   /// The position that stands for all that give the same job: knobs that mean nothing beside the others are at home.
   Position canonical(const Position& position) const;
   std::shared_ptr<const Job> job_at(const Position& position) const;
-  /// Whether planning there takes long (takes_long()).
+  /// Whether planning there takes many times as long as elsewhere: a motion through the tolerance tube is looked for.
   bool is_dear(const Position& position) const;
 
  private:
