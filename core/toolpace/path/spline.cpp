@@ -35,18 +35,19 @@ std::size_t find_span(const SplineCurve& c, double u) {
 }
 
 /// De Boor's algorithm on the span's control points; derivative k uses the k-th differences of the control points.
-Homogeneous evaluate_homogeneous(const SplineCurve& c, double u, std::size_t span) {
+/// @param orders  derivatives from this one on are not wanted
+Homogeneous evaluate_homogeneous(const SplineCurve& c, double u, std::size_t span, std::size_t orders) {
   const auto p = static_cast<std::size_t>(c.degree);
-  std::array<Eigen::Vector4d, kMaxDegree + 1> control;
+  std::array<Eigen::Vector4d, kMaxDegree + 1> control, work;
   for (std::size_t i = 0; i <= p; ++i) control[i] = c.points[span - p + i];
   Homogeneous result;
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < orders; ++k) {
     if (k > p) {
       result.d[k].setZero();
       continue;
     }
-    auto work = control;
     const std::size_t q = p - k;  // degree of the k-th derivative
+    for (std::size_t i = 0; i <= q; ++i) work[i] = control[i];
     for (std::size_t r = 1; r <= q; ++r) {
       for (std::size_t i = q; i >= r; --i) {
         const double a = c.knots[span - q + i], b = c.knots[span + 1 + i - r];
@@ -55,7 +56,7 @@ Homogeneous evaluate_homogeneous(const SplineCurve& c, double u, std::size_t spa
       }
     }
     result.d[k] = work[q];
-    for (std::size_t i = 0; i + 1 <= q; ++i) {
+    for (std::size_t i = 0; i + 1 <= q && k + 1 < orders; ++i) {
       const double width = c.knots[span + 1 + i] - c.knots[span + 1 + i - q];
       control[i] = width > 0 ? Eigen::Vector4d(static_cast<double>(q) / width * (control[i + 1] - control[i]))
                              : Eigen::Vector4d(Eigen::Vector4d::Zero());
@@ -84,10 +85,24 @@ Cartesian evaluate_uniform(const SplineCurve& c, double u, std::size_t span) {
            scale * scale * (second + x * third), scale * scale * scale * third}};
 }
 
+/// The point alone, and the first derivative alone: the same bits as evaluate() gives, at less than half its cost.
+Eigen::Vector3d point_at(const SplineCurve& c, double u, std::size_t span) {
+  if (is_uniform_cubic(c, span)) return evaluate_uniform(c, u, span).d[0];
+  const Homogeneous h = evaluate_homogeneous(c, u, span, 1);
+  return h.d[0].head<3>() / h.d[0][3];
+}
+
+Eigen::Vector3d first_derivative(const SplineCurve& c, double u, std::size_t span) {
+  const Homogeneous h = evaluate_homogeneous(c, u, span, 2);
+  const double w = h.d[0][3];
+  const Eigen::Vector3d point = h.d[0].head<3>() / w;
+  return (h.d[1].head<3>() - h.d[1][3] * point) / w;
+}
+
 /// Quotient rule: C = A/w, C' = (A' − w'C)/w, …
 Cartesian evaluate(const SplineCurve& c, double u, std::size_t span) {
   if (is_uniform_cubic(c, span)) return evaluate_uniform(c, u, span);
-  const Homogeneous h = evaluate_homogeneous(c, u, span);
+  const Homogeneous h = evaluate_homogeneous(c, u, span, 4);
   const double w = h.d[0][3], w1 = h.d[1][3], w2 = h.d[2][3], w3 = h.d[3][3];
   Cartesian r;
   r.d[0] = h.d[0].head<3>() / w;
@@ -96,8 +111,6 @@ Cartesian evaluate(const SplineCurve& c, double u, std::size_t span) {
   r.d[3] = (h.d[3].head<3>() - 3 * w1 * r.d[2] - 3 * w2 * r.d[1] - w3 * r.d[0]) / w;
   return r;
 }
-
-Cartesian evaluate(const SplineCurve& c, double u) { return evaluate(c, u, find_span(c, u)); }
 
 ParameterDerivatives derivatives(const SplineCurve& c, double u, std::size_t span) {
   const double whole = c.knots[c.points.size()] - c.knots[static_cast<std::size_t>(c.degree)];
@@ -122,7 +135,7 @@ class SpanSpeed {
   }
 
   double operator()(double u) const {
-    if (!is_uniform_) return evaluate(curve_, u, span_).d[1].norm();
+    if (!is_uniform_) return first_derivative(curve_, u, span_).norm();
     const double x = u - begin_;
     return (first_ + x * (second_ + x * half_third_)).norm();
   }
@@ -221,7 +234,7 @@ AxisVector spline_point(const SplineCurve& c, double u) {
   const double whole = c.knots[c.points.size()] - c.knots[static_cast<std::size_t>(c.degree)];
   const double share = (u - c.knots[static_cast<std::size_t>(c.degree)]) / whole;
   AxisVector point = c.rotary_begin + share * (c.rotary_end - c.rotary_begin);
-  point.head<3>() = evaluate(c, u).d[0];
+  point.head<3>() = point_at(c, u, find_span(c, u));
   return point;
 }
 
