@@ -1541,6 +1541,14 @@
             <source>arc-centre-absolute</source>
             <translation>圆心按绝对坐标读取</translation>
         </message>
+        <message>
+            <source>settings-included</source>
+            <translation>写在被包含的文件里</translation>
+        </message>
+        <message>
+            <source>settings-unwritable</source>
+            <translation>无法写入该设置</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -2975,6 +2983,14 @@
         <message>
             <source>write G90.1, or G91.1 and distances from the start</source>
             <translation>请写 G90.1，或写 G91.1 并给出到起点的距离</translation>
+        </message>
+        <message>
+            <source>change it in that file</source>
+            <translation>请在那个文件中修改</translation>
+        </message>
+        <message>
+            <source>change it in the file by hand</source>
+            <translation>请手动在文件中修改</translation>
         </message>
     </context>
     <context>

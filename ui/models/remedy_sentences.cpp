@@ -99,6 +99,8 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "close the name with '>'"),
     QT_TRANSLATE_NOOP("remedies", "columns are x_mm y_mm z_mm a_deg b_deg c_deg feed_mm_min"),
     QT_TRANSLATE_NOOP("remedies", "comments do not nest: remove the inner parenthesis"),
+    QT_TRANSLATE_NOOP("remedies", "change it in that file"),
+    QT_TRANSLATE_NOOP("remedies", "change it in the file by hand"),
     QT_TRANSLATE_NOOP("remedies", "correct the controller's settings"),
     QT_TRANSLATE_NOOP("remedies", "correct the value"),
     QT_TRANSLATE_NOOP("remedies",

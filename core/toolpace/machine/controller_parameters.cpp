@@ -46,8 +46,9 @@ Parameters list_of(KlipperSettings& s) {
       {"[printer] max_z_accel", "Z acceleration", "mm/s²", 1, &s.max_z_accel, kLeastSetting, kMostSetting},
       {"[printer] square_corner_velocity", "square corner velocity", "mm/s", 1, &s.square_corner_velocity, 0,
        kMostSetting},
-      {"[printer] minimum_cruise_ratio", "minimum cruise ratio", "1", 1, &s.minimum_cruise_ratio, 0, 0.999, {0}},
-      {"[gcode_arcs] resolution", "arc resolution", "mm", 1, &s.arc_resolution, 1e-3, kMostSetting}};
+      {"[printer] minimum_cruise_ratio", "minimum cruise ratio", "1", 1, &s.minimum_cruise_ratio, 0, 0.999, {0}}};
+  if (s.has_arcs)
+    list.push_back({"[gcode_arcs] resolution", "arc resolution", "mm", 1, &s.arc_resolution, 1e-3, kMostSetting});
   if (!s.has_extruder) return list;
   list.insert(list.end(),
               {{"[extruder] nozzle_diameter", "nozzle", kBuiltIn, 1, &s.nozzle, kLeastSetting, kMostSetting},

@@ -19,14 +19,6 @@ Error settings_error(std::string code, std::string message, std::string remedy, 
   return {ErrorKind::usage, std::move(code), std::move(message), std::move(remedy), std::move(where), {}};
 }
 
-/// The key under which a table of values has a parameter: "TRAJ.DEPTH" and "printer.max_accel" for those of sections.
-std::string key_in_values(const std::string& key, Controller controller) {
-  if (!key.starts_with('[')) return key;
-  const std::size_t end = key.find(']');
-  const std::string joined = key.substr(1, end - 1) + "." + key.substr(end + 2);
-  return controller == Controller::linuxcnc ? upper(joined) : joined;
-}
-
 /// The key as the file has it.
 std::string shown_key(const std::string& key, Controller controller) {
   if (controller != Controller::klipper && controller != Controller::linuxcnc) return key;
@@ -240,15 +232,6 @@ Result<void> fill_linuxcnc(ControllerSettings& s, const ImportedValues& values, 
   return {};
 }
 
-ImportedValues read_values(std::string_view text, Controller controller, const ReadIncluded& included) {
-  switch (controller) {
-    case Controller::klipper: return read_klipper_values(text, included);
-    case Controller::marlin: return read_marlin_values(text);
-    case Controller::linuxcnc: return read_ini_values(text, included);
-    default: return read_grbl_values(text);
-  }
-}
-
 Result<void> fill_values(ControllerSettings& s, const ImportedValues& values, const std::string& name) {
   switch (s.controller) {
     case Controller::klipper: return fill_klipper(s, values, name);
@@ -282,7 +265,7 @@ Result<ControllerSettings> parse_controller_settings(std::string_view text, cons
   }
   ControllerSettings settings;
   settings.controller = controller.value_or(*told);
-  if (auto fine = fill_values(settings, read_values(text, settings.controller, included), name); !fine) {
+  if (auto fine = fill_values(settings, read_controller_values(text, settings.controller, included), name); !fine) {
     return tl::unexpected(fine.error());
   }
   warn_of_the_rest(settings, name);

@@ -15,9 +15,7 @@
 namespace toolpace {
 namespace {
 
-constexpr double kMmPerInch = 25.4;
-constexpr double kLeastUnits = 1e-3, kMostUnits = 1e3;  // [1/mm] metres to micrometres
-constexpr double kNoLimit = 1e9;                        // LinuxCNC's own default is 1e99
+constexpr double kNoLimit = 1e9;  // LinuxCNC's own default is 1e99
 
 /// The text where it is UTF-8, as TOML wants it; else with ? for every letter outside of ASCII.
 std::string as_name(std::string text) {
@@ -63,16 +61,10 @@ class AxisImport {
   std::optional<double> strictest(std::size_t axis, const std::string& name, Stricter stricter,
                                   std::optional<double> none = {}) {
     const double unit = is_rotary(axis) ? 1.0 : length_;
-    const std::string own = std::string("AXIS_") + kAxisNames[axis] + name;
-    if (importer_.find(own)) {
-      const auto value = importer_.take(own, unit);
-      return value == none ? std::nullopt : value;
-    }
     std::optional<double> best;
     std::string best_key;
-    for (const std::size_t joint : joints_.of_axis[axis]) {
-      const std::string key = "JOINT_" + std::to_string(joint) + name;
-      guessed_ |= importer_.find(key) != nullptr;
+    for (const std::string& key : keys_of_axis(importer_, joints_, axis, name)) {
+      guessed_ |= key.starts_with("JOINT_");
       const auto value = importer_.take(key, unit);
       if (!value || value == none || (best && !stricter(*value, *best))) continue;
       best = value;
@@ -109,20 +101,6 @@ class AxisImport {
   bool guessed_ = false;
 };
 
-/// [mm] of a unit of length of the file: a name, or how many of them are a millimetre.
-double length_unit(Importer& importer) {
-  constexpr const char* kKey = "TRAJ.LINEAR_UNITS";
-  const ImportedValue* units = importer.find(kKey);
-  if (!units) return 1.0;
-  const std::string name = upper(units->text.substr(0, units->text.find_first_of(" \t;#(")));
-  if (name == "MM" || name == "METRIC") return 1.0;
-  if (name == "INCH" || name == "IN" || name == "IMPERIAL") return kMmPerInch;
-  const auto number = parse_number(name);
-  if (number && *number >= kLeastUnits && *number <= kMostUnits) return 1.0 / *number;
-  importer.refuse(kKey, "mm, inch or the number of units in a millimetre");
-  return 1.0;
-}
-
 }  // namespace
 
 Result<Setup> import_linuxcnc_ini(std::string_view text, const std::string& name) {
@@ -132,8 +110,7 @@ Result<Setup> import_linuxcnc_ini(std::string_view text, const std::string& name
 Result<Setup> import_linuxcnc_values(ImportedValues values, const std::string& name) {
   Importer importer(std::move(values), name);
   const double length = length_unit(importer);
-  importer.take("path", "max_speed_mm_s",
-                {"TRAJ.MAX_LINEAR_VELOCITY", "TRAJ.MAX_VELOCITY", "DISPLAY.MAX_LINEAR_VELOCITY"}, length);
+  importer.take("path", "max_speed_mm_s", {kPathVelocityKeys[0], kPathVelocityKeys[1], kPathVelocityKeys[2]}, length);
   importer.take("path", "max_acceleration_mm_s2", {"TRAJ.MAX_LINEAR_ACCELERATION", "TRAJ.MAX_ACCELERATION"}, length);
   importer.take("path", "max_jerk_mm_s3", {"TRAJ.MAX_LINEAR_JERK"}, length, 0.0);
   importer.take("machine", "period_ms", {"EMCMOT.SERVO_PERIOD"}, 1e-6);

@@ -15,6 +15,8 @@ namespace toolpace {
 struct ImportedValue {
   std::string text;
   std::size_t line;
+  /// Where `text` begins in the text that was read; nothing for what stands in a file that this one includes.
+  std::optional<std::size_t> at = {};
 };
 using ImportedValues = std::map<std::string, ImportedValue, std::less<>>;  ///< by key; the first one counts
 

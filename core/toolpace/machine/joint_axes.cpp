@@ -3,11 +3,15 @@
 #include <cctype>
 #include <string_view>
 
+#include "toolpace/base/numbers.h"
+
 namespace toolpace {
 namespace {
 
 constexpr std::string_view kAllLetters = "XYZABCUVW";
 constexpr std::size_t kMostJoints = 16;  // of LinuxCNC
+constexpr double kMmPerInch = 25.4;
+constexpr double kLeastUnits = 1e-3, kMostUnits = 1e3;  // [1/mm] metres to micrometres
 
 /// The letter at each place is the axis of the joint with that number; letters that are no axes here (U, V, W) count, too.
 void assign(JointAxes& joints, std::string_view letters) {
@@ -52,6 +56,31 @@ JointAxes joint_axes(const Importer& settings) {
   }
   assign(joints, kAllLetters);
   return joints;
+}
+
+std::vector<std::string> keys_of_axis(const Importer& settings, const JointAxes& joints, std::size_t axis,
+                                      std::string_view limit) {
+  const std::string own = std::string("AXIS_") + kAxisNames[axis] + std::string(limit);
+  if (settings.find(own)) return {own};
+  std::vector<std::string> keys;
+  for (const std::size_t joint : joints.of_axis[axis]) {
+    const std::string key = "JOINT_" + std::to_string(joint) + std::string(limit);
+    if (settings.find(key)) keys.push_back(key);
+  }
+  return keys;
+}
+
+double length_unit(Importer& importer) {
+  constexpr const char* kKey = "TRAJ.LINEAR_UNITS";
+  const ImportedValue* units = importer.find(kKey);
+  if (!units) return 1.0;
+  const std::string name = upper(units->text.substr(0, units->text.find_first_of(" \t;#(")));
+  if (name == "MM" || name == "METRIC") return 1.0;
+  if (name == "INCH" || name == "IN" || name == "IMPERIAL") return kMmPerInch;
+  const auto number = parse_number(name);
+  if (number && *number >= kLeastUnits && *number <= kMostUnits) return 1.0 / *number;
+  importer.refuse(kKey, "mm, inch or the number of units in a millimetre");
+  return 1.0;
 }
 
 }  // namespace toolpace

@@ -24,6 +24,11 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+/// Where a part of the whole text begins.
+std::optional<std::size_t> place_in(std::string_view whole, std::string_view part) {
+  return static_cast<std::size_t>(part.data() - whole.data());
+}
+
 /// The last word of a line before its comment: the command of "echo:  G20    ; Units in inches".
 std::string_view last_word(std::string_view line) {
   line = trimmed(line.substr(0, line.find(';')));
@@ -33,7 +38,7 @@ std::string_view last_word(std::string_view line) {
 
 class IniReader {
  public:
-  explicit IniReader(const ReadIncluded& included) : included_(included) {}
+  IniReader(std::string_view whole, const ReadIncluded& included) : whole_(whole), included_(included) {}
 
   /// @param outer  line of the outermost file that includes this text; 0 = this is that file
   void read(std::string_view text, std::size_t outer, int depth) {
@@ -56,17 +61,20 @@ class IniReader {
     }
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) return;
-    values.try_emplace(section_ + "." + upper(trimmed(line.substr(0, equals))),
-                       ImportedValue{std::string(trimmed(line.substr(equals + 1))), number});
+    const std::string_view value = trimmed(line.substr(equals + 1));
+    values.try_emplace(
+        section_ + "." + upper(trimmed(line.substr(0, equals))),
+        ImportedValue{std::string(value), number, depth == 0 ? place_in(whole_, value) : std::optional<std::size_t>()});
   }
 
+  std::string_view whole_;
   const ReadIncluded& included_;
   std::string section_;
 };
 
 class KlipperReader {
  public:
-  explicit KlipperReader(const ReadIncluded& included) : included_(included) {}
+  KlipperReader(std::string_view whole, const ReadIncluded& included) : whole_(whole), included_(included) {}
 
   void read(std::string_view text, std::size_t outer, int depth) {
     std::string section;
@@ -103,9 +111,11 @@ class KlipperReader {
     }
     const std::size_t mark = line.find_first_of(":=");
     if (mark == std::string_view::npos || section.empty()) return;
+    const std::string_view value = trimmed(line.substr(mark + 1));
     (is_saved ? saved_ : values_)
         .insert_or_assign(lower(section) + "." + lower(trimmed(line.substr(0, mark))),
-                          ImportedValue{std::string(trimmed(line.substr(mark + 1))), number});
+                          ImportedValue{std::string(value), number,
+                                        depth == 0 ? place_in(whole_, value) : std::optional<std::size_t>()});
   }
 
   /// Whether the section is an [include …], which is followed here.
@@ -123,21 +133,21 @@ class KlipperReader {
     return trimmed(line.substr(0, line.find_first_of("#;")));
   }
 
+  std::string_view whole_;
   const ReadIncluded& included_;
   ImportedValues values_, saved_;
 };
 
 }  // namespace
 
-std::optional<std::pair<std::string, std::string>> grbl_setting_in(std::string_view line) {
+std::optional<std::pair<std::string_view, std::string_view>> grbl_setting_in(std::string_view line) {
   for (std::size_t begin = line.find('$'); begin != std::string_view::npos; begin = line.find('$', begin + 1)) {
     const std::size_t end = skip(line, begin + 1, is_decimal_digit);
     std::size_t at = skip(line, end, is_filler);
     if (end == begin + 1 || at >= line.size() || (line[at] != '=' && line[at] != ':')) continue;
     at = skip(line, at + 1, is_filler);
     const std::size_t value_end = std::min(line.find_first_of(" \t\"',;()<|", at), line.size());
-    return std::pair(std::string(line.substr(begin, end - begin)),
-                     std::string(trimmed(line.substr(at, value_end - at))));
+    return std::pair(line.substr(begin, end - begin), trimmed(line.substr(at, value_end - at)));
   }
   return std::nullopt;
 }
@@ -156,9 +166,10 @@ ImportedValues read_grbl_values(std::string_view text) {
     // JSON keeps many on a line: each comma begins the next.
     while (!line.empty()) {
       const std::size_t comma = line.find(",\"$");
-      auto setting = grbl_setting_in(line.substr(0, comma));
-      if (setting)
-        values.insert_or_assign(std::move(setting->first), ImportedValue{std::move(setting->second), number});
+      if (const auto setting = grbl_setting_in(line.substr(0, comma))) {
+        const auto& [key, value] = *setting;
+        values.insert_or_assign(std::string(key), ImportedValue{std::string(value), number, place_in(text, value)});
+      }
       if (comma == std::string_view::npos) return;
       line.remove_prefix(comma + 1);
     }
@@ -179,7 +190,7 @@ std::optional<MarlinWords> marlin_words_in(std::string_view line) {
     while (!(rest = trimmed(rest)).empty()) {
       const std::size_t end = skip(rest, 1, is_of_number);
       if (std::isupper(static_cast<unsigned char>(rest.front())) == 0 || end == 1) break;
-      result.words.emplace_back(rest.front(), std::string(rest.substr(1, end - 1)));
+      result.words.emplace_back(rest.front(), rest.substr(1, end - 1));
       rest.remove_prefix(end);
     }
     if (!result.words.empty()) return result;
@@ -197,22 +208,39 @@ ImportedValues read_marlin_values(std::string_view text) {
     if (!command) return;
     // "M203 T0 E25" of an extruder is none of an axis.
     for (const auto& [letter, value] : command->words) {
-      values.insert_or_assign(command->code + " " + letter, ImportedValue{value, number});
+      values.insert_or_assign(command->code + " " + letter,
+                              ImportedValue{std::string(value), number, place_in(text, value)});
     }
   });
   return values;
 }
 
 ImportedValues read_ini_values(std::string_view text, const ReadIncluded& included) {
-  IniReader reader(included);
+  IniReader reader(text, included);
   reader.read(text, 0, 0);
   return std::move(reader.values);
 }
 
 ImportedValues read_klipper_values(std::string_view text, const ReadIncluded& included) {
-  KlipperReader reader(included);
+  KlipperReader reader(text, included);
   reader.read(text, 0, 0);
   return reader.finish();
+}
+
+ImportedValues read_controller_values(std::string_view text, Controller controller, const ReadIncluded& included) {
+  switch (controller) {
+    case Controller::klipper: return read_klipper_values(text, included);
+    case Controller::marlin: return read_marlin_values(text);
+    case Controller::linuxcnc: return read_ini_values(text, included);
+    default: return read_grbl_values(text);
+  }
+}
+
+std::string key_in_values(const std::string& key, Controller controller) {
+  if (!key.starts_with('[')) return key;
+  const std::size_t end = key.find(']');
+  const std::string joined = key.substr(1, end - 1) + "." + key.substr(end + 2);
+  return controller == Controller::linuxcnc ? upper(joined) : joined;
 }
 
 }  // namespace toolpace

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "toolpace/machine/controller.h"
 #include "toolpace/machine/importer.h"
 
 namespace toolpace {
@@ -18,7 +19,7 @@ using ReadIncluded = std::function<std::vector<std::string>(std::string_view nam
 
 /// "$110" and "6000.000" of a line that has such a setting, whatever a sender or a console puts around it: a time, an arrow,
 /// "(x max rate, mm/min)", the quotes and colons of JSON. Nothing where there is none.
-std::optional<std::pair<std::string, std::string>> grbl_setting_in(std::string_view line);
+std::optional<std::pair<std::string_view, std::string_view>> grbl_setting_in(std::string_view line);
 /// Whether grbl 1.1 itself has a setting of this key; others are those of its descendants.
 bool is_setting_of_grbl(std::string_view key);
 /// By "$110". A dump may come more than once in the log of a console: what comes last counts.
@@ -26,8 +27,8 @@ ImportedValues read_grbl_values(std::string_view text);
 
 /// One command of a report of M503: its number and words, as "M203 X500.00 Y500.00".
 struct MarlinWords {
-  std::string code;                                 ///< "M203"
-  std::vector<std::pair<char, std::string>> words;  ///< letter and number
+  std::string code;                                      ///< "M203"
+  std::vector<std::pair<char, std::string_view>> words;  ///< letter and number, which is part of the line
 };
 /// What a line of a report says, with what a console puts before it; nothing where it is no command of settings.
 std::optional<MarlinWords> marlin_words_in(std::string_view line);
@@ -43,5 +44,10 @@ ImportedValues read_ini_values(std::string_view text, const ReadIncluded& includ
 /// SAVE_CONFIG (lines of #*#) above all. Sections [include FILE] are followed; each other one is there as "gcode_arcs.", too, as
 /// some say by being there what they say.
 ImportedValues read_klipper_values(std::string_view text, const ReadIncluded& included = {});
+
+/// As the controller's texts are read.
+ImportedValues read_controller_values(std::string_view text, Controller controller, const ReadIncluded& included = {});
+/// The key among these values of what people know as "[printer] max_accel", "$110" or "M203 X".
+std::string key_in_values(const std::string& key, Controller controller);
 
 }  // namespace toolpace
