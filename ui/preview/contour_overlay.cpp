@@ -225,9 +225,10 @@ void ContourCanvas::drawCaption(QPainter& painter) const {
   if (enlargement_ > 1) texts << QStringLiteral("×%1").arg(enlargement_);
   if (tube_ && band_shown_ && tube_->size() > 0) texts << tube_caption(*tube_, unit_);
   if (texts.isEmpty()) return;
-  painter.setPen(theme_.secondary);
-  painter.drawText(QRectF(rect()).adjusted(16, 8, -16, -8), Qt::AlignLeft | Qt::AlignTop,
-                   texts.join(QStringLiteral("  ·  ")));
+  const QString text = texts.join(QStringLiteral("  ·  "));
+  const QSizeF size = QFontMetricsF(painter.font()).size(Qt::TextSingleLine, text);
+  draw_chip(painter, theme_, {{8, 4}, QSizeF(size.width() + 18, size.height() + 8)},
+            {text});  // the path runs behind it
 }
 
 void ContourCanvas::drawHint(QPainter& painter) const {
