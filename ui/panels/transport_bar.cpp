@@ -121,7 +121,20 @@ void TransportBar::refresh() {
                steady(kAcceleration, instant_->state.acceleration * acceleration.factor,
                       decimals_of(Quantity::acceleration, 0, unit_)),
                acceleration.text));
+  fit();
   instant_->cause ? showCause(*instant_->cause) : forgetCause();
+}
+
+/// Where there is no room for all, what the plots tell, too, makes way: no figure is cut.
+void TransportBar::fit() {
+  motion_->show();
+  layout()->activate();
+  if (layout()->minimumSize().width() > width()) motion_->hide();
+}
+
+void TransportBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit();
 }
 
 void TransportBar::setRotaryAxes(const std::array<bool, 3>& turned) {

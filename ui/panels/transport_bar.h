@@ -45,12 +45,14 @@ class TransportBar : public QWidget, public PlanView {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   enum Number : std::size_t { kTime, kPlace, kSpeed, kAcceleration, kNumbers };
 
   QToolButton* addButton(const char* name, const char* icon_name, void (TransportBar::*signal)());
   void retranslate();
+  void fit();
   void refresh();
   void showBusy(bool busy);
   QString steady(Number number, double value, int decimals);
