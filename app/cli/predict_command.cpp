@@ -26,8 +26,6 @@
 namespace toolpace::cli {
 namespace {
 
-constexpr double kToleranceOfSetpoints = 0.01;  // [mm] at corners of "as setpoints"
-constexpr double kLongestRefined = 20'000;      // [s] of motion that are planned as well as can be
 constexpr std::size_t kShownRows = 8;
 constexpr const char* kAsSetpoints = "Toolpace's setpoints on the same limits";
 
@@ -188,12 +186,8 @@ void warn_of_what_is_left_out(const PredictFlags& flags, const ProgramText& text
   const auto warn = [&](const char* code, std::string message) {
     warnings.push_back({Severity::warning, code, std::move(message), "", {flags.reading.program, 0, 0}, {}});
   };
-  const auto* klipper = std::get_if<KlipperSettings>(&settings.values);
-  const bool counts_extruder = klipper && klipper->has_extruder;
-  if (dialect_of(settings.controller) == Dialect::marlin && !counts_extruder && (text.all_codes & kExtruderWord) != 0) {
-    warn("extruder-not-counted", klipper ? "there is no [extruder] in the printer.cfg: E is not counted"
-                                         : "moves of the extruder alone, and its limits, are not counted");
-  }
+  const Diagnostics left_out = not_counted(text, settings, flags.reading.program);
+  warnings.insert(warnings.end(), left_out.begin(), left_out.end());
   const bool reads_from_disk =
       settings.controller == Controller::klipper || settings.controller == Controller::linuxcnc;
   if (reads_from_disk && flags.controller.baud) {

@@ -28,6 +28,11 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   save_machine_as = add("saveMachineAsAction", "");
   default_machine = add("defaultMachineAction", "");
   import_machine = add("importMachineAction", "");
+  own_plan = addToggle("ownPlanAction", "");
+  open_controller = add("openControllerAction", "", {QKeySequence("Ctrl+K")});
+  save_settings = add("saveSettingsAction", "");
+  save_settings_as = add("saveSettingsAsAction", "");
+  try_settings = add("trySettingsAction", "");
   undo = add("undoAction", "undo", {QKeySequence("Ctrl+Z")});
   redo = add("redoAction", "redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   find = add("findAction", "search", {QKeySequence::Find});
@@ -54,7 +59,6 @@ void Actions::addPlan() {
   for (const auto& preset : ui::plan_presets())
     presets.push_back(add(("preset_" + std::string(preset.id) + "Action").c_str(), ""));
   pin = add("pinAction", "pin", {QKeySequence("Ctrl+B")});
-  pin_controller = add("pinControllerAction", "machine");
   unpin = add("unpinAction", "", {QKeySequence("Ctrl+Shift+B")});
   swap = add("swapAction", "swap", {QKeySequence("Ctrl+T")});
   sweep = add("sweepAction", "sweep", {QKeySequence("Ctrl+L")});
@@ -65,6 +69,8 @@ void Actions::addPlan() {
 
 void Actions::addView() {
   hold_heights = addToggle("holdHeightsAction", "");
+  fit_cutting = addToggle("fitCuttingAction", "");
+  line_times = addToggle("lineTimesAction", "");
   rapids = addToggle("rapidsAction", "");
   rapids->setChecked(true);
   fit = add("fitAction", "fit", {QKeySequence(Qt::Key_F)});
@@ -131,6 +137,11 @@ void Actions::retranslate() {
   save_machine_as->setText(tr("Save machine &as…"));
   default_machine->setText(tr("&Default limits"));
   import_machine->setText(tr("&Import machine…"));
+  own_plan->setText(tr("&Toolpace's plan"));
+  open_controller->setText(tr("A &controller with its settings…"));
+  save_settings->setText(tr("&Save settings"));
+  save_settings_as->setText(tr("Save settings &as…"));
+  try_settings->setText(tr("What would each setting &give?"));
   undo->setText(tr("&Undo"));
   redo->setText(tr("&Redo"));
   find->setText(tr("&Find in program"));
@@ -147,7 +158,6 @@ void Actions::retranslate() {
   next_problem->setText(tr("Next p&roblem"));
   slowest_place->setText(tr("Next place that &loses time"));
   pin->setText(tr("Pin this plan as &B"));
-  pin_controller->setText(tr("Show what a &controller does as B…"));
   unpin->setText(tr("Let &go of B"));
   swap->setText(tr("S&wap A and B"));
   sweep->setText(tr("Sweep the look-a&head"));
@@ -157,6 +167,8 @@ void Actions::retranslate() {
   fit->setText(tr("&Fit"));
   rapids->setText(tr("Show &rapids"));
   hold_heights->setText(tr("&Keep the heights of the plots"));
+  fit_cutting->setText(tr("Heights of the plots fit the c&utting"));
+  line_times->setText(tr("&Times beside the lines"));
   view_xy->setText(tr("View along &Z (XY)"));
   view_xz->setText(tr("View along &Y (XZ)"));
   view_yz->setText(tr("View along &X (YZ)"));

@@ -23,12 +23,14 @@ class Actions : public QObject {
   QAction *export_setpoints, *export_pulses, *axis_derivatives, *decimal_comma, *export_picture, *export_plots,
       *export_window, *export_report;
   QAction *open_machine, *save_machine, *save_machine_as, *default_machine, *import_machine;
+  QAction *own_plan, *open_controller, *save_settings, *save_settings_as, *try_settings;
   QAction *undo, *redo, *find, *go_to, *edit_line, *insert_line, *delete_lines;
   QAction *play, *previous_line, *next_line, *to_start, *to_end, *cancel, *next_problem, *slowest_place;
   QAction *fit, *view_xy, *view_xz, *view_yz, *view_zx, *view_iso;
   std::vector<QAction*> presets;  ///< of ui::plan_presets(), in their order
-  QAction *pin, *pin_controller, *unpin, *swap, *sweep, *what_if, *hold, *no_hold;
-  QAction *dark, *touch, *inch, *per_minute, *hold_heights, *rapids, *print, *english, *chinese, *reset_layout;
+  QAction *pin, *unpin, *swap, *sweep, *what_if, *hold, *no_hold;
+  QAction *dark, *touch, *inch, *per_minute, *hold_heights, *fit_cutting, *line_times, *rapids, *print, *english,
+      *chinese, *reset_layout;
   QAction *show_keys, *about;
 
  private:

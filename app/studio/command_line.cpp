@@ -66,7 +66,7 @@ void add_options(QCommandLineParser& parser) {
   parser.addOptions({{{"h", "help"}, "print this help and leave"},
                      {{"v", "version"}, "print the version and leave"},
                      {"machine", "machine file (TOML)", "FILE"},
-                     {"controller", "settings file of a controller: what it does is shown as plan B", "FILE"},
+                     {"controller", "settings file of a controller that the program runs on", "FILE"},
                      {"screenshot", "open, plan, draw, save the window's picture and leave", "OUT.png"},
                      {"size", "size of the window in pixels, such as 1280x800", "WxH"},
                      {"language", "en or zh_CN", "LANGUAGE"},

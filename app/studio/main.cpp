@@ -43,17 +43,17 @@ int run(QApplication& application, const Request& request) {
   std::optional<toolpace::Error> failure;
   QObject::connect(&window, &MainWindow::failed, [&failure](const toolpace::Error& error) { failure = error; });
   if (!request.machine.isEmpty() && !window.openMachine(request.machine)) return report(*failure);
+  if (!request.controller.isEmpty() && !window.openController(request.controller)) return report(*failure);
   window.show();
   if (request.program.isEmpty()) {
     picture ? window.openExample() : window.openLast();
   } else {
     window.openProgram(request.program);
   }
-  if (!request.controller.isEmpty()) window.showController(request.controller);
   if (!picture) return application.exec();
   settle(window);
   // What is wrong inside a program is in the picture; of what could not even be opened there is none.
-  const bool is_in_picture = failure && failure->kind != toolpace::ErrorKind::io && request.controller.isEmpty();
+  const bool is_in_picture = failure && failure->kind != toolpace::ErrorKind::io;
   if (failure && !is_in_picture) return report(*failure);
   if (const auto taken = take_screenshot(window, request.screenshot); !taken) return report(taken.error());
   return kFine;

@@ -16,6 +16,7 @@
 #include "jobs/regular_file.h"
 #include "models/block_name.h"
 #include "panels/circle_panel.h"
+#include "panels/controller_section.h"
 #include "panels/dock_title.h"
 #include "panels/drives_page.h"
 #include "panels/loss_panel.h"
@@ -92,7 +93,9 @@ MainWindow::~MainWindow() {
   QCoreApplication::removeTranslator(&qt_translator_);
 }
 
-bool MainWindow::isAtRest() const { return isSettled() && !contour_->canvas().isMoving() && !spectrum_->isBusy(); }
+bool MainWindow::isAtRest() const {
+  return isSettled() && !workspace_.isComparing() && !contour_->canvas().isMoving() && !spectrum_->isBusy();
+}
 
 void MainWindow::showDocument(bool another) {
   const auto& document = workspace_.document();
@@ -126,7 +129,6 @@ void MainWindow::showPlan() {
   showPlans();
   const bool has_plan = static_cast<bool>(workspace_.plan());
   actions_->pin->setEnabled(has_plan);
-  actions_->pin_controller->setEnabled(has_plan);
   actions_->hold->setEnabled(has_plan);
   actions_->no_hold->setEnabled(workspace_.tuning().value().options.hold_at.has_value());
   showCursor(workspace_.cursorTime());
@@ -206,6 +208,11 @@ void MainWindow::showTitle() {
   actions_->save_program->setEnabled(program.isModified() || program.path().isEmpty());
   machine_button_->setText(machineName() + (machine_.isModified() ? "*" : ""));
   actions_->save_machine->setEnabled(machine_.isModified() || machine_.path().isEmpty());
+  const bool settings_edited = controller_file_.isModified();
+  fitToolBar();
+  settings_->setModified(settings_edited);
+  actions_->save_settings->setEnabled(settings_edited);
+  actions_->save_settings_as->setEnabled(!controller_file_.path().isEmpty());
 }
 
 /// In which dialect the program was read, and why in that one.
@@ -239,8 +246,9 @@ void MainWindow::showFailure(const Error& error, const QString& path) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!mayLeaveProgram([this] { close(); }) || !mayLeaveMachine()) return event->ignore();
+  if (!mayLeaveProgram([this] { close(); }) || !mayLeaveMachine() || !mayLeaveController()) return event->ignore();
   if (remember_) {
+    showControllerPage(false);  // the next start chooses none
     preferences_.geometry = saveGeometry();
     preferences_.layout = saveState();
     preferences_.reading = reading_->options();

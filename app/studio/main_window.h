@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "actions.h"
+#include "controller_file.h"
 #include "drawing/plan_view.h"
 #include "jobs/export_service.h"
 #include "jobs/workspace.h"
@@ -33,6 +34,8 @@ namespace toolpace::ui {
 class CirclePanel;
 class ChangeBar;
 class ContourView;
+class ControllerPanel;
+class ControllerSection;
 class DockTitle;
 class DrivesPage;
 class LossPanel;
@@ -72,10 +75,12 @@ class MainWindow : public QMainWindow {
   void storeProgramAs(const QString& path);
   /// Opens a machine file, or imports a LinuxCNC .ini or grbl's answer to $$, without asking about the one in use. False:
   /// the window says why.
-  /// What a controller does with the program becomes plan B, as soon as there is a program.
-  void showController(const QString& settings);
   bool openMachine(const QString& path);
   bool storeMachineAs(const QString& path);
+  /// The program runs on the controller whose settings these are: what it does is plan B. Does not ask about the one in use. False:
+  /// the window says why.
+  bool openController(const QString& settings);
+  bool storeSettingsAs(const QString& path);
   /// In a worker; the status line tells when it is done. .pulses.csv = step pulses.
   void saveSetpoints(const QString& path);
   void setTimerFrequency(double hz);  ///< of the pulses' timer
@@ -139,6 +144,7 @@ class MainWindow : public QMainWindow {
   QSize sharedSizes() const;
   // main_window_chrome.cpp
   void buildToolBar();
+  void fitToolBar();
   void buildMenus();
   void fillRecent();
   void fillFormats();
@@ -156,11 +162,25 @@ class MainWindow : public QMainWindow {
   void connectMachine();
   void askMachine();
   void importMachine();
-  void askController();  ///< whose motion is shown as B
   void chooseMachine(const QString& path);
   void chooseDefaultMachine();
   void takeMachine();
   bool mayLeaveMachine();
+  // main_window_controller.cpp
+  void buildController(QWidget* tuning_page);
+  void connectController();
+  void askController();
+  void chooseController(const QString& settings);
+  void leaveController();
+  void takeController();
+  void showControllerPage(bool shown);
+  void showController();
+  void fillControllers();
+  void takeSetting(const QString& key, double value);
+  bool mayLeaveController();
+  bool saveSettings(bool ask);
+  QString controllerName() const;
+  // main_window_machine.cpp
   bool saveMachine(bool ask);
   QString askMachinePath(QString suggestion);
   QString machineName() const;
@@ -173,7 +193,7 @@ class MainWindow : public QMainWindow {
   void askExport();
   void print();
   ReportParts reportParts(bool with_pictures);
-  enum class Output { exported, program, machine };
+  enum class Output { exported, program, machine, settings };
   Result<void> checkOutput(const QString& path, Output output);
   Result<void> mayWrite(const QString& path, Output output = Output::exported);
   QString askFile(const QString& title, const QString& suffix, const QStringList& filters);
@@ -206,6 +226,7 @@ class MainWindow : public QMainWindow {
   std::optional<Diagnostic>
       failure_;  ///< of the last file that could not be read or written, until something else is done
   MachineFile machine_{workspace_.tuning()};
+  ControllerFile controller_file_{workspace_.controller()};
   Actions* actions_ = nullptr;
   ui::Theme theme_ = ui::light_theme();
   ui::WheelGuard wheel_guard_;
@@ -216,6 +237,9 @@ class MainWindow : public QMainWindow {
   ui::ProfileView* profile_ = nullptr;
   ui::TuningPanel* tuning_ = nullptr;
   ui::ChangeBar* machine_bar_ = nullptr;
+  ui::ControllerSection* settings_ = nullptr;
+  ui::ChangeBar* settings_bar_ = nullptr;
+  ui::ControllerPanel* controller_ = nullptr;
   ui::ResultsPanel* results_ = nullptr;
   ui::WhatIfPanel* what_if_ = nullptr;
   ui::LossPanel* loss_ = nullptr;
@@ -236,12 +260,13 @@ class MainWindow : public QMainWindow {
   QToolBar* tool_bar_ = nullptr;
   QMenuBar* menu_bar_ = nullptr;  // in the tool bar: one row of chrome instead of two
   QMenu *file_menu_, *edit_menu_, *plan_menu_, *view_menu_, *help_menu_, *recent_menu_, *machine_menu_, *export_menu_,
-      *setpoint_menu_, *panels_menu_, *preset_menu_, *language_menu_;
-  QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *unit_button_ = nullptr,
+      *setpoint_menu_, *runs_menu_, *panels_menu_, *preset_menu_, *language_menu_;
+  QToolButton *open_button_ = nullptr, *machine_button_ = nullptr, *runs_button_ = nullptr, *unit_button_ = nullptr,
               *speed_unit_button_ = nullptr, *export_button_ = nullptr;
   std::optional<double> program_share_;  // of the window's width, as a person has it
   QSize at_press_;                       // of program and plots, when a mouse button went down
   double plot_share_ = 0.5;              // of the height between the bars
+  bool limits_shown_ = true;             // before the controller's page took their place
   bool had_errors_ = false;
   bool following_ = true;  // the program scrolls along with the cursor
   std::size_t next_problem_ = 0, next_slow_ = 0;

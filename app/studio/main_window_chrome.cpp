@@ -1,6 +1,7 @@
 /// Menus and tool bar.
 
 #include <QDockWidget>
+#include <QLayout>
 #include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
@@ -34,6 +35,7 @@ void MainWindow::buildMenus() {
   };
   recent_menu_ = new QMenu(this);
   machine_menu_ = new QMenu(this);
+  runs_menu_ = new QMenu(this);
   export_menu_ = new QMenu(this);
   preset_menu_ = new QMenu(this);
   for (QAction* preset : a.presets) preset_menu_->addAction(preset);
@@ -75,7 +77,8 @@ void MainWindow::buildMenus() {
   plan_menu_->addActions({a.next_problem, a.slowest_place});
   plan_menu_->addSeparator();
   plan_menu_->addMenu(preset_menu_);
-  plan_menu_->addActions({a.pin, a.pin_controller, a.swap, a.unpin});
+  plan_menu_->addMenu(runs_menu_);
+  plan_menu_->addActions({a.pin, a.swap, a.unpin});
   plan_menu_->addSeparator();
   plan_menu_->addActions({a.hold, a.no_hold});
   plan_menu_->addSeparator();
@@ -84,15 +87,16 @@ void MainWindow::buildMenus() {
   plan_menu_->addActions({docks_["singleMoveDock"]->toggleViewAction(), docks_["stepperDock"]->toggleViewAction(),
                           docks_["drivesDock"]->toggleViewAction(), docks_["spectrumDock"]->toggleViewAction()});
   view_menu_ = menu("viewMenu");
-  view_menu_->addActions({a.fit, a.rapids, a.hold_heights, a.view_xy, a.view_xz, a.view_yz, a.view_zx, a.view_iso});
+  view_menu_->addActions({a.fit, a.rapids, a.hold_heights, a.fit_cutting, a.line_times, a.view_xy, a.view_xz, a.view_yz,
+                          a.view_zx, a.view_iso});
   view_menu_->addSeparator();
   view_menu_->addActions({a.dark, a.touch, a.inch, a.per_minute});
   view_menu_->addMenu(language_menu_);
   view_menu_->addSeparator();
   view_menu_->addMenu(panels_menu_);
   view_menu_->addAction(a.reset_layout);
-  for (const auto* name : {"programDock", "plotsDock", "tuningDock", "resultsDock", "limitsDock", "lossDock",
-                           "sweepDock", "circleDock", "problemsDock"}) {
+  for (const auto* name : {"programDock", "plotsDock", "tuningDock", "resultsDock", "controllerDock", "limitsDock",
+                           "lossDock", "sweepDock", "circleDock", "problemsDock"}) {
     panels_menu_->addAction(docks_[name]->toggleViewAction());
   }
   help_menu_ = menu("helpMenu");
@@ -125,11 +129,26 @@ void MainWindow::buildToolBar() {
   tool_bar_->addAction(a.dark);
   tool_bar_->addSeparator();
   machine_button_ = menu_button("machineButton", machine_menu_, tool_bar_);
+  runs_button_ = menu_button("runsButton", runs_menu_, tool_bar_);
   tool_bar_->addSeparator();
   tool_bar_->addActions({a.undo, a.redo});
   tool_bar_->addSeparator();
   export_button_ = menu_button("exportButton", export_menu_, tool_bar_);
   tool_bar_->addAction(a.export_report);
+}
+
+/// In a narrow window words make way before a button does.
+void MainWindow::fitToolBar() {
+  const QString star = controller_file_.isModified() ? "*" : "";
+  const bool is_chosen = workspace_.controllerView().chosen != nullptr;
+  const QString whole = tr("Runs on %1").arg(controllerName()), brief = is_chosen ? controllerName() : tr("Runs on");
+  const auto is_too_wide = [this] { return tool_bar_->layout()->sizeHint().width() > width(); };
+  export_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  machine_button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  runs_button_->setText(whole + star);
+  if (is_too_wide()) runs_button_->setText(brief + star);
+  if (is_too_wide()) export_button_->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  if (is_too_wide()) machine_button_->setToolButtonStyle(Qt::ToolButtonIconOnly);
 }
 
 void MainWindow::fillRecent() {

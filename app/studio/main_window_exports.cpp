@@ -40,15 +40,18 @@ QString suffix_of(const SetpointFormat& format) {
 Result<void> MainWindow::checkOutput(const QString& path, Output output) {
   std::vector<FileRole> inputs;
   if (output != Output::program) inputs.push_back({"the program", workspace_.program().path().toStdString()});
+  if (output != Output::settings)
+    inputs.push_back({"the controller's settings", controller_file_.path().toStdString()});
   const bool in_place = output == Output::machine && machine_.input() == machine_.path();
   if (!in_place) inputs.push_back({"the machine file", machine_.input().toStdString()});
   if (const auto& document = workspace_.document()) {
     const auto& files = document->reading->moves.files;  // the program itself, then what it calls
     for (std::size_t i = 1; i < files.size(); ++i) inputs.push_back({"a sub-program", files[i]});
   }
-  const char* what = output == Output::program   ? "the program"
-                     : output == Output::machine ? "the machine file"
-                                                 : "the export";
+  const char* what = output == Output::program    ? "the program"
+                     : output == Output::machine  ? "the machine file"
+                     : output == Output::settings ? "the settings"
+                                                  : "the export";
   return check_outputs({{what, path.toStdString()}}, inputs);
 }
 

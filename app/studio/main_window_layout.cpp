@@ -8,6 +8,8 @@
 #include "main_window.h"
 #include "panels/change_bar.h"
 #include "panels/circle_panel.h"
+#include "panels/controller_panel.h"
+#include "panels/controller_section.h"
 #include "panels/dock.h"
 #include "panels/dock_title.h"
 #include "panels/drives_page.h"
@@ -61,7 +63,8 @@ void MainWindow::buildPanels() {
   auto* tuning_page = new QWidget(this);
   machine_bar_ = new ui::ChangeBar("machineBar", tuning_page);
   tuning_ = new ui::TuningPanel(workspace_.tuning(), tuning_page);
-  stack({machine_bar_, tuning_}, tuning_page);
+  buildController(tuning_page);
+  stack({machine_bar_, settings_bar_, tuning_}, tuning_page);
   results_ = new ui::ResultsPanel(this);
   what_if_ = new ui::WhatIfPanel(this);
   loss_ = new ui::LossPanel(this);
@@ -72,6 +75,7 @@ void MainWindow::buildPanels() {
   addDock("plotsDock", profile_, Qt::BottomDockWidgetArea, false);
   addDock("tuningDock", tuning_page, Qt::RightDockWidgetArea, true);
   addDock("resultsDock", results_, Qt::RightDockWidgetArea, false);
+  addDock("controllerDock", controller_, Qt::RightDockWidgetArea, false);
   addDock("limitsDock", what_if_, Qt::RightDockWidgetArea, false);
   addDock("lossDock", loss_, Qt::RightDockWidgetArea, false);
   addDock("sweepDock", sweep_, Qt::RightDockWidgetArea, false);
@@ -95,7 +99,7 @@ void MainWindow::buildPanels() {
   statusBar()->setSizeGripEnabled(false);
   statusBar()->setContentsMargins(0, 0, 0, 0);
   statusBar()->addWidget(transport_, 1);
-  plan_views_ = {nc_,   contour_, profile_, tuning_, results_,  what_if_,
+  plan_views_ = {nc_,   contour_, profile_, tuning_, results_,  controller_, what_if_,
                  loss_, sweep_,   circle_,  drives_, spectrum_, transport_};
 }
 
@@ -119,9 +123,11 @@ void MainWindow::addTool(const char* name, QWidget* page, const QSize& size) {
 }
 
 void MainWindow::arrange() {
-  const std::vector<QString> tabs = {"limitsDock", "lossDock", "sweepDock", "circleDock", "problemsDock"};
+  const std::vector<QString> tabs = {"controllerDock", "limitsDock", "lossDock",
+                                     "sweepDock",      "circleDock", "problemsDock"};
   splitDockWidget(docks_["tuningDock"], docks_["resultsDock"], Qt::Vertical);
   for (const auto& tab : tabs) tabifyDockWidget(docks_["resultsDock"], docks_[tab]);
+  docks_["controllerDock"]->hide();
   docks_["resultsDock"]->raise();
   shareRoom();
 }
@@ -179,6 +185,7 @@ void MainWindow::showWholeTuning() {
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   showWelcome();
+  fitToolBar();
   if (event->oldSize().height() > 0) return giveShares();
   if (preferences_.layout.isEmpty()) return shareRoom();
   QMetaObject::invokeMethod(this, &MainWindow::rememberShares, Qt::QueuedConnection);

@@ -107,6 +107,7 @@ void MainWindow::retranslate() {
   title("plotsDock", tr("Motion along the path"));
   title("tuningDock", tr("Tuning"));
   title("resultsDock", tr("Result"));
+  title("controllerDock", tr("Controller"));
   title("limitsDock", tr("Limits"));
   title("lossDock", tr("Lines"));
   title("sweepDock", tr("Depth"));
@@ -117,14 +118,16 @@ void MainWindow::retranslate() {
   title("spectrumDock", tr("Spectrum and speeds"));
   title("readingDock", tr("Reading options"));
   const std::pair<QMenu*, QString> menus[] = {
-      {file_menu_, tr("&File")},       {edit_menu_, tr("&Edit")},      {plan_menu_, tr("&Plan")},
-      {view_menu_, tr("&View")},       {help_menu_, tr("&Help")},      {recent_menu_, tr("Open re&cent")},
-      {machine_menu_, tr("&Machine")}, {export_menu_, tr("&Export")},  {setpoint_menu_, tr("Setpoints &as")},
-      {panels_menu_, tr("&Panels")},   {preset_menu_, tr("Prese&ts")}, {language_menu_, tr("&Language")}};
+      {file_menu_, tr("&File")},        {edit_menu_, tr("&Edit")},     {plan_menu_, tr("&Plan")},
+      {view_menu_, tr("&View")},        {help_menu_, tr("&Help")},     {recent_menu_, tr("Open re&cent")},
+      {machine_menu_, tr("&Machine")},  {export_menu_, tr("&Export")}, {setpoint_menu_, tr("Setpoints &as")},
+      {panels_menu_, tr("&Panels")},    {runs_menu_, tr("R&uns on")},  {preset_menu_, tr("Prese&ts")},
+      {language_menu_, tr("&Language")}};
   for (const auto& [menu, text] : menus) menu->setTitle(text);
   export_button_->setText(tr("Export"));
   export_button_->setToolTip(tr("Save setpoints and pictures"));
   ui::name_control(machine_button_, tr("Machine"), tr("Machine file: limits and defaults"));
+  ui::name_control(runs_button_, tr("Runs on"), tr("Toolpace's plan, or a controller with its settings file"));
   ui::name_control(unit_button_, tr("Switch between millimetres and inches"));
   ui::name_control(speed_unit_button_, tr("Switch between speeds a second and a minute"));
   tool_bar_->setWindowTitle(tr("Tools"));

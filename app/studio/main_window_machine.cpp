@@ -53,18 +53,6 @@ void MainWindow::importMachine() {
   if (ImportDialog(fileName(path), *setup, this).exec() == QDialog::Accepted) chooseMachine(path);
 }
 
-void MainWindow::askController() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Settings of the controller"), {},
-                                                    tr("Settings (*.ini *.txt *.cfg *.nc);;All files (*)"));
-  if (!path.isEmpty()) showController(path);
-}
-
-void MainWindow::showController(const QString& settings) {
-  if (workspace_.document()) return workspace_.pinController(settings);
-  const auto show = [this, settings] { workspace_.pinController(settings); };
-  connect(&workspace_, &ui::Workspace::documentChanged, this, show, Qt::SingleShotConnection);
-}
-
 void MainWindow::chooseMachine(const QString& path) {
   if (mayLeaveMachine()) openMachine(path);
 }

@@ -74,7 +74,7 @@ void MainWindow::showResultMenu(const QPoint& global) {
   menu.addAction(tr("Copy the results"), this, [this] { QApplication::clipboard()->setText(results_->text()); })
       ->setObjectName("copyResultsAction");
   menu.addSeparator();
-  menu.addActions({actions_->pin, actions_->pin_controller, actions_->swap, actions_->unpin, actions_->export_report});
+  menu.addActions({actions_->pin, actions_->swap, actions_->unpin, actions_->export_report});
   menu.exec(global);
 }
 

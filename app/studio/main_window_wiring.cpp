@@ -3,6 +3,7 @@
 
 #include "main_window.h"
 #include "panels/circle_panel.h"
+#include "panels/controller_panel.h"
 #include "panels/dock_title.h"
 #include "panels/loss_panel.h"
 #include "panels/nc_panel.h"
@@ -28,9 +29,8 @@ void MainWindow::connectWorkspace() {
   });
   connectProgram();
   connectMachine();
+  connectController();
   connect(&workspace_, &Workspace::planChanged, this, &MainWindow::showPlan);
-  connect(&workspace_, &Workspace::controllerFailed, this,
-          [this](const Error& error, const QString& settings) { showFailure(error, settings); });
   connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPlans);
   connect(&workspace_, &Workspace::proofChanged, this, &MainWindow::showPlans);
   connect(&workspace_, &Workspace::problemsChanged, this, &MainWindow::showProblems);
@@ -121,6 +121,16 @@ void MainWindow::connectActions() {
   on(a.save_machine, [this] { saveMachine(false); });
   on(a.save_machine_as, [this] { saveMachine(true); });
   on(a.import_machine, [this] { importMachine(); });
+  on(a.own_plan, [this] { leaveController(); });
+  on(a.open_controller, [this] { askController(); });
+  on(a.save_settings, [this] { saveSettings(false); });
+  on(a.save_settings_as, [this] { saveSettings(true); });
+  on(a.try_settings, [this] {
+    docks_["controllerDock"]->show();
+    docks_["controllerDock"]->raise();
+    controller_->compute();
+  });
+  a.try_settings->setEnabled(false);
   for (std::size_t i = 0; i < a.presets.size(); ++i) on(a.presets[i], [this, i] { usePreset(i); });
   on(a.default_machine, [this] { chooseDefaultMachine(); });
   auto& undo = workspace_.undoStack();
@@ -144,7 +154,6 @@ void MainWindow::connectActions() {
   on(a.next_problem, [this] { goToProblem(); });
   on(a.slowest_place, [this] { goToSlowest(); });
   on(a.pin, [this] { workspace_.pin(); });
-  on(a.pin_controller, [this] { askController(); });
   on(a.unpin, [this] { workspace_.unpin(); });
   on(a.swap, [this] { workspace_.swap(); });
   on(a.sweep, [this] {
@@ -165,6 +174,13 @@ void MainWindow::connectActions() {
   });
   a.rapids->setChecked(preferences_.rapids);
   contour_->setRapidsShown(preferences_.rapids);
+  on(a.line_times, [this](bool shown) {
+    preferences_.line_times = shown;
+    nc_->setTimesShown(shown);
+  });
+  a.line_times->setChecked(preferences_.line_times);
+  nc_->setTimesShown(preferences_.line_times);
+  on(a.fit_cutting, [this](bool cutting) { profile_->plot().setHeightsOfCutting(cutting); });
   on(a.hold_heights, [this](bool held) { profile_->plot().setHeightsHeld(held); });
   connect(&profile_->plot(), &ui::ProfilePlot::heightsHeld, a.hold_heights, &QAction::setChecked);
   on(a.fit, [this] { contour_->fit(), profile_->fit(); });

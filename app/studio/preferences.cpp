@@ -58,6 +58,7 @@ Preferences load_preferences() {
   p.dark = s.value("window/dark", false).toBool();
   p.touch = s.value("window/touch", false).toBool();
   p.units = {s.value("window/inch", false).toBool(), s.value("window/per_minute", false).toBool()};
+  p.line_times = s.value("window/line_times", true).toBool();
   p.rapids = s.value("window/rapids", true).toBool();
   p.welcomed = s.value("window/welcomed", false).toBool();
   p.language = s.value("window/language").toString();
@@ -72,6 +73,7 @@ Preferences load_preferences() {
   }
   p.recent_programs = s.value("recent/programs").toStringList();
   p.recent_machines = s.value("recent/machines").toStringList();
+  p.recent_controllers = s.value("recent/controllers").toStringList();
   p.last_program = s.value("recent/last_program").toString();
   p.last_machine = s.value("recent/last_machine").toString();
   return p;
@@ -83,6 +85,7 @@ void save_preferences(const Preferences& p) {
   s.setValue("window/touch", p.touch);
   s.setValue("window/inch", p.units.inch);
   s.setValue("window/per_minute", p.units.per_minute);
+  s.setValue("window/line_times", p.line_times);
   s.setValue("window/rapids", p.rapids);
   s.setValue("window/welcomed", p.welcomed);
   s.setValue("window/language", p.language);
@@ -96,6 +99,7 @@ void save_preferences(const Preferences& p) {
   s.setValue("window/layout", p.layout);
   s.setValue("recent/programs", p.recent_programs);
   s.setValue("recent/machines", p.recent_machines);
+  s.setValue("recent/controllers", p.recent_controllers);
   s.setValue("recent/last_program", p.last_program);
   s.setValue("recent/last_machine", p.last_machine);
 }

@@ -14,6 +14,7 @@ struct Preferences {
   bool dark = false;
   bool touch = false;
   ui::Units units;
+  bool line_times = true;                                ///< beside the lines of the program
   bool rapids = true;                                    ///< drawn in the preview
   bool welcomed = false;                                 ///< the example need not say that it is one
   QString language;                                      ///< "en", "zh_CN"; empty = that of the system
@@ -22,7 +23,7 @@ struct Preferences {
   double timer_hz = 1e6;                                 ///< of the step pulses' timer
   bool axis_derivatives = false, decimal_comma = false;  ///< of exported setpoints
   QByteArray geometry, layout;
-  QStringList recent_programs, recent_machines;  ///< latest first
+  QStringList recent_programs, recent_machines, recent_controllers;  ///< latest first
   QString last_program, last_machine;
 };
 

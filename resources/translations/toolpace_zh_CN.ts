@@ -1549,6 +1549,10 @@
             <source>settings-unwritable</source>
             <translation>无法写入该设置</translation>
         </message>
+        <message>
+            <source>controller-over-limit</source>
+            <translation>超出轴的限值</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -3096,10 +3100,6 @@
             <translation>下一处时间损失(&amp;L)</translation>
         </message>
         <message>
-            <source>Show what a &amp;controller does as B…</source>
-            <translation>将控制器的实际运动显示为 B(&amp;C)…</translation>
-        </message>
-        <message>
             <source>Pin this plan as &amp;B</source>
             <translation>将当前规划固定为 B(&amp;B)</translation>
         </message>
@@ -3234,6 +3234,34 @@
         <message>
             <source>&amp;Print…</source>
             <translation>打印(&amp;P)…</translation>
+        </message>
+        <message>
+            <source>&amp;Toolpace&apos;s plan</source>
+            <translation>Toolpace 的规划(&amp;T)</translation>
+        </message>
+        <message>
+            <source>A &amp;controller with its settings…</source>
+            <translation>控制器及其设置(&amp;C)…</translation>
+        </message>
+        <message>
+            <source>&amp;Save settings</source>
+            <translation>保存设置(&amp;S)</translation>
+        </message>
+        <message>
+            <source>Save settings &amp;as…</source>
+            <translation>设置另存为(&amp;A)…</translation>
+        </message>
+        <message>
+            <source>What would each setting &amp;give?</source>
+            <translation>各项设置能省多少？(&amp;G)</translation>
+        </message>
+        <message>
+            <source>Heights of the plots fit the c&amp;utting</source>
+            <translation>曲线高度适应切削(&amp;U)</translation>
+        </message>
+        <message>
+            <source>&amp;Times beside the lines</source>
+            <translation>行旁显示用时(&amp;T)</translation>
         </message>
     </context>
     <context>
@@ -3565,6 +3593,46 @@
         <message>
             <source>the printer takes nothing</source>
             <translation>打印机无法使用</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>控制器</translation>
+        </message>
+        <message>
+            <source>R&amp;uns on</source>
+            <translation>运行于(&amp;U)</translation>
+        </message>
+        <message>
+            <source>Runs on</source>
+            <translation>运行于</translation>
+        </message>
+        <message>
+            <source>Toolpace&apos;s plan, or a controller with its settings file</source>
+            <translation>Toolpace 的规划，或某个控制器及其设置文件</translation>
+        </message>
+        <message>
+            <source>Settings (*.ini *.txt *.cfg *.nc *.gcode *.log);;All files (*)</source>
+            <translation>设置 (*.ini *.txt *.cfg *.nc *.gcode *.log);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Setting %1</source>
+            <translation>设置 %1</translation>
+        </message>
+        <message>
+            <source>The settings “%1” have changes that are not saved.</source>
+            <translation>设置“%1”有未保存的更改。</translation>
+        </message>
+        <message>
+            <source>Save the settings</source>
+            <translation>保存设置</translation>
+        </message>
+        <message>
+            <source>All files (*)</source>
+            <translation>所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Runs on %1</source>
+            <translation>运行于 %1</translation>
         </message>
     </context>
     <context>
@@ -3939,6 +4007,14 @@
             <source>Colour: mean speed of the line, as in the preview; bar: how much longer it takes than at its feed</source>
             <translation>颜色：该行平均速度，与预览相同；条：比按进给多用的时间</translation>
         </message>
+        <message>
+            <source>times: s on %1</source>
+            <translation>用时：在 %1 上的秒数</translation>
+        </message>
+        <message>
+            <source>times: s</source>
+            <translation>用时：秒</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::NcView</name>
@@ -3965,6 +4041,10 @@
         <message>
             <source>from %1 on</source>
             <translation>从 %1 开始</translation>
+        </message>
+        <message>
+            <source>%1 s on the controller</source>
+            <translation>在控制器上 %1 s</translation>
         </message>
     </context>
     <context>
@@ -4020,6 +4100,14 @@
         <message>
             <source>t  s</source>
             <translation>t  s</translation>
+        </message>
+        <message>
+            <source>jerk is not bounded: acceleration changes in steps</source>
+            <translation>加加速度无界：加速度呈阶跃变化</translation>
+        </message>
+        <message>
+            <source>B: jerk is not bounded</source>
+            <translation>B：加加速度无界</translation>
         </message>
     </context>
     <context>
@@ -4220,10 +4308,6 @@
             <translation>沿路径最大 |a| = |dv/dt|</translation>
         </message>
         <message>
-            <source>Largest |j| = |da/dt| along the path</source>
-            <translation>沿路径最大 |j| = |da/dt|</translation>
-        </message>
-        <message>
             <source>· in rapids</source>
             <translation>· 快移时</translation>
         </message>
@@ -4303,6 +4387,10 @@
             <source>Path length / cycle time: s / T</source>
             <translation>路径长度 / 循环时间：s / T</translation>
         </message>
+        <message>
+            <source>Largest |j| = |da/dt| along the path; ∞: acceleration changes in steps</source>
+            <translation>沿路径的最大 |j| = |da/dt|；∞：加速度呈阶跃变化</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::ResultsPanel</name>
@@ -4353,6 +4441,14 @@
         <message>
             <source>Check every limit at the setpoints, and simulate the drives</source>
             <translation>在设定点检查每个限制，并仿真驱动</translation>
+        </message>
+        <message>
+            <source>The controller&apos;s time is not known: see Problems</source>
+            <translation>控制器用时未知：见“问题”</translation>
+        </message>
+        <message>
+            <source>predicting…</source>
+            <translation>正在预测…</translation>
         </message>
     </context>
     <context>
@@ -4942,6 +5038,10 @@
             <source>Feed hold</source>
             <translation>进给保持</translation>
         </message>
+        <message>
+            <source>Runs on Toolpace&apos;s plan</source>
+            <translation>按 Toolpace 的规划运行</translation>
+        </message>
     </context>
     <context>
         <name>Tube</name>
@@ -5224,6 +5324,10 @@
         <message>
             <source>Stay with the values in the window; saving puts them into the file</source>
             <translation>保留窗口中的值；保存时写入文件</translation>
+        </message>
+        <message>
+            <source>The settings file was changed by another program, and your changes are not saved.</source>
+            <translation>设置文件被其他程序更改，而您的更改尚未保存。</translation>
         </message>
     </context>
     <context>
@@ -5932,6 +6036,290 @@
         <message>
             <source>How large the file gets is not known.</source>
             <translation>文件大小未知。</translation>
+        </message>
+    </context>
+    <context>
+        <name>ControllerNames</name>
+        <message>
+            <source>step idle delay</source>
+            <translation>步进空闲延时</translation>
+        </message>
+        <message>
+            <source>junction deviation</source>
+            <translation>拐角偏差</translation>
+        </message>
+        <message>
+            <source>arc tolerance</source>
+            <translation>圆弧容差</translation>
+        </message>
+        <message>
+            <source>laser mode</source>
+            <translation>激光模式</translation>
+        </message>
+        <message>
+            <source>steps</source>
+            <translation>脉冲当量</translation>
+        </message>
+        <message>
+            <source>rate</source>
+            <translation>最大速率</translation>
+        </message>
+        <message>
+            <source>acceleration</source>
+            <translation>加速度</translation>
+        </message>
+        <message>
+            <source>planner buffer</source>
+            <translation>规划缓冲</translation>
+        </message>
+        <message>
+            <source>speed</source>
+            <translation>速度</translation>
+        </message>
+        <message>
+            <source>square corner velocity</source>
+            <translation>直角拐角速度</translation>
+        </message>
+        <message>
+            <source>minimum cruise ratio</source>
+            <translation>最小匀速比例</translation>
+        </message>
+        <message>
+            <source>arc resolution</source>
+            <translation>圆弧分段长度</translation>
+        </message>
+        <message>
+            <source>nozzle</source>
+            <translation>喷嘴直径</translation>
+        </message>
+        <message>
+            <source>filament</source>
+            <translation>耗材直径</translation>
+        </message>
+        <message>
+            <source>speed of the extruder alone</source>
+            <translation>单独挤出的速度</translation>
+        </message>
+        <message>
+            <source>acceleration of the extruder alone</source>
+            <translation>单独挤出的加速度</translation>
+        </message>
+        <message>
+            <source>extruder&apos;s step of speed at corners</source>
+            <translation>挤出机拐角速度阶跃</translation>
+        </message>
+        <message>
+            <source>feedrate</source>
+            <translation>最大进给速度</translation>
+        </message>
+        <message>
+            <source>printing acceleration</source>
+            <translation>打印加速度</translation>
+        </message>
+        <message>
+            <source>travel acceleration</source>
+            <translation>空移加速度</translation>
+        </message>
+        <message>
+            <source>minimum feedrate</source>
+            <translation>最小进给速度</translation>
+        </message>
+        <message>
+            <source>minimum travel feedrate</source>
+            <translation>最小空移速度</translation>
+        </message>
+        <message>
+            <source>path velocity</source>
+            <translation>路径速度</translation>
+        </message>
+        <message>
+            <source>look-ahead</source>
+            <translation>前瞻</translation>
+        </message>
+        <message>
+            <source>arc blends</source>
+            <translation>圆弧过渡</translation>
+        </message>
+        <message>
+            <source>kink that passes as tangent</source>
+            <translation>视为相切的折角</translation>
+        </message>
+        <message>
+            <source>most feed override</source>
+            <translation>最大进给倍率</translation>
+        </message>
+        <message>
+            <source>least length of a blend</source>
+            <translation>过渡最短长度</translation>
+        </message>
+        <message>
+            <source>ramp frequency</source>
+            <translation>斜坡频率</translation>
+        </message>
+        <message>
+            <source>cycle of the interpreter</source>
+            <translation>解释器周期</translation>
+        </message>
+        <message>
+            <source>servo period</source>
+            <translation>伺服周期</translation>
+        </message>
+        <message>
+            <source>velocity</source>
+            <translation>速度</translation>
+        </message>
+        <message>
+            <source>programmed feed</source>
+            <translation>编程进给</translation>
+        </message>
+        <message>
+            <source>rapid</source>
+            <translation>快移</translation>
+        </message>
+        <message>
+            <source>speed of the axes</source>
+            <translation>轴速度</translation>
+        </message>
+        <message>
+            <source>corners</source>
+            <translation>拐角</translation>
+        </message>
+        <message>
+            <source>link</source>
+            <translation>通信</translation>
+        </message>
+        <message>
+            <source>stops</source>
+            <translation>停顿</translation>
+        </message>
+        <message>
+            <source>dwell</source>
+            <translation>暂停</translation>
+        </message>
+        <message>
+            <source>blocks</source>
+            <translation>段</translation>
+        </message>
+        <message>
+            <source>cycles</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>On %1 %2</source>
+            <translation>在 %1 上 %2</translation>
+        </message>
+        <message>
+            <source>; as setpoints %1</source>
+            <translation>；作为设定点 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::studio::ControllerFile</name>
+        <message>
+            <source>Choose a controller</source>
+            <translation>选择控制器</translation>
+        </message>
+        <message>
+            <source>Run on Toolpace&apos;s plan</source>
+            <translation>按 Toolpace 的规划运行</translation>
+        </message>
+        <message>
+            <source>Save settings</source>
+            <translation>保存设置</translation>
+        </message>
+        <message>
+            <source>Settings file changed</source>
+            <translation>设置文件已更改</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::ControllerPanel</name>
+        <message>
+            <source>trying… %1 %</source>
+            <translation>正在尝试… %1 %</translation>
+        </message>
+        <message>
+            <source>predicting…</source>
+            <translation>正在预测…</translation>
+        </message>
+        <message>
+            <source>Choose a controller: Runs on</source>
+            <translation>请选择控制器：运行于</translation>
+        </message>
+        <message>
+            <source>(stale)</source>
+            <translation>（过时）</translation>
+        </message>
+        <message>
+            <source>Double click: take this value</source>
+            <translation>双击：采用该值</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Try the settings</source>
+            <translation>尝试各项设置</translation>
+        </message>
+        <message>
+            <source>Predict with each setting 10 % up and down and at its next round value</source>
+            <translation>每项设置增减 10 % 以及取下一个整值时重新预测</translation>
+        </message>
+        <message>
+            <source>trying…</source>
+            <translation>正在尝试…</translation>
+        </message>
+        <message>
+            <source>What each setting would save</source>
+            <translation>各项设置能节省多少</translation>
+        </message>
+        <message>
+            <source>Held down by</source>
+            <translation>限制因素</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation>设置</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>值</translation>
+        </message>
+        <message>
+            <source>Saves</source>
+            <translation>节省</translation>
+        </message>
+        <message>
+            <source>Where the time goes on the controller</source>
+            <translation>控制器上时间的去向</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::ControllerSection</name>
+        <message>
+            <source>Not in the file: what the controller takes without it</source>
+            <translation>文件中没有：控制器的默认值</translation>
+        </message>
+        <message>
+            <source>Setting %1</source>
+            <translation>设置 %1</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>保存</translation>
+        </message>
+        <message>
+            <source>Save the settings</source>
+            <translation>保存设置</translation>
+        </message>
+        <message>
+            <source>Write what was changed into the controller&apos;s settings file</source>
+            <translation>把更改写入控制器的设置文件</translation>
         </message>
     </context>
 </TS>

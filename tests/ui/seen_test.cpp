@@ -123,6 +123,72 @@ class SeenTest : public QObject {
     QVERIFY(top_of(plot, 0) > 100);
   }
 
+  // A rapid of 100 mm/s beside a feed of 1 mm/s, which would be a line on the floor.
+  void heights_fit_the_cutting_where_somebody_wants_that() {
+    Opened window;
+    window.open("G21 G90 G94\nG0 X100\nG1 X105 F60\nM2\n");
+    auto& plot = window.the<ProfilePlot>("profilePlot");
+    QVERIFY(top_of(plot, 0) > 100);
+    window.actions().fit_cutting->trigger();
+    studio::settle(window);
+    QVERIFY2(top_of(plot, 0) > 1 && top_of(plot, 0) < 1.2, qPrintable(QString::number(top_of(plot, 0))));
+    // Where nothing cuts, what is there fills the height.
+    auto& view = window.the<ProfileView>("profileView");
+    view.setVisibleRange(0.0, 0.5);
+    studio::settle(window);
+    QVERIFY(top_of(plot, 0) > 50);
+    window.actions().fit_cutting->trigger();
+    view.fit();
+    studio::settle(window);
+    QVERIFY(top_of(plot, 0) > 100);
+  }
+
+  // Trapezoids bound no jerk: a line at zero would say that there is none.
+  void a_jerk_without_bound_is_no_zero() {
+    Opened window;
+    window.open(kSquare);
+    auto& plot = window.the<ProfilePlot>("profilePlot");
+    const auto words = [&plot] {
+      QStringList found;
+      for (int i = 0; i < plot.itemCount(); ++i) {
+        const auto* text = qobject_cast<QCPItemText*>(plot.item(i));
+        if (text && text->visible() && text->text().contains("jerk")) found << text->text();
+      }
+      return found;
+    };
+    const auto points = [&plot] {
+      for (int i = 0; i < plot.graphCount(); ++i) {
+        if (plot.graph(i)->name() == "j.curve") return plot.graph(i)->dataCount();
+      }
+      return -1;
+    };
+    QVERIFY(words().isEmpty());
+    QVERIFY(points() > 0);
+    window.workspace().tuning().edit("law", "law", [](Tuning& t) { t.options.law = LawKind::trapezoid; });
+    studio::settle(window);
+    QCOMPARE(words(), QStringList("jerk is not bounded: acceleration changes in steps"));
+    QCOMPARE(points(), 0);
+    auto& model = *window.the<QTableView>("resultTable").model();
+    for (int row = 0; row < model.rowCount(); ++row) {
+      if (!model.index(row, 0).data().toString().startsWith("Peak jerk")) continue;
+      QCOMPARE(model.index(row, 1).data().toString(), QString("∞"));
+    }
+  }
+
+  // What a line takes stands beside it: 10 mm at 20 mm/s are half a second and a little.
+  void times_stand_beside_the_lines() {
+    Opened window;
+    window.open(kSquare);
+    auto& nc = window.the<NcPanel>("ncPanel");
+    const double time = nc.view().timeOf(3);
+    QVERIFY2(time > 0.5 && time < 0.6, qPrintable(QString::number(time)));
+    QCOMPARE(nc.view().timeOf(1), 0.0);
+    auto& label = window.the<QLabel>("timesLabel");
+    QVERIFY(label.isVisible());
+    window.actions().line_times->trigger();
+    QVERIFY(label.isHidden());
+  }
+
   void lines_and_bars_have_keys() {
     Opened window;
     window.openButterfly();

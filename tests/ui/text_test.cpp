@@ -6,15 +6,19 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTableView>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTextDocument>
 #include <QToolBar>
 #include <cmath>
 
 #include "opened.h"
+#include "panels/controller_panel.h"
+#include "support/files.h"
 #include "support/screenshot.h"
 #include "support/ui_test.h"
 
@@ -139,6 +143,23 @@ class TextCheck {
   QStringList troubles_;
 };
 
+/// With settings to edit, what each of them gives, and axes that turn in the line below.
+QStringList troubles_on_controller(Opened& window, const QString& name) {
+  QTemporaryDir folder;
+  write(folder.filePath("grbl.txt"), "$11=0.01\n$110=5000\n$111=5000\n$112=500\n$120=200\n$121=200\n$122=50\n");
+  window.openController(folder.filePath("grbl.txt"));
+  window.open("G21 G90 G94\nG1 X-1000.5 Y-200.25 Z-33.125 A-123.4 B-45.6 C-350.1 F6000\nG3 X0 I500\nM2\n", "p.nc");
+  auto& panel = window.the<ControllerPanel>("controllerPanel");
+  QSignalSpy computed(&panel, &ControllerPanel::computed);
+  window.workspace().setCursorTime(1e300);
+  window.actions().try_settings->trigger();
+  if (!eventually(computed)) return {"nothing was tried"};
+  studio::settle(window);
+  const TextCheck check(window);
+  screenshot(window, name + "-controller");
+  return check.troubles();
+}
+
 }  // namespace
 
 class TextTest : public QObject {
@@ -199,6 +220,7 @@ class TextTest : public QObject {
                              .arg(scale);
     window.the<QDockWidget>("resultsDock").raise();
     screenshot(window, name);
+    troubles += troubles_on_controller(window, name);
     QVERIFY2(troubles.isEmpty(), qPrintable(troubles.join('\n')));
     QCOMPARE(window.size(), size);
   }

@@ -128,6 +128,12 @@ class TranslationTest : public QObject {
 
   void remedies_are_said_with_what_varies_in_them() {
     using toolpace::ui::remedy_text;
+    // The window has fields where the command line has flags.
+    QCOMPARE(remedy_text("give --am, or an acceleration for each axis that moves"),
+             QString("give Am, or an acceleration for each axis that moves"));
+    QCOMPARE(remedy_text("choose the dialect with --dialect"), QString("choose the dialect with “Dialect”"));
+    QCOMPARE(remedy_text("check that its loops end; --max-blocks raises the bound"),
+             QString("check that its loops end; --max-blocks raises the bound"));
     QTranslator translator;
     QVERIFY(translator.load(":/translations/toolpace_zh_CN.qm"));
     QCOMPARE(remedy_text("rows need 3 values"), QString("rows need 3 values"));
@@ -137,6 +143,7 @@ class TranslationTest : public QObject {
     QCOMPARE(remedy_text("write [condition]"), QString("写成 [条件]"));
     QCOMPARE(remedy_text("take an end speed of 3, or a length of at least 0.5"),
              QString("终点速度取 3，或长度至少为 0.5"));
+    QCOMPARE(remedy_text("choose the dialect with --dialect"), QString("用 “方言” 选择方言"));
     QCOMPARE(remedy_text("nobody ever said this"), QString("nobody ever said this"));
     QCOMPARE(remedy_text(""), QString());
     QCoreApplication::removeTranslator(&translator);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "drawing/controlled.h"
 #include "drawing/planned.h"
 #include "models/instant.h"
 #include "models/units.h"
@@ -18,6 +19,8 @@ class PlanView {
   /// A plan, and the one pinned beside it; either may be none. Told whenever one of them, or a proof, is another: most of it
   /// is what is shown already.
   virtual void showPlans(const Planned& /*plan*/, const Planned& /*pinned*/) {}
+  /// The controller that the program runs on, and what it does with it.
+  virtual void showController(const ControllerView& /*view*/) {}
   /// Where the cursor stands; nothing = there is no plan.
   virtual void showInstant(const std::optional<Instant>& /*instant*/) {}
   virtual void setTheme(const Theme& /*theme*/) {}

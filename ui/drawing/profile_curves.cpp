@@ -54,20 +54,31 @@ void add_exact(MotionCurves& curves, Motion& motion, const Phase& p, const TimeW
   }
 }
 
-MotionExtent extent_between(const ProfileSeries& series, double begin, double end) {
+SplitExtent split_between(const ProfileSeries& series, double begin, double end) {
   const MotionPlan& plan = series.outcome->plan;
   const auto scan = [&](std::size_t first, std::size_t last) { return motion_extent(*series.outcome, first, last); };
   Motion motion(*series.outcome->path, plan);
   const std::size_t first = motion.at(begin).phase(), last = motion.at(end).phase();
-  MotionExtent extent;
+  SplitExtent extent;
+  const auto add = [&](double from, double to) {
+    const PhaseBounds bounds = motion.bounds(from, to);
+    extent.all.add(bounds);
+    if (is_cutting(*series.outcome, (from + to) / 2)) extent.cutting.add(bounds);
+  };
   if (last <= first + 1) {
-    extent.add(motion.bounds(begin, end));
+    if (last == first) return add(begin, end), extent;
+    add(begin, plan.phases[last].begin);
+    add(plan.phases[last].begin, end);
     return extent;
   }
-  extent.add(motion.bounds(begin, plan.phases[first + 1].begin));
-  extent.add(motion.bounds(plan.phases[last].begin, end));
+  add(begin, plan.phases[first + 1].begin);
+  add(plan.phases[last].begin, end);
   extent.add(series.phases.query(first + 1, last, scan));
   return extent;
+}
+
+MotionExtent extent_between(const ProfileSeries& series, double begin, double end) {
+  return split_between(series, begin, end).all;
 }
 
 std::size_t phase_at(const ProfileSeries& series, double time) {
@@ -119,6 +130,12 @@ std::vector<Extent> speed_extents(const ProfileSeries& series, const TimeWindow&
     extents[column] = extent_between(series, std::max(begin, 0.0), std::min(end, total))[kSpeedTrack];
   }
   return extents;
+}
+
+MotionExtent cutting_extent(const ProfileSeries& series, const TimeWindow& whole) {
+  if (series.is_empty()) return {};
+  const TimeWindow window = clipped(series, whole);
+  return window.end > window.begin ? split_between(series, window.begin, window.end).cutting : MotionExtent{};
 }
 
 MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& whole) {

@@ -33,6 +33,9 @@ MotionCurves motion_curves(const ProfileSeries& series, const TimeWindow& window
 /// Least and greatest speed of each column of the window, for a miniature; empty outside the plan.
 std::vector<Extent> speed_extents(const ProfileSeries& series, const TimeWindow& window);
 
+/// Of what cuts in the window; empty where nothing does.
+MotionExtent cutting_extent(const ProfileSeries& series, const TimeWindow& window);
+
 /// True where the window holds too many phases to draw each: motion_curves() then strokes the range of each pixel.
 bool is_dense(const ProfileSeries& series, const TimeWindow& window);
 

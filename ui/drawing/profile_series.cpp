@@ -14,12 +14,22 @@ void add_finite(Extent& extent, double value) {
 
 }  // namespace
 
-MotionExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_t last) {
-  MotionExtent extent;
+bool is_cutting(const Outcome& outcome, double time) {
+  const auto& times = outcome.node_time;
+  if (!outcome.commands || times.size() < 2) return true;
+  const auto behind = std::upper_bound(times.begin(), times.end(), time);
+  const auto block = std::clamp<std::ptrdiff_t>(behind - times.begin() - 1, 0, std::ssize(times) - 2);
+  return !(*outcome.commands)[static_cast<std::size_t>(block)].is_rapid;
+}
+
+SplitExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_t last) {
+  SplitExtent extent;
   Motion motion(*outcome.path, outcome.plan);
   for (std::size_t i = first; i < last; ++i) {
     const Phase& p = outcome.plan.phases[i];
-    extent.add(motion.bounds(p.begin, p.begin + p.duration));
+    const PhaseBounds bounds = motion.bounds(p.begin, p.begin + p.duration);
+    extent.all.add(bounds);
+    if (is_cutting(outcome, p.begin + p.duration / 2)) extent.cutting.add(bounds);
   }
   return extent;
 }
@@ -48,6 +58,11 @@ MotionExtent axis_extent_of_blocks(const Outcome& outcome, std::size_t first, st
 }
 
 PhaseState ProfileSeries::state_at(double time) const { return Motion(*outcome->path, outcome->plan).at(time).along(); }
+
+bool ProfileSeries::is_jerk_unbounded() const {
+  const auto is_nothing = [](const Extent& e) { return e.low == 0 && e.high == 0; };
+  return !is_empty() && is_nothing(whole[kJerkTrack]) && !is_nothing(whole[kAccelerationTrack]);
+}
 
 const ProfileSeries::AxisPyramid& ProfileSeries::axis(std::size_t axis) const {
   std::call_once(axis_made_.at(axis), [&] {
@@ -88,7 +103,7 @@ std::shared_ptr<const ProfileSeries> make_profile_series(std::shared_ptr<const O
   const auto scan = [&](std::size_t first, std::size_t last) { return motion_extent(*outcome, first, last); };
   const std::size_t count = outcome->plan.phases.size();
   series->phases = decltype(series->phases)(count, scan);
-  series->whole = series->phases.query(0, count, scan);
+  series->whole = series->phases.query(0, count, scan).all;
   if (outcome->path && outcome->path->size() > 0 && outcome->node_time.size() == outcome->path->size() + 1) {
     series->blocks = decltype(series->blocks)(
         outcome->path->size(), [&](std::size_t first, std::size_t last) { return cap_extent(*outcome, first, last); });

@@ -36,6 +36,16 @@ struct MotionExtent : OfTracks<Extent> {
   }
 };
 
+/// The same, and what of it is cutting: rapids, which may be many times quicker, left out.
+struct SplitExtent {
+  MotionExtent all, cutting;
+
+  void add(const SplitExtent& other) {
+    all.add(other.all);
+    cutting.add(other.cutting);
+  }
+};
+
 /// What a run of blocks allows [mm, s]; what is unlimited stays empty.
 struct CapExtent : OfTracks<Extent> {
   Extent feed;  ///< programmed, with the override; rapids left out
@@ -50,8 +60,8 @@ using ShownAxes = std::array<bool, kAxisCount>;  // X … C
 
 struct ProfileSeries {
   std::shared_ptr<const Outcome> outcome;
-  Pyramid<MotionExtent, 8> phases;  // a phase's extremes cost a hundred times what reading a number does
-  Pyramid<CapExtent, 16> blocks;    ///< empty where node_time is missing
+  Pyramid<SplitExtent, 8> phases;  // a phase's extremes cost a hundred times what reading a number does
+  Pyramid<CapExtent, 16> blocks;   ///< empty where node_time is missing
   MotionExtent whole;
   CauseTimes causes;
 
@@ -64,6 +74,8 @@ struct ProfileSeries {
   double duration() const { return outcome ? outcome->plan.cycle_time() : 0.0; }
   /// Along the way that is run. @pre not empty
   PhaseState state_at(double time) const;
+  /// Acceleration changes in steps, so that jerk has no values: 0 would be wrong.
+  bool is_jerk_unbounded() const;
   bool is_empty() const { return !outcome || outcome->plan.phases.empty() || duration() <= 0; }
 
  private:
@@ -71,6 +83,9 @@ struct ProfileSeries {
   mutable std::array<std::atomic<bool>, kAxes> axis_ready_ = {};
   mutable std::array<AxisPyramid, kAxes> axes_;
 };
+
+/// Whether the plan cuts at a time, or stands still for it; else it is a rapid.
+bool is_cutting(const Outcome& outcome, double time);
 
 /// Of the blocks [first, last).
 MotionExtent axis_extent_of_blocks(const Outcome& outcome, std::size_t first, std::size_t last, std::size_t axis);
@@ -86,7 +101,7 @@ void make_axes(const ProfileSeries& series, const ShownAxes& shown);
 bool has_axes(const ProfileSeries& series, const ShownAxes& shown);
 
 /// Extents of the phases [first, last) and of what the blocks [first, last) allow.
-MotionExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_t last);
+SplitExtent motion_extent(const Outcome& outcome, std::size_t first, std::size_t last);
 CapExtent cap_extent(const Outcome& outcome, std::size_t first, std::size_t last);
 
 }  // namespace toolpace::ui

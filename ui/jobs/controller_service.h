@@ -5,43 +5,53 @@
 #include <memory>
 #include <optional>
 
-#include "drawing/planned.h"
+#include "drawing/controlled.h"
 #include "jobs/background.h"
 #include "models/document.h"
 #include "toolpace/nc/read_options.h"
 
 namespace toolpace::ui {
 
-/// The latest request wins: an older one that still runs is cancelled and dropped.
+/// Finishes what runs, then takes the latest request: a drag shows every run that gets done.
 class ControllerService : public QObject {
   Q_OBJECT
 
  public:
   explicit ControllerService(QObject* parent = nullptr);
 
-  /// @param settings  file of the controller, as it writes it itself; whose it is, is told by what stands in it
-  /// @param options   how the program is read, but for its dialect, which is the controller's
-  void run(std::shared_ptr<const Document> document, const QString& settings, const ReadOptions& options);
+  /// @param options  how the program is read, but for its dialect, which is the controller's
+  /// @return the request's generation; results of older ones are marked stale by isLatest
+  quint64 submit(std::shared_ptr<const Document> document, SharedControllerText settings, const ReadOptions& options);
+  /// Drops what waits and stops what runs.
   void cancel();
   bool isBusy() const { return worker_.isBusy(); }
+  bool isLatest(quint64 generation) const { return generation == latest_; }
 
  signals:
-  /// @param warnings  what of the settings was not given or not used
-  void driven(const toolpace::ui::Planned& motion, const toolpace::Diagnostics& warnings);
-  void failed(const toolpace::Error& error, const QString& settings);
+  void driven(std::shared_ptr<const toolpace::ui::Controlled> found, quint64 generation);
+  void failed(const toolpace::Error& error, quint64 generation);
   void progressed(double fraction);
   void busyChanged(bool busy);
 
  private:
   struct Request {
     std::shared_ptr<const Document> document;
-    QString settings;
+    SharedControllerText settings;
     ReadOptions options;
   };
-  void start(const Request& request);
+  /// A program as it was last read, for the next run to take over.
+  struct Read {
+    std::shared_ptr<const Document> document;
+    Dialect dialect = Dialect::automatic;
+    std::shared_ptr<const Reading> reading;
+    std::shared_ptr<const toolpace::ProgramText> text;
+  };
+  static Result<Read> read(const Request& request, const Read& before, const Monitor& monitor);
+  void start(const Request& request, quint64 generation);
 
   Background worker_;
   std::optional<Request> pending_;
+  Read last_;
   quint64 latest_ = 0;
 };
 

@@ -39,6 +39,35 @@ void TuneService::findSavings(std::shared_ptr<const Job> job, double cycle_time)
   });
 }
 
+void TuneService::trySettings(std::shared_ptr<const Controlled> run) {
+  const quint64 number = ++latest_;
+  submit(number, [this, run = std::move(run), number](const Monitor& monitor) {
+    auto result = what_if(*run->reading, *run->text, run->asked->settings, {}, monitor);
+    return ifLatest(number, [this, result = std::move(result)] {
+      if (result) {
+        emit settingsTried(*result);
+      } else {
+        emit failed(result.error());
+      }
+    });
+  });
+}
+
+void TuneService::planSetpoints(std::shared_ptr<const Controlled> run) {
+  const quint64 number = ++latest_;
+  submit(number, [this, run = std::move(run), number](const Monitor& monitor) {
+    const bool refined = run->prediction.cycle_time < kLongestRefined;
+    auto result = cycle_time_as_setpoints(run->reading, run->asked->settings, kToleranceOfSetpoints, refined, monitor);
+    return ifLatest(number, [this, result = std::move(result)] {
+      if (result) {
+        emit setpointsPlanned(*result);
+      } else {
+        emit failed(result.error());
+      }
+    });
+  });
+}
+
 void TuneService::cancel() {
   ++latest_;
   next_ = nullptr;

@@ -1,13 +1,15 @@
 #pragma once
-/// Sweeps the look-ahead, and finds what raising each limit saves, in a worker.
+/// Sweeps the look-ahead, finds what raising each limit saves, and what each setting of a controller gives, in a worker.
 
 #include <QObject>
 #include <functional>
 #include <memory>
 
+#include "drawing/controlled.h"
 #include "jobs/background.h"
 #include "toolpace/tune/savings.h"
 #include "toolpace/tune/sweep.h"
+#include "toolpace/tune/what_if.h"
 
 namespace toolpace::ui {
 
@@ -20,12 +22,18 @@ class TuneService : public QObject {
 
   void sweep(std::shared_ptr<const Job> job);
   void findSavings(std::shared_ptr<const Job> job, double cycle_time);
+  /// What the program takes there with another value of each setting.
+  void trySettings(std::shared_ptr<const Controlled> run);
+  /// What it takes as setpoints of this planner, on the same limits.
+  void planSetpoints(std::shared_ptr<const Controlled> run);
   void cancel();
   bool isRunning() const { return worker_.isBusy() || next_; }
 
  signals:
   void swept(const toolpace::LookaheadSweep& sweep);
   void savingsFound(const std::vector<toolpace::Saving>& savings);
+  void settingsTried(const std::vector<toolpace::WhatIf>& rows);
+  void setpointsPlanned(double cycle_time);  ///< [s]
   void failed(const toolpace::Error& error);
   void progressed(double fraction);
   void finished();

@@ -1,6 +1,7 @@
 #include "jobs/workspace.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "toolpace/pipeline/strategy.h"
 
@@ -30,10 +31,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
     emit busyChanged(isBusy());
     if (state == Refiner::State::given_up && plan_) proof_service_.request(plan_.scene);
   });
-  connect(&controller_, &ControllerService::driven, this, &Workspace::takeController);
-  connect(&controller_, &ControllerService::failed, this, &Workspace::controllerFailed);
-  connect(&controller_, &ControllerService::progressed, this, &Workspace::progressed);
-  connect(&controller_, &ControllerService::busyChanged, this, [this] { emit busyChanged(isBusy()); });
+  connectController();
   connect(&axis_worker_, &Background::finished, this, &Workspace::makeAxes);
   connect(&playback_, &Playback::advanced, this, &Workspace::setCursorTime);
   connect(&planner_, &PlannerService::busyChanged, this, [this] { emit busyChanged(isBusy()); });
@@ -54,6 +52,7 @@ void Workspace::cancel() {
   giveUpOpening();
   planner_.cancel();
   controller_.cancel();
+  setpoints_.cancel();
   refiner_.giveUp();
 }
 
@@ -106,8 +105,10 @@ void Workspace::setShownAxes(const ShownAxes& axes) {
 }
 
 void Workspace::makeAxes() {
-  if (!plan_ || axes_failed_ || axis_worker_.isBusy() || has_axes(*plan_.series, shown_axes_)) return;
-  const auto make = [this, series = plan_.series, axes = shown_axes_](const Monitor&) {
+  if (axes_failed_ || axis_worker_.isBusy()) return;
+  const auto lacks = [this](const Planned& plan) { return plan && !has_axes(*plan.series, shown_axes_); };
+  if (!lacks(plan_) && !lacks(pinned())) return;
+  const auto make = [this, series = lacks(plan_) ? plan_.series : pinned().series, axes = shown_axes_](const Monitor&) {
     make_axes(*series, axes);
     return [this] { emit axesReady(); };
   };
@@ -137,13 +138,20 @@ void Workspace::takeFailure(const Error& error, quint64 generation) {
 }
 
 void Workspace::collectProblems(const Diagnostics& of_plan) {
-  problems_ = document_->reading->diagnostics;
-  problems_.insert(problems_.end(), of_plan.begin(), of_plan.end());
-  emit problemsChanged();
+  plan_problems_ = of_plan;
+  showProblems();
 }
 
 void Workspace::addProblem(const Error& error) {
-  problems_.push_back(as_diagnostic(error));
+  plan_problems_.push_back(as_diagnostic(error));
+  showProblems();
+}
+
+void Workspace::showProblems() {
+  problems_ = document_->reading->diagnostics;
+  problems_.insert(problems_.end(), plan_problems_.begin(), plan_problems_.end());
+  const Diagnostics of_controller = controllerProblems();
+  problems_.insert(problems_.end(), of_controller.begin(), of_controller.end());
   emit problemsChanged();
 }
 
@@ -159,26 +167,20 @@ void Workspace::pin() {
   emit pinnedChanged();
 }
 
-void Workspace::pinController(const QString& settings) {
-  if (document_) controller_.run(document_, settings, read_options_);
-}
-
-void Workspace::takeController(const Planned& motion, const Diagnostics& warnings) {
-  pinned_ = motion;
-  emit pinnedChanged();
-  problems_.insert(problems_.end(), warnings.begin(), warnings.end());
-  emit problemsChanged();
+const Planned& Workspace::pinned() const {
+  return pinned_ || !controller_view_.found ? pinned_ : controller_view_.found->motion;
 }
 
 void Workspace::unpin() {
-  if (!pinned_) return;
+  if (!pinned_) return controller_model_.replace(tr("Runs on Toolpace's plan"), nullptr);
   pinned_ = {};
   emit pinnedChanged();
 }
 
 void Workspace::swap() {
-  if (!pinned_ || !plan_) return;
-  std::swap(pinned_, plan_);
+  if (!pinned() || !plan_) return;
+  const Planned other = pinned();
+  pinned_ = std::exchange(plan_, other);
   const auto job = plan_.timeline->outcome()->job;  // whoever is told may show another plan
   emit pinnedChanged();
   emit planChanged();

@@ -1,5 +1,6 @@
 #pragma once
-/// What is open in the window: the program, how it is tuned, its plan, a pinned plan beside it, and the cursor.
+/// What is open in the window: the program, how it is tuned, its plan, the controller that it runs on, a plan beside it, and the
+/// cursor.
 
 #include <QObject>
 #include <QUndoStack>
@@ -14,6 +15,8 @@
 #include "jobs/reader_service.h"
 #include "jobs/refiner.h"
 #include "jobs/save_service.h"
+#include "jobs/tune_service.h"
+#include "models/controller_model.h"
 #include "models/program_model.h"
 #include "models/tuning_model.h"
 
@@ -33,11 +36,14 @@ class Workspace : public QObject {
   QUndoStack& undoStack() { return undo_stack_; }
   TuningModel& tuning() { return tuning_; }
   ProgramModel& program() { return program_; }
+  ControllerModel& controller() { return controller_model_; }
   Playback& playback() { return playback_; }
   FileWatcher& watcher() { return watcher_; }                                    ///< of the program's file
   const std::shared_ptr<const Document>& document() const { return document_; }  ///< as last read
   const Planned& plan() const { return plan_; }                                  ///< plan A; empty before the first one
-  const Planned& pinned() const { return pinned_; }                              ///< plan B; empty = none
+  /// Plan B: the one pinned, else what the controller does; empty = none.
+  const Planned& pinned() const;
+  const ControllerView& controllerView() const { return controller_view_; }
   const std::shared_ptr<const Timeline>& timeline() const { return plan_.timeline; }
   const Diagnostics& problems() const { return problems_; }  ///< of reading and of planning
   double cursorTime() const { return cursor_; }
@@ -49,6 +55,7 @@ class Workspace : public QObject {
   /// The plan shown is a quick one; a better one is on its way.
   bool isRefining() const { return refiner_.state() == Refiner::State::running; }
   Refiner::State refinement() const { return refiner_.state(); }
+  bool isComparing() const { return setpoints_.isRunning(); }  ///< plans setpoints on the controller's limits
   bool isProving() const { return proof_service_.isRunning(); }
   ProofService::State proofState() const { return proof_service_.state(); }
   void checkNow();      ///< proves the plan shown, however long it takes
@@ -74,11 +81,9 @@ class Workspace : public QObject {
   /// Axes whose curves the plots show; axesReady() follows where a worker has to make them.
   void setShownAxes(const ShownAxes& axes);
 
-  void pin();  ///< the present plan becomes B
-  /// What a real controller does with the program becomes B, as its settings file tells; controllerFailed where it cannot.
-  void pinController(const QString& settings);
-  void unpin();
-  void swap();  ///< A takes B's parameters and B keeps A's plan
+  void pin();    ///< the present plan becomes B
+  void unpin();  ///< the pinned plan goes, else the controller
+  void swap();   ///< A takes B's parameters and B keeps A's plan
 
   void setCursorTime(double time);
   void setCursorLine(std::uint32_t line);
@@ -104,7 +109,7 @@ class Workspace : public QObject {
   void busyChanged(bool busy);
   void progressed(double fraction);
   void openFailed(const toolpace::Error& error, const QString& path);
-  void controllerFailed(const toolpace::Error& error, const QString& settings);
+  void controllerChanged();  ///< which one, its settings, or what was found
 
  private:
   // workspace_program.cpp
@@ -121,21 +126,31 @@ class Workspace : public QObject {
   void show(const Planned& plan);
   void takeRefined(const Planned& plan);
   void takePlan(const Planned& plan, quint64 generation);
-  void takeController(const Planned& motion, const Diagnostics& warnings);
   void takeFailure(const Error& error, quint64 generation);
   void takeProof(std::shared_ptr<const Proof> proof);
   void collectProblems(const Diagnostics& of_plan);
+  void showProblems();
   void addProblem(const Error& error);
   void setStale(bool stale);
   void makeAxes();
+  // workspace_controller.cpp
+  void connectController();
+  void takeSettings();
+  void runOnController();
+  void forgetController();
+  void takeDriven(const std::shared_ptr<const Controlled>& found, quint64 generation);
+  void takeUndriven(const Error& error, quint64 generation);
+  Diagnostics controllerProblems() const;
 
   QUndoStack undo_stack_;
   TuningModel tuning_{undo_stack_};
   ProgramModel program_{undo_stack_};
+  ControllerModel controller_model_{undo_stack_};
   ReaderService reader_;
   SaveService saver_;
   PlannerService planner_;
   ControllerService controller_;
+  TuneService setpoints_;
   ReadOptions read_options_;
   Refiner refiner_;
   ProofService proof_service_;
@@ -151,7 +166,9 @@ class Workspace : public QObject {
   bool text_waits_ = false, change_waits_ = false;  // to be read should the opening fail
   Conflict conflict_ = Conflict::none;
   Planned plan_, pinned_;
-  Diagnostics problems_;
+  ControllerView controller_view_;
+  quint64 oldest_run_ = 0, latest_run_ = 0;  // of the controller; what is older is of another program
+  Diagnostics problems_, plan_problems_;
   double cursor_ = 0;
   bool stale_ = false;
   bool axes_failed_ = false;  // not tried again for the same plan

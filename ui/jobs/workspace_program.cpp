@@ -150,6 +150,7 @@ void Workspace::takeDocument(std::shared_ptr<const Document> document, std::opti
     playback_.pause();
     pinned_ = {};
     plan_ = {};
+    forgetController();
     cursor_ = 0;
   }
   collectProblems({});
@@ -159,6 +160,7 @@ void Workspace::takeDocument(std::shared_ptr<const Document> document, std::opti
     emit planChanged();
     emit cursorChanged(cursor_);
   }
+  runOnController();
   if (another && tuning_.value().options.hold_at) {  // a moment of the other program
     return tuning_.edit(tr("Feed hold"), "hold", [](Tuning& t) { t.options.hold_at.reset(); });
   }

@@ -4,6 +4,8 @@
 #include <QRegularExpression>
 #include <vector>
 
+#include "models/window_words.h"
+
 namespace toolpace::ui {
 namespace {
 
@@ -29,9 +31,7 @@ const std::vector<Pattern>& patterns() {
   return all;
 }
 
-}  // namespace
-
-QString remedy_text(const std::string& english) {
+QString words_of(const std::string& english) {
   const QString text = QString::fromStdString(english);
   const QString exact = translated(english.c_str());
   if (english.empty() || exact != text) return exact;
@@ -44,5 +44,9 @@ QString remedy_text(const std::string& english) {
   }
   return text;
 }
+
+}  // namespace
+
+QString remedy_text(const std::string& english) { return in_words_of_window(words_of(english)); }
 
 }  // namespace toolpace::ui

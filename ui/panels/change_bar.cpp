@@ -53,11 +53,14 @@ void ChangeBar::retranslate() {
     case Reason::machine_changed_outside:
       text_->setText(tr("The machine file was changed by another program, and your changes are not saved."));
       break;
+    case Reason::settings_changed_outside:
+      text_->setText(tr("The settings file was changed by another program, and your changes are not saved."));
+      break;
   }
+  const bool has_values = reason_ == Reason::machine_changed_outside || reason_ == Reason::settings_changed_outside;
   keep_mine_->setText(tr("Keep mine"));
-  keep_mine_->setToolTip(reason_ == Reason::machine_changed_outside
-                             ? tr("Stay with the values in the window; saving puts them into the file")
-                             : tr("Stay with the text in the window; saving it replaces the file"));
+  keep_mine_->setToolTip(has_values ? tr("Stay with the values in the window; saving puts them into the file")
+                                    : tr("Stay with the text in the window; saving it replaces the file"));
   take_file_->setText(tr("Take the file's"));
   take_file_->setToolTip(tr("Read the file again; undo brings your changes back"));
 }

@@ -11,7 +11,7 @@ class ChangeBar : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Reason { reload, changed_outside, machine_changed_outside };
+  enum class Reason { reload, changed_outside, machine_changed_outside, settings_changed_outside };
 
   /// @param name  of the bar, and with TakeFile and KeepMine behind it of its buttons
   explicit ChangeBar(const QString& name, QWidget* parent = nullptr);

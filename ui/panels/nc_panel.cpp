@@ -20,6 +20,10 @@ NcPanel::NcPanel(QWidget* parent)
       text_(new QLineEdit(bar_)),
       none_(new QLabel(bar_)),
       hint_(new QLabel(this)) {
+  times_ = new QLabel(this);
+  times_->setObjectName("timesLabel");
+  times_->setProperty("role", "secondary");
+  times_->setContentsMargins(8, 0, 8, 1);
   setObjectName("ncPanel");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -42,6 +46,7 @@ NcPanel::NcPanel(QWidget* parent)
   key_row->addWidget(key_);
   key_row->addStretch(1);
   column->addLayout(key_row);
+  column->addWidget(times_);
   column->addWidget(modal_);
   hint_->setObjectName("dropHint");
   hint_->setProperty("role", "hint");
@@ -60,7 +65,29 @@ void NcPanel::showPlans(const Planned& plan, const Planned&) {
   if (plan.timeline == timeline_) return;
   timeline_ = plan.timeline;
   fillKey();
+  showTimes();
   view_->setTimeline(plan.timeline, plan ? plan.scene->range(ColourBy::speed).high : 0);
+}
+
+void NcPanel::showController(const ControllerView& view) {
+  if (view.found == found_) return;
+  found_ = view.found;
+  showTimes();
+}
+
+void NcPanel::setTimesShown(bool shown) {
+  has_times_ = shown;
+  showTimes();
+}
+
+void NcPanel::showTimes() {
+  using Times = std::shared_ptr<const std::vector<double>>;
+  view_->setTimes(has_times_, found_ ? Times(found_, &found_->line_time) : Times());
+  times_->setVisible(has_times_ && timeline_);
+  const auto title = found_ ? controller_title(found_->prediction.controller) : std::string_view();
+  times_->setText(found_
+                      ? tr("times: s on %1").arg(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size())))
+                      : tr("times: s"));
 }
 
 void NcPanel::setUnits(Units unit) { view_->setUnit(unit); }
@@ -148,6 +175,7 @@ void NcPanel::retranslate() {
   view_->setAccessibleName(tr("NC program"));
   hint_->setText(tr("drop an NC program here"));
   fillKey();
+  showTimes();
   view_->setEmptyHint(tr("drop an NC program here"));
 }
 

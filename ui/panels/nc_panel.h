@@ -23,6 +23,8 @@ class NcPanel : public QWidget, public PlanView {
   NcView& view() { return *view_; }
   ChangeBar& changeBar() { return *change_bar_; }
   void showPlans(const Planned& plan, const Planned& pinned) override;
+  void showController(const ControllerView& view) override;
+  void setTimesShown(bool shown);  ///< what each line takes, beside it
   void setTheme(const Theme& theme) override;
   void setUnits(Units unit) override;
   void setColourMap(ColourMap map);
@@ -49,6 +51,10 @@ class NcPanel : public QWidget, public PlanView {
 
   void showModal(int line);
   void fillKey();
+  void showTimes();
+  QLabel* times_;  // whose times stand beside the lines
+  bool has_times_ = true;
+  std::shared_ptr<const Controlled> found_;
   std::shared_ptr<const Timeline> timeline_;
   ChangeBar* change_bar_;
   NcView* view_;

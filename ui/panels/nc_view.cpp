@@ -64,6 +64,22 @@ void NcView::setTimeline(std::shared_ptr<const Timeline> timeline, double full_s
   viewport()->update();
 }
 
+void NcView::setTimes(bool shown, std::shared_ptr<const std::vector<double>> times) {
+  has_times_ = shown;
+  times_ = std::move(times);
+  updateScrollBars();
+  placeEditor();
+  viewport()->update();
+}
+
+double NcView::timeOf(int line) const {
+  const auto number = static_cast<std::size_t>(line);
+  if (times_) return number < times_->size() ? (*times_)[number] : 0.0;
+  if (!timeline_ || number >= timeline_->lines().size()) return 0.0;
+  const LineStats& stats = timeline_->lines()[number];
+  return stats.time + stats.rest;
+}
+
 void NcView::setProblems(const Diagnostics& problems) {
   problems_ = problems;
   std::stable_sort(problems_.begin(), problems_.end(),
@@ -185,6 +201,7 @@ QString NcView::tipOf(int line) const {
       lines << tr("%1 s, of which %2 s lost").arg(stats.time, 0, 'f', 3).arg(stats.loss(), 0, 'f', 3);
     }
   }
+  if (times_ && timeOf(line) > 0) lines << tr("%1 s on the controller").arg(timeOf(line), 0, 'f', 3);
   return lines.join('\n');
 }
 

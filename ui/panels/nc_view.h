@@ -31,6 +31,9 @@ class NcView : public QAbstractScrollArea {
   void setText(const ProgramText& text, int line);
   /// @param full_speed  [mm/s] that the upper end of the colour map stands for, as in the preview
   void setTimeline(std::shared_ptr<const Timeline> timeline, double full_speed);
+  /// A column of what each line takes. @param times  [s] by line on a controller; null = as planned
+  void setTimes(bool shown, std::shared_ptr<const std::vector<double>> times);
+  double timeOf(int line) const;  ///< [s] as the column has it; 0 where it takes none
   void setProblems(const Diagnostics& problems);
   void setTheme(const Theme& theme);
   static QColor lossColour(const Theme& theme);  ///< of the bars of time lost
@@ -74,7 +77,7 @@ class NcView : public QAbstractScrollArea {
 
  private:
   struct Gutter {
-    int number_end, loss_begin, loss_end, speed_begin, text_begin;
+    int number_end, loss_begin, loss_end, speed_begin, time_end, text_begin;
   };
 
   int lineCount() const;
@@ -95,6 +98,8 @@ class NcView : public QAbstractScrollArea {
   std::shared_ptr<const Document> document_;
   ProgramText text_;  // newer than the document while that is being read
   std::shared_ptr<const Timeline> timeline_;
+  std::shared_ptr<const std::vector<double>> times_;
+  bool has_times_ = false;
   Diagnostics problems_;  // sorted by line
   Theme theme_ = light_theme();
   ColourMap map_ = ColourMap::cividis;

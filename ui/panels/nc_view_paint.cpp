@@ -14,6 +14,14 @@ namespace {
 constexpr int kTextMargin = 8;
 constexpr int kLossWidth = 16;  // of the bar of the worst line
 constexpr int kSpeedWidth = 4;
+constexpr int kTimeMargin = 4, kTimeDigits = 5;  // of the column of times
+
+/// Three digits, from "0.001" to "9999": what is less is nothing to a person.
+QString time_text(double seconds) {
+  constexpr double kLeast = 5e-4;
+  if (seconds < kLeast) return {};
+  return QString::number(seconds, 'f', seconds < 9.9995 ? 3 : seconds < 99.995 ? 2 : seconds < 999.95 ? 1 : 0);
+}
 
 }  // namespace
 
@@ -26,7 +34,9 @@ NcView::Gutter NcView::gutter() const {
   g.loss_begin = g.number_end + 4;
   g.loss_end = g.loss_begin + kLossWidth;
   g.speed_begin = g.loss_end + 2;
-  g.text_begin = g.speed_begin + kSpeedWidth + kTextMargin;
+  g.time_end = g.speed_begin + kSpeedWidth;
+  if (has_times_) g.time_end += kTimeMargin + fontMetrics().horizontalAdvance(QString(kTimeDigits, '0'));
+  g.text_begin = g.time_end + kTextMargin;
   return g;
 }
 
@@ -64,6 +74,11 @@ void NcView::paintGutter(QPainter& painter, int line, const QRect& row, const Gu
                                                           : theme_.secondary);
   painter.drawText(QRect(0, row.top(), g.number_end, row.height()), Qt::AlignRight | Qt::AlignVCenter,
                    QString::number(line));
+  if (has_times_) {
+    painter.setPen(theme_.secondary);
+    painter.drawText(QRect(0, row.top(), g.time_end, row.height()), Qt::AlignRight | Qt::AlignVCenter,
+                     time_text(timeOf(line)));
+  }
   if (!timeline_ || static_cast<std::size_t>(line) >= timeline_->lines().size()) return;
   const LineStats& stats = timeline_->lines()[static_cast<std::size_t>(line)];
   if (!(stats.length > 0)) return;

@@ -76,8 +76,8 @@ void ResultModel::addPeaks() {
        [](P p) { return summary(p).peaks.speed; });
   peak(tr("Peak accel."), tr("Largest |a| = |dv/dt| along the path"), Quantity::acceleration,
        [](P p) { return summary(p).peaks.acceleration; });
-  peak(tr("Peak jerk"), tr("Largest |j| = |da/dt| along the path"), Quantity::jerk,
-       [](P p) { return summary(p).peaks.jerk; });
+  peak(tr("Peak jerk"), tr("Largest |j| = |da/dt| along the path; ∞: acceleration changes in steps"), Quantity::jerk,
+       [](P p) { return p.series->is_jerk_unbounded() ? kUnlimited : summary(p).peaks.jerk; });
   rotary(tr("Peak speed, rotary"), Quantity::angular_speed, &Peaks::speed);
   rotary(tr("Peak accel., rotary"), Quantity::angular_acceleration, &Peaks::acceleration);
   rotary(tr("Peak jerk, rotary"), Quantity::angular_jerk, &Peaks::jerk);

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "models/controller_names.h"
 #include "panels/unit_delegate.h"
 #include "theme/control_name.h"
 #include "theme/icons.h"
@@ -49,6 +50,7 @@ ResultsPanel::ResultsPanel(QWidget* parent)
       table_(new QTableView(this)),
       cycle_(new QLabel(this)),
       versus_(new QLabel(this)),
+      controller_(new QLabel(this)),
       pin_(button("pinButton", this)),
       swap_(button("swapButton", this)),
       unpin_(button("unpinButton", this)) {
@@ -71,6 +73,11 @@ ResultsPanel::ResultsPanel(QWidget* parent)
   head->addWidget(versus_, 1);
   for (auto* b : {pin_, swap_, unpin_}) head->addWidget(b);
   column->addLayout(head);
+  controller_->setObjectName("onControllerLabel");
+  controller_->setWordWrap(true);
+  controller_->setContentsMargins(8, 0, 8, 4);
+  controller_->hide();
+  column->addWidget(controller_);
   table_->setObjectName("resultTable");
   table_->setModel(model_);
   style_table(table_);
@@ -204,6 +211,21 @@ void ResultsPanel::showHeadline() {
   versus_->setText(QString("%1%2 s").arg(delta < 0 ? "−" : "+").arg(std::abs(delta), 0, 'f', 3));
 }
 
+void ResultsPanel::showController(const ControllerView& view) {
+  controller_view_ = view;
+  showVerdict();
+}
+
+/// What a person came for, in one line; the rest stands on the controller's own page.
+void ResultsPanel::showVerdict() {
+  const auto& found = controller_view_.found;
+  controller_->setVisible(controller_view_.chosen != nullptr);
+  if (controller_view_.failure) return controller_->setText(tr("The controller's time is not known: see Problems"));
+  if (!found) return controller_->setText(tr("predicting…"));
+  controller_->setText(
+      controller_verdict(found->prediction.controller, found->prediction.cycle_time, controller_view_.as_setpoints));
+}
+
 void ResultsPanel::setUnits(Units unit) {
   model_->setUnit(unit);
   showPlans(a_, b_);
@@ -231,6 +253,7 @@ void ResultsPanel::retranslate() {
   name_control(unpin_, tr("Let go of B"));
   name_control(cycle_, tr("Cycle time of plan A"));
   showHeadline();
+  showVerdict();
   showCheckBar();
 }
 

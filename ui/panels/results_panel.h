@@ -21,6 +21,7 @@ class ResultsPanel : public QWidget, public PlanView {
   explicit ResultsPanel(QWidget* parent = nullptr);
 
   void showPlans(const Planned& a, const Planned& b) override;
+  void showController(const ControllerView& view) override;
   void setUnits(Units unit) override;
   void setTheme(const Theme& theme) override;
   void showProofState(ProofService::State state);
@@ -42,6 +43,7 @@ class ResultsPanel : public QWidget, public PlanView {
  private:
   void retranslate();
   void showHeadline();
+  void showVerdict();
   void buildCheckBar();
   void showCheckBar();
   void fitRows();
@@ -49,7 +51,7 @@ class ResultsPanel : public QWidget, public PlanView {
   ResultModel* model_;
   QTableView* table_;
   UnitDelegate* titles_;
-  QLabel *cycle_, *versus_;
+  QLabel *cycle_, *versus_, *controller_;
   QToolButton *pin_, *swap_, *unpin_;
   QWidget* check_bar_;  ///< asks whether to check what is long
   QLabel* check_text_;
@@ -57,6 +59,7 @@ class ResultsPanel : public QWidget, public PlanView {
   ProofService::State proof_state_ = ProofService::State::idle;
   bool asked_ = false;  ///< for the check that runs
   Planned a_, b_;
+  ControllerView controller_view_;
   Theme theme_ = light_theme();
 };
 

@@ -231,6 +231,8 @@ void TuningPanel::setRotaryAxes(const std::array<bool, 3>& turned) {
   showValues();
 }
 
+void TuningPanel::setHead(QWidget* head) { static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, head); }
+
 int TuningPanel::wholeHeight() const { return widget()->sizeHint().height() + 2 * frameWidth(); }
 
 QSize TuningPanel::minimumSizeHint() const {

@@ -29,6 +29,8 @@ class TuningPanel : public QScrollArea, public PlanView {
   void setUnits(Units unit) override;
   void setRotaryAxes(const std::array<bool, 3>& turned);  ///< by the program; the machine's own have rows, too
 
+  void setHead(QWidget* head);  ///< above all parameters; becomes a part of it
+
   QSize minimumSizeHint() const override;  ///< no row is cut off
 
   /// With which nothing has to be scrolled [px].

@@ -2,7 +2,6 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <numeric>
@@ -11,60 +10,20 @@
 #include "models/parameter_names.h"
 #include "models/problem_model.h"
 #include "models/units.h"
-#include "panels/results_panel.h"
+#include "panels/figure_table.h"
 #include "theme/control_name.h"
 
 namespace toolpace::ui {
 namespace {
 
-constexpr int kChip = 10;
 constexpr double kShown = 5e-4;  // [s]; less is nothing to a person
-
-// Sorts by number, shows text.
-class NumberItem : public QTableWidgetItem {
- public:
-  NumberItem(const QString& text, double value) : QTableWidgetItem(text), value_(value) {
-    setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  }
-  bool operator<(const QTableWidgetItem& other) const override {
-    return value_ < static_cast<const NumberItem&>(other).value_;
-  }
-
- private:
-  double value_;
-};
-
-QTableWidget* table(const char* name, int columns, QWidget* parent) {
-  auto* result = new QTableWidget(0, columns, parent);
-  result->setObjectName(name);
-  style_table(result);
-  result->verticalHeader()->hide();
-  result->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  for (int i = 1; i < columns; ++i) {
-    result->horizontalHeader()->setSectionResizeMode(i, QHeaderView::ResizeToContents);
-  }
-  return result;
-}
-
-QPixmap chip(const QColor& colour) {
-  QPixmap pixmap(kChip, kChip);
-  pixmap.fill(colour);
-  return pixmap;
-}
-
-void set_heads(QTableWidget* t, const QStringList& heads) {
-  t->setHorizontalHeaderLabels(heads);
-  t->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  for (int i = 1; i < heads.size(); ++i)
-    t->horizontalHeaderItem(i)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-}
 
 }  // namespace
 
 WhatIfPanel::WhatIfPanel(QWidget* parent)
     : QWidget(parent),
-      causes_(table("causeTable", 3, this)),
-      levers_table_(table("leverTable", 3, this)),
+      causes_(figure_table("causeTable", 3, this)),
+      levers_table_(figure_table("leverTable", 3, this)),
       hint_(new QLabel(this)),
       button_(new QPushButton(this)) {
   setObjectName("whatIfPanel");
@@ -134,7 +93,7 @@ void WhatIfPanel::showCauses() {
     causes_->insertRow(row);
     const auto cause = static_cast<Cause>(i);
     const QColor colour = cause_colour(cause, theme_.dark ? Ground::dark : Ground::light);
-    causes_->setItem(row, 0, new QTableWidgetItem(QIcon(chip(colour)), cause_title(cause)));
+    causes_->setItem(row, 0, new QTableWidgetItem(QIcon(colour_chip(colour)), cause_title(cause)));
     causes_->setItem(row, 1, new NumberItem(QString::number(times[i], 'f', 3), times[i]));
     causes_->setItem(row, 2, new NumberItem(QString::number(whole > 0 ? times[i] / whole * 100 : 0, 'f', 1), times[i]));
   }

@@ -3,6 +3,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "drawing/profile_curves.h"
 
@@ -25,6 +26,15 @@ void OverviewStrip::setRange(double begin, double end) {
   begin_ = begin;
   end_ = end;
   update();
+}
+
+double OverviewStrip::duration() const {
+  const double longest = std::max(series_ && !series_->is_empty() ? series_->duration() : 0.0, other_);
+  return longest > 0 ? longest : 1.0;
+}
+
+void OverviewStrip::setOtherDuration(double duration) {
+  if (std::exchange(other_, duration) != duration) refresh();
 }
 
 void OverviewStrip::setCursorTime(std::optional<double> time) {

@@ -15,6 +15,8 @@ class OverviewStrip : public TimeStrip {
 
   void setRange(double begin, double end);  ///< [s] visible
   void setCursorTime(std::optional<double> time);
+  /// A plan beside the one that is drawn lasts so long [s]; 0 = there is none.
+  void setOtherDuration(double duration);
 
   double xOf(double time) const;  ///< [px] of a time, as in the plots where they show the whole program
 
@@ -34,14 +36,14 @@ class OverviewStrip : public TimeStrip {
  private:
   enum class Grip { none, window, left, right };
 
-  double duration() const { return series_ && !series_->is_empty() ? series_->duration() : 1.0; }
+  double duration() const;
   double first() const { return -kTimeMargin * duration(); }
   double span() const { return (1 + 2 * kTimeMargin) * duration(); }
   double timeAt(double x) const { return first() + (x - left_) / std::max(right_ - left_, 1.0) * span(); }
   Grip gripAt(double x) const;
   void drawMiniature();
 
-  double begin_ = 0, end_ = 1;
+  double begin_ = 0, end_ = 1, other_ = 0;
   std::optional<double> cursor_;
   QPixmap miniature_;
   Grip grip_ = Grip::none;

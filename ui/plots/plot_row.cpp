@@ -113,6 +113,14 @@ MotionRow::MotionRow(QCustomPlot* plot, std::size_t track)
   ghost_low_ = graph("ghost below");
   for (auto& axis : axis_) axis = graph("axis");
   curve_ = graph("curve");
+  word_ = new QCPItemText(plot);
+  word_->position->setAxisRect(rect_);
+  word_->position->setType(QCPItemPosition::ptAxisRectRatio);
+  word_->position->setCoords(1.0, 0.0);
+  word_->setPositionAlignment(Qt::AlignRight | Qt::AlignTop);
+  word_->setPadding({4, 0, 4, 0});
+  word_->setClipAxisRect(rect_);
+  word_->setVisible(false);
 }
 
 QPen axis_pen(std::size_t axis, const Theme& theme) {
@@ -138,6 +146,9 @@ void MotionRow::dress(const Theme& theme, const QFont& font) {
   for (auto* cap : {cap_high_, cap_low_}) cap->setPen(cap_pen);
   for (auto* ghost : {ghost_, ghost_low_}) ghost->setPen(QPen(theme.plan_b, 1.3, Qt::DashLine));
   curve_->setPen(QPen(theme.accent, 1.6));
+  word_->setColor(theme.secondary);
+  word_->setFont(font);
+  word_->setBrush(theme.surface);
   for (std::size_t i = 0; i < kPlottedAxes; ++i) axis_[i]->setPen(axis_pen(i, theme));
 }
 
@@ -175,6 +186,11 @@ void MotionRow::showCaps(const CapCurves& caps) {
   if (kMotionTracks[track_].has_feed) fill(feed_, caps.feed);
   fill(cap_high_, caps.high[track_]);
   fill(cap_low_, caps.low[track_]);
+}
+
+void MotionRow::showWord(const QString& word) {
+  word_->setText(word);
+  word_->setVisible(!word.isEmpty());
 }
 
 void MotionRow::showAxis(std::size_t axis, const MotionCurves& curves) { fill(axis_.at(axis), curves[track_]); }

@@ -25,6 +25,7 @@ class MotionRow {
   MotionRow(QCustomPlot* plot, std::size_t track);
 
   QCPAxisRect* rect() const { return rect_; }
+  std::size_t track() const { return track_; }
   QCPAxis* value() const { return rect_->axis(QCPAxis::atLeft); }
   QCPAxis* time() const { return rect_->axis(QCPAxis::atBottom); }
   double factor() const { return factor_; }  ///< from core units to the numbers of the axis
@@ -37,6 +38,8 @@ class MotionRow {
   void showOther(const MotionEnvelope& sides);
   void showCaps(const CapCurves& caps);
   void showAxis(std::size_t axis, const MotionCurves& curves);
+  /// In place of a curve that has no values; empty: none.
+  void showWord(const QString& word);
 
  private:
   void fill(QCPGraph* graph, const Curve& curve) const;
@@ -45,6 +48,7 @@ class MotionRow {
   QCPAxisRect* rect_;
   QCPGraph *feed_, *cap_high_, *cap_low_, *ghost_, *ghost_low_, *curve_;
   std::array<QCPGraph*, kPlottedAxes> axis_ = {};
+  QCPItemText* word_;
   double factor_ = 1;
 };
 

@@ -93,7 +93,12 @@ void ProfilePlot::dress() {
   refill();
 }
 
-double ProfilePlot::duration() const { return series_ && !series_->is_empty() ? series_->duration() : 1.0; }
+/// Of the longer plan.
+double ProfilePlot::duration() const {
+  double longest = 0;
+  for (const auto* s : {series_.get(), ghost_.get()}) longest = std::max(longest, s ? s->duration() : 0.0);
+  return longest > 0 ? longest : 1.0;
+}
 
 void ProfilePlot::setSeries(std::shared_ptr<const ProfileSeries> series) {
   const bool whole = !series_ || series_->is_empty() || isWhole();
@@ -104,7 +109,9 @@ void ProfilePlot::setSeries(std::shared_ptr<const ProfileSeries> series) {
 
 void ProfilePlot::setGhost(std::shared_ptr<const ProfileSeries> series) {
   if (!ghost_ && !series) return;
+  const bool whole = isWhole();
   ghost_ = std::move(series);
+  if (whole) fit();
   refill();
 }
 
@@ -153,11 +160,45 @@ Extent ProfilePlot::wholeHeight(std::size_t track) const {
   return extent;
 }
 
-// Where all of the time is visible the plan decides; where a part of it is, what is drawn of it.
-void ProfilePlot::fitHeights(const Curves& curves) {
-  if (held_) return;
-  const bool whole = isWhole();
+void ProfilePlot::setHeightsOfCutting(bool cutting) {
+  of_cutting_ = cutting;
+  refill();
+}
+
+/// False where nothing cuts in the window.
+bool ProfilePlot::fitCutting(const Curves& curves, const TimeWindow& window) {
+  MotionExtent cutting;
+  for (const auto* s : {series_.get(), ghost_.get()}) {
+    if (s) cutting.add(cutting_extent(*s, window));
+  }
+  if (cutting[kSpeedTrack].is_empty()) return false;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
+    cutting[i].add(0.0f);
+    for (const auto& axis : curves.axes) {
+      for (qsizetype k = 0; k < axis[i].time.size(); ++k) {
+        const double value = axis[i].value[k];
+        if (std::isfinite(value) && is_cutting(*series_->outcome, axis[i].time[k]))
+          cutting[i].add(static_cast<float>(value));
+      }
+    }
+    heights_[i] = cutting[i];
+  }
+  return true;
+}
+
+/// What stands where a curve would be wrong.
+QString ProfilePlot::wordOf(std::size_t track) const {
+  if (track != kJerkTrack) return {};
+  if (series_ && series_->is_jerk_unbounded()) return tr("jerk is not bounded: acceleration changes in steps");
+  return ghost_ && ghost_->is_jerk_unbounded() ? tr("B: jerk is not bounded") : QString();
+}
+
+// Where all of the time is visible the plan decides; where a part of it is, what is drawn of it.
+void ProfilePlot::fitHeights(const Curves& curves, const TimeWindow& window) {
+  if (held_) return;
+  const bool fits_cutting = of_cutting_ && fitCutting(curves, window);
+  const bool whole = isWhole();
+  for (std::size_t i = 0; i < rows_.size() && !fits_cutting; ++i) {
     Extent extent;
     extent.add(0.0f);
     for (const auto* side : {&curves.own, &curves.other.high, &curves.other.low}) add_values(extent, (*side)[i]);
@@ -223,7 +264,9 @@ void ProfilePlot::gather() {
     }
   }
   curves.error = error_->curve(window);
-  fitHeights(curves);
+  if (series_ && series_->is_jerk_unbounded()) curves.own[kJerkTrack] = {};
+  if (ghost_ && ghost_->is_jerk_unbounded()) curves.other.high[kJerkTrack] = curves.other.low[kJerkTrack] = {};
+  fitHeights(curves, window);
   showScales();
   const bool dense = series_ && is_dense(*series_, window);
   const CapCurves caps = series_ ? cap_curves(*series_, window) : CapCurves{};
@@ -231,6 +274,7 @@ void ProfilePlot::gather() {
     row.showOwn(curves.own, dense);
     row.showOther(curves.other);
     row.showCaps(caps);
+    row.showWord(wordOf(row.track()));
     for (std::size_t axis = 0; axis < shown_.size(); ++axis) row.showAxis(axis, curves.axes[axis]);
   }
   error_->show(curves.error);
@@ -242,6 +286,7 @@ void ProfilePlot::updateMarks() {
   if (!cursor_->time || !series_ || series_->is_empty()) return;
   const PhaseState s = series_->state_at(*cursor_->time);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (i == kJerkTrack && series_->is_jerk_unbounded()) continue;
     cursor_->marks.push_back({rows_[i].value(), kMotionTracks[i].value(s) * rows_[i].factor(), theme_.accent});
   }
   if (const auto height = error_->heightAt(*cursor_->time)) {

@@ -28,6 +28,8 @@ class ProfilePlot : public QCustomPlot {
   /// Heights that are held stay when another time is looked at, and whatever becomes of the plan; else they fit what is visible.
   void setHeightsHeld(bool held);
   bool areHeightsHeld() const { return held_; }
+  /// Heights fit what cuts; rapids, many times quicker, leave the picture.
+  void setHeightsOfCutting(bool cutting);
   void setAxisShown(std::size_t axis, bool shown);  ///< X … C
   void showReadyAxes();                             ///< curves of axes that were being made are there
   void setErrorShown(bool shown);                   ///< the contour error as a fourth plot
@@ -68,7 +70,9 @@ class ProfilePlot : public QCustomPlot {
   void layOut();
   void dress();
   struct Curves;
-  void fitHeights(const Curves& curves);
+  void fitHeights(const Curves& curves, const TimeWindow& window);
+  bool fitCutting(const Curves& curves, const TimeWindow& window);
+  QString wordOf(std::size_t track) const;
   void showScales();
   Extent wholeHeight(std::size_t track) const;
   void refill();  // the curves are gathered before the next picture
@@ -91,7 +95,7 @@ class ProfilePlot : public QCustomPlot {
   Theme theme_ = light_theme();
   Units unit_;
   bool stale_ = true;
-  bool held_ = false;
+  bool held_ = false, of_cutting_ = false;
   OfTracks<Extent> heights_;            // that are shown, in core units
   std::optional<double> error_height_;  // [mm]
 

@@ -187,6 +187,7 @@ void ProfileView::setSeries(std::shared_ptr<const ProfileSeries> series) {
 void ProfileView::setGhost(std::shared_ptr<const ProfileSeries> series) {
   has_ghost_ = series != nullptr;
   fillKey();
+  overview_->setOtherDuration(series ? series->duration() : 0.0);
   plot_->setGhost(std::move(series));
 }
 

@@ -60,6 +60,7 @@ QVariant ValueTable::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole || !series_ || series_->is_empty()) return {};
   const double time = timeOf(index.row());
   const ColumnStyle style = style_of(index.column());
+  if (index.column() == kFirstTrack + static_cast<int>(kJerkTrack) && series_->is_jerk_unbounded()) return "–";
   return QString::number(
       value_of(index.column(), time, series_->state_at(time)) * display_unit(style.quantity, unit_).factor, 'f',
       decimals_of(style.quantity, style.decimals, unit_));

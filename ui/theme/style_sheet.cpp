@@ -34,7 +34,7 @@ QDockWidget { color: $secondary; titlebar-close-icon: none; titlebar-normal-icon
 QDockWidget > QWidget { background: $surface; }
 QTabBar { background: $surface; qproperty-drawBase: 0; }
 QTabBar::tab { background: $surface; color: $secondary; border: none; border-bottom: 2px solid transparent;
-  padding: 4px 8px; min-height: $tabHeight; }
+  padding: 4px 5px; min-height: $tabHeight; }
 QTabBar::tab:selected { color: $text; border-bottom: 2px solid $accent; }
 QTabBar::tab:hover { color: $text; }
 QTabBar::tab:focus { border-bottom: 2px solid $accent; background: $hover; }

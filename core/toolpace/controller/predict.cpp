@@ -45,6 +45,16 @@ std::string_view time_limit_name(TimeLimit limit) {
   return kTimeLimits[static_cast<std::size_t>(limit)];
 }
 
+Diagnostics not_counted(const ProgramText& text, const ControllerSettings& settings, const std::string& program_name) {
+  const auto* klipper = std::get_if<KlipperSettings>(&settings.values);
+  const bool counts_extruder = klipper && klipper->has_extruder;
+  const bool is_printer = dialect_of(settings.controller) == Dialect::marlin;
+  if (!is_printer || counts_extruder || (text.all_codes & kExtruderWord) == 0) return {};
+  const char* message = klipper ? "there is no [extruder] in the printer.cfg: E is not counted"
+                                : "moves of the extruder alone, and its limits, are not counted";
+  return {{Severity::warning, "extruder-not-counted", message, "", {program_name, 0, 0}, {}}};
+}
+
 Dialect dialect_of(Controller controller) {
   switch (controller) {
     case Controller::klipper:

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -68,6 +69,9 @@ struct Prediction {
 /// @return input errors: a move that the controller refuses; cancelled
 Result<Prediction> predict(const Reading& reading, const ProgramText& text, const ControllerSettings& settings,
                            const PredictOptions& options = {}, const Monitor& monitor = {});
+
+/// Warnings of what no model counts: moves of extruders.
+Diagnostics not_counted(const ProgramText& text, const ControllerSettings& settings, const std::string& program_name);
 
 /// The dialect that a controller reads programs in.
 Dialect dialect_of(Controller controller);

@@ -14,21 +14,6 @@
 namespace toolpace {
 namespace {
 
-Cause cause_of(TimeLimit limit) {
-  switch (limit) {
-    case TimeLimit::feed: return Cause::feed;
-    case TimeLimit::rapid: return Cause::rapid;
-    case TimeLimit::axis_speed: return Cause::axis_speed;
-    case TimeLimit::acceleration: return Cause::acceleration;
-    case TimeLimit::corner: return Cause::corner;
-    case TimeLimit::buffer:
-    case TimeLimit::link: return Cause::lookahead;
-    case TimeLimit::stops: return Cause::stop;
-    case TimeLimit::dwell: return Cause::dwell;
-  }
-  return Cause::stop;
-}
-
 bool is_rest(const Stage& s) { return s.from == 0 && s.to == 0; }
 double way(const Stage& s) { return 0.5 * (s.from + s.to) * s.duration; }
 
@@ -147,6 +132,21 @@ std::shared_ptr<const Job> job_of(const ControllerRun& run) {
 }
 
 }  // namespace
+
+Cause cause_of(TimeLimit limit) {
+  switch (limit) {
+    case TimeLimit::feed: return Cause::feed;
+    case TimeLimit::rapid: return Cause::rapid;
+    case TimeLimit::axis_speed: return Cause::axis_speed;
+    case TimeLimit::acceleration: return Cause::acceleration;
+    case TimeLimit::corner: return Cause::corner;
+    case TimeLimit::buffer:
+    case TimeLimit::link: return Cause::lookahead;
+    case TimeLimit::stops: return Cause::stop;
+    case TimeLimit::dwell: return Cause::dwell;
+  }
+  return Cause::stop;
+}
 
 Result<ControllerOutcome> run_on_controller(const ControllerRun& run, const Monitor& monitor) {
   if (run.settings.controller == Controller::linuxcnc) {

@@ -6,6 +6,9 @@
 
 namespace toolpace {
 
+/// What a limit is among the causes of a plan.
+Cause cause_of(TimeLimit limit);
+
 /// What runs a program.
 struct ControllerRun {
   std::shared_ptr<const Reading> program;  ///< in the controller's dialect (dialect_of())

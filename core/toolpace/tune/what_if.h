@@ -24,6 +24,10 @@ struct WhatIf {
 Result<std::vector<WhatIf>> what_if(const Reading& reading, const ProgramText& text, const ControllerSettings& settings,
                                     const PredictOptions& options, const Monitor& monitor = {});
 
+/// What people compare a controller with: corners within this [mm], planned as well as can be up to so much motion [s].
+inline constexpr double kToleranceOfSetpoints = 0.01;
+inline constexpr double kLongestRefined = 20'000;
+
 /// The same program as setpoints of this planner on the limits of the controller [s]: trapezoids across blocks, corners
 /// rounded within `tolerance` [mm]. @param refined  corners are timed anew under the axes' own limits (Job::refined), which takes
 /// half a millisecond a second of motion. Errors: of run().
