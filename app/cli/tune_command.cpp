@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "interrupt.h"
 #include "job_flags.h"
+#include "reading_flags.h"
 #include "report.h"
 #include "setting_flags.h"
 #include "toolpace/base/descriptor.h"
