@@ -58,12 +58,14 @@ void make_curve(const Moves& moves, const Run& run, double tolerance, Curve& cur
   curve.point.clear();
   curve.vertex.clear();
   curve.barrier.assign(run.count + 1, 0);
+  curve.is_arc.assign(run.count, 0);
   curve.sagitta = 0.0;
   curve.point.push_back(moves.begin_of(run.row).head<3>());
   curve.vertex.push_back(0);
   for (std::size_t k = 0; k < run.count; ++k) {
     const std::size_t row = run.row + k;
     if (moves.kind[row] == MoveKind::arc) {
+      curve.is_arc[k] = 1;
       curve.sagitta = kSagitta * tolerance;
       if (!add_arc(moves, row, curve.sagitta, curve.point)) curve.barrier[k] = curve.barrier[k + 1] = 1;
     }

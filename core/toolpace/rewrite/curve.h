@@ -16,6 +16,7 @@ struct Curve {
   std::vector<Eigen::Vector3d> point;  ///< [mm]
   std::vector<std::uint32_t> vertex;   ///< point where row k of the run begins, and behind the last one its end
   std::vector<std::uint8_t> barrier;   ///< of each vertex: no replacement goes on across it
+  std::vector<std::uint8_t> is_arc;    ///< of each row
   double sagitta = 0.0;                ///< [mm] at most how far an arc is from its chords
 
   std::size_t rows() const { return vertex.size() - 1; }

@@ -5,11 +5,14 @@
 #include <iterator>
 #include <utility>
 
+#include "toolpace/rewrite/fit_smooth.h"
+
 namespace toolpace::detail::rewrite {
 namespace {
 
 constexpr double kFinePerTolerance = 20;    // steps of I J K in a tolerance, at least
 constexpr double kMargin = 0.998;           // of the tolerance is used, so that rounding does not break it
+constexpr double kLeastGain = 0.15;         // of its rows that a stretch has to lose, or it stays as it is
 constexpr std::size_t kRowsOfStretch = 64;  // at least
 constexpr double kFloatRadius = 1000;       // [mm] up to which arcs are fine on controllers that count in floats
 
@@ -36,7 +39,7 @@ ArcRules arc_rules(Dialect dialect) {
 }
 
 Span kept(std::size_t row) {
-  return {Span::Kind::kept, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(row + 1), {}};
+  return {Span::Kind::kept, static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(row + 1), {}, {}, {}};
 }
 
 std::vector<Span> kept_rows(std::size_t first, std::size_t last) {
@@ -57,15 +60,28 @@ std::vector<Stretch> stretches_of(const std::vector<Span>& spans, Stretch::Fit f
   return stretches;
 }
 
+/// Whether a stretch loses enough of its rows.
+bool gains(const Stretch& stretch) {
+  std::size_t blocks = 0;
+  for (const Span& span : stretch.spans) blocks += span.kind == Span::Kind::biarc ? 2 : 1;
+  const std::size_t rows = stretch.last - stretch.first;
+  return static_cast<double>(rows - blocks) >= kLeastGain * static_cast<double>(rows);
+}
+
 }  // namespace
 
 ProgramFitter::ProgramFitter(const ProgramLines& lines, const Reading& reading, double tolerance, bool has_arcs)
     : lines_(lines), reading_(reading), tolerance_(tolerance), has_arcs_(has_arcs) {}
 
 FitRules ProgramFitter::rules_for(const Run& run) const {
-  FitRules rules{kMargin * tolerance_, has_arcs_, arc_rules(reading_.dialect)};
+  FitRules rules;
+  rules.tolerance = kMargin * tolerance_;
+  rules.has_arcs = has_arcs_;
+  rules.arc = arc_rules(reading_.dialect);
   if (reading_.dialect == Dialect::marlin && run.plane != 17) rules.has_arcs = false;
-  rules.arc.centre_step = run.unit * std::pow(10.0, -decimals_for(tolerance_, run.unit));
+  rules.arc.centre_step = rules.grid.step = run.unit * std::pow(10.0, -decimals_for(tolerance_, run.unit));
+  rules.grid.offset = run.offset;
+  rules.named = run.named;
   return rules;
 }
 
@@ -77,31 +93,46 @@ Result<std::vector<Edit>> ProgramFitter::fit(const Monitor& monitor) {
     edits.push_back({run, {}, decimals_for(tolerance_, run.unit)});
     make_curve(reading_.moves, run, tolerance_, curve_);
     const FitRules rules = rules_for(run);
-    const std::vector<Span> spans = fit_run(curve_, rules, run.plane);
-    const bool gains =
-        std::any_of(spans.begin(), spans.end(), [](const Span& s) { return s.kind != Span::Kind::kept; });
-    if (gains) edits.back().stretches = stretches_of(spans, rules.has_arcs ? Stretch::Fit::arcs : Stretch::Fit::lines);
+    std::vector<Span> spans = fit_run(curve_, rules, run.plane);
+    if (rules.has_arcs) spans = fit_smooth(curve_, rules, run.plane, spans);
+    std::vector<Stretch> stretches = stretches_of(spans, rules.has_arcs ? Stretch::Fit::smooth : Stretch::Fit::lines);
+    std::size_t gaining = 0;
+    for (Stretch& stretch : stretches) {
+      if (gains(stretch)) {
+        ++gaining;
+      } else {
+        keep(stretch, Stretch::Fit::idle);
+      }
+    }
+    if (gaining > 0) edits.back().stretches = std::move(stretches);
   }
   return edits;
 }
 
 void ProgramFitter::fit_simpler(const Edit& edit, Stretch& stretch) {
-  if (stretch.fit == Stretch::Fit::lines) {
-    stretch.spans = kept_rows(stretch.first, stretch.last);
-    stretch.fit = Stretch::Fit::kept;
-    return;
-  }
-  const Run part{edit.run.line + stretch.first, stretch.last - stretch.first, edit.run.row + stretch.first,
-                 edit.run.plane, edit.run.unit};
+  if (stretch.fit <= Stretch::Fit::lines) return;
+  const Run part{edit.run.line + stretch.first,
+                 stretch.last - stretch.first,
+                 edit.run.row + stretch.first,
+                 edit.run.plane,
+                 edit.run.unit,
+                 edit.run.offset,
+                 {}};
   make_curve(reading_.moves, part, tolerance_, curve_);
   FitRules rules = rules_for(part);
-  rules.has_arcs = false;
+  const bool has_arcs = stretch.fit == Stretch::Fit::smooth;
+  rules.has_arcs = rules.has_arcs && has_arcs;
   stretch.spans = fit_run(curve_, rules, part.plane);
   for (Span& span : stretch.spans) {
     span.first += stretch.first;
     span.last += stretch.first;
   }
-  stretch.fit = Stretch::Fit::lines;
+  stretch.fit = has_arcs ? Stretch::Fit::arcs : Stretch::Fit::lines;
+}
+
+void keep(Stretch& stretch, Stretch::Fit why) {
+  stretch.spans = kept_rows(stretch.first, stretch.last);
+  stretch.fit = why;
 }
 
 bool keep_span(Stretch& stretch, std::size_t span) {

@@ -19,7 +19,7 @@ class ProgramFitter {
   /// An edit for each run; those that gain nothing have no stretches. @return errors: cancelled
   Result<std::vector<Edit>> fit(const Monitor& monitor);
 
-  /// Fits a stretch with less: arcs → lines → kept as it was.
+  /// Fits a stretch with less: smooth → arcs → lines.
   void fit_simpler(const Edit& edit, Stretch& stretch);
 
  private:
@@ -31,6 +31,9 @@ class ProgramFitter {
   bool has_arcs_;
   Curve curve_;
 };
+
+/// Puts all rows of a stretch back as they were.
+void keep(Stretch& stretch, Stretch::Fit why);
 
 /// Puts the rows of spans back as they were; nothing of them is left to drop where they were kept already.
 /// @return whether anything changed

@@ -1,6 +1,7 @@
 #include "toolpace/rewrite/rewrite.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "toolpace/nc/reader.h"
@@ -13,8 +14,12 @@ namespace {
 using namespace detail::rewrite;
 
 constexpr int kProofRounds = 12;    // of writing and proving
+constexpr int kFits = 3;            // smooth, with arcs, with lines
 constexpr int kTimeRounds = 8;      // of timing
 constexpr double kSameTime = 1e-9;  // relative
+constexpr double kPatience =
+    0.01;  // relative: a stretch may take so much longer as long as the program does not, at first
+constexpr double kWorthTime = 0.005;  // relative: what is gained by less is rather shorter
 
 class Rewriter {
  public:
@@ -72,47 +77,98 @@ class Rewriter {
     }
   }
 
-  /// The fastest of the programs that come up while what takes longer than before is fitted with less, stretch by stretch.
+  /// Measures the program with all stretches smooth, then with arcs, then with lines; takes of each stretch the best of these, and
+  /// keeps as it was, with ever less patience, what still takes longer than before. The best of all that came up is returned.
   Result<Rewritten> fastest() {
     const auto before = options_.timer(reading_, text_);
     if (!before) return tl::unexpected(before.error());
-    std::optional<Rewritten> best;
-    for (int round = 0; round < kTimeRounds; ++round) {
-      auto candidate = settled();
-      if (!candidate) return candidate;
-      const auto after = options_.timer(candidate->reading, candidate->text);
-      if (!after) return tl::unexpected(after.error());
-      candidate->time_before = before->total;
-      candidate->time_after = after->total;
-      const double most = best ? *best->time_after : before->total;
-      if (after->total <= most * (1 + kSameTime)) best = std::move(*candidate);
-      if (!simplify_slower(*before, *after)) break;
+    std::vector<Measured> fits;
+    for (int k = 0; k < kFits; ++k) {
+      auto measured = measure(before->total);
+      if (!measured) return tl::unexpected(measured.error());
+      fits.push_back(std::move(*measured));
+      for (Edit& edit : edits_) {
+        for (Stretch& stretch : edit.stretches) fitter_.fit_simpler(edit, stretch);
+      }
     }
-    if (best && *best->time_after <= before->total * (1 + kSameTime)) return std::move(*best);
-    for (Edit& edit : edits_) slower_ += edit.stretches.empty() ? 0 : edit.run.count;
+    mix(fits);
+    for (int round = 0; round < kTimeRounds; ++round) {
+      const auto measured = measure(before->total);
+      if (!measured) return tl::unexpected(measured.error());
+      const double patience = kPatience * (kTimeRounds - 2 - round) / kTimeRounds;
+      if (!keep_slower(*before, measured->time, std::max(patience, kSameTime))) break;
+    }
+    if (best_) return std::move(*best_);
+    for (const Edit& edit : edits_) slower_ += edit.stretches.empty() ? 0 : edit.run.count;
     for (Edit& edit : edits_) edit.stretches.clear();
     Rewritten as_it_was = result(std::string(text_), reading_, 0.0);
     as_it_was.time_before = as_it_was.time_after = before->total;
     return as_it_was;
   }
 
-  /// @return whether there was any
-  bool simplify_slower(const ProgramTime& before, const ProgramTime& after) {
-    const auto sum = [](const ProgramTime& time, std::size_t first, std::size_t last) {
-      double total = 0.0;
-      for (std::size_t row = first; row < last && row < time.row.size(); ++row) total += time.row[row];
-      return total;
-    };
+  /// Edits as they were settled, and how long each of their stretches takes.
+  struct Measured {
+    std::vector<Edit> edits;
+    std::vector<std::vector<double>> time;  // [s]
+  };
+
+  Result<Measured> measure(double before) {
+    auto candidate = settled();
+    if (!candidate) return tl::unexpected(candidate.error());
+    const auto after = options_.timer(candidate->reading, candidate->text);
+    if (!after) return tl::unexpected(after.error());
+    Measured measured{edits_, std::vector<std::vector<double>>(edits_.size())};
+    for (std::size_t k = 0; k < edits_.size(); ++k) {
+      for (std::size_t s = 0; s < edits_[k].stretches.size(); ++s)
+        measured.time[k].push_back(sum(*after, rows_[k][s].first, rows_[k][s].last));
+    }
+    candidate->time_before = before;
+    candidate->time_after = after->total;
+    if (after->total <= before * (1 + kSameTime) && (!best_ || is_better(*candidate, *best_)))
+      best_ = std::move(*candidate);
+    return measured;
+  }
+
+  static double sum(const ProgramTime& time, std::size_t first, std::size_t last) {
+    double total = 0.0;
+    for (std::size_t row = first; row < std::min(last, time.row.size()); ++row) total += time.row[row];
+    return total;
+  }
+
+  /// Of each stretch the fastest fit; of those about as fast the first.
+  void mix(const std::vector<Measured>& fits) {
+    edits_ = fits.front().edits;
+    for (std::size_t k = 0; k < edits_.size(); ++k) {
+      for (std::size_t s = 0; s < edits_[k].stretches.size(); ++s) {
+        double least = fits.front().time[k][s];
+        for (const Measured& fit : fits) {
+          if (fit.edits[k].stretches.empty() || fit.time[k][s] >= least * (1 - kWorthTime)) continue;
+          least = fit.time[k][s];
+          edits_[k].stretches[s] = fit.edits[k].stretches[s];
+        }
+      }
+    }
+  }
+
+  /// Faster by what is worth it, or else shorter.
+  static bool is_better(const Rewritten& a, const Rewritten& b) {
+    const double saved = *b.time_after - *a.time_after;
+    if (std::fabs(saved) > kWorthTime * *b.time_after) return saved > 0.0;
+    return a.reading.moves.size() < b.reading.moves.size();
+  }
+
+  /// @param patience  relative
+  /// @return whether there was anything to keep, now or with less patience
+  bool keep_slower(const ProgramTime& before, const std::vector<std::vector<double>>& after, double patience) {
     bool any = false;
     for (std::size_t k = 0; k < edits_.size(); ++k) {
       Edit& edit = edits_[k];
       for (std::size_t s = 0; s < edit.stretches.size(); ++s) {
         Stretch& stretch = edit.stretches[s];
-        if (stretch.fit == Stretch::Fit::kept) continue;
+        if (stretch.fit <= Stretch::Fit::kept) continue;
         const double old = sum(before, edit.run.row + stretch.first, edit.run.row + stretch.last);
-        if (sum(after, rows_[k][s].first, rows_[k][s].last) <= old * (1 + kSameTime)) continue;
-        fitter_.fit_simpler(edit, stretch);
-        any = true;
+        any = any || after[k][s] > old * (1 + kSameTime);
+        if (after[k][s] > old * (1 + patience)) keep(stretch, Stretch::Fit::kept);
       }
     }
     return any;
@@ -142,6 +198,7 @@ class Rewriter {
   const Monitor& monitor_;
   ProgramFitter fitter_;
   std::vector<Edit> edits_;
+  std::optional<Rewritten> best_;
   std::vector<std::vector<Rows>> rows_;  // of stretches in the program written last
   std::size_t unproven_ = 0, slower_ = 0;
 };

@@ -57,7 +57,7 @@ class RunFinder {
     if (!modal || modal->distance != 900 || modal->arc_distance != 911 || modal->compensation != 400 ||
         modal->lathe_diameter != 80)
       return false;
-    open_ = Run{line, 0, row, moves_.modes[moves_.mode[row]].plane, modal->units == 200 ? nc::kMmPerInch : 1.0};
+    open_ = Run{line, 0, row, moves_.modes[moves_.mode[row]].plane, modal->units == 200 ? nc::kMmPerInch : 1.0, {}, {}};
     offset_ = {};
     return true;
   }
@@ -84,7 +84,10 @@ class RunFinder {
     const double near = kSame * std::max(1.0, std::fabs(to));
     if (word.empty()) return std::fabs(to - from) <= near;
     const double offset = to - value_of(word) * open_->unit;
-    if (!offset_[axis]) offset_[axis] = offset;
+    if (!offset_[axis]) {
+      offset_[axis] = open_->offset[static_cast<Eigen::Index>(axis)] = offset;
+      open_->named[axis] = static_cast<std::uint32_t>(open_->count);
+    }
     return std::fabs(offset - *offset_[axis]) <= near;
   }
 
@@ -95,6 +98,9 @@ class RunFinder {
     while (count >= 2 && moves_.kind[open_->row + count - 1] == MoveKind::arc &&
            !is_motion_named_from(lines_, open_->line + count))
       --count;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!offset_[axis]) open_->named[axis] = static_cast<std::uint32_t>(count);
+    }
     if (count >= 2) runs_.push_back(*open_);
     open_.reset();
   }

@@ -1,6 +1,8 @@
 #pragma once
 /// Which lines of a program may be written anew.
 
+#include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,7 +22,9 @@ struct Run {
   std::size_t count = 0;  ///< of lines, and of rows, ≥ 2
   std::size_t row = 0;    ///< first one of the moves
   int plane = 17;
-  double unit = 1.0;  ///< [mm] of the program's unit of length
+  double unit = 1.0;                                 ///< [mm] of the program's unit of length
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< [mm] of the machine's coordinates from the program's
+  std::array<std::uint32_t, 3> named = {};  ///< first row of the run that names X, Y, Z; `count` where none does
 };
 
 /// Whether numbers without a decimal point may count least increments.

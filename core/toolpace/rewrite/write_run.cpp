@@ -95,34 +95,58 @@ class RunWriter {
   }
 
   void write_span(const Span& span, std::string_view label, bool is_last) {
-    const bool is_arc = span.kind == Span::Kind::arc;
-    const int needed = !is_arc ? 1 : span.arc.clockwise ? 2 : 3;
-    if (is_arc && span.arc.plane != plane_) add_code(plane_ = span.arc.plane);
-    if (!is_arc && is_last && plane_ != edit_.run.plane) add_code(plane_ = edit_.run.plane);
-    if (needed != motion_) add_code(motion_ = needed);
+    const bool is_arc = span.kind != Span::Kind::line;
+    if (span.kind == Span::Kind::biarc) write_joint(span);
+    const FittedArc& arc = span.kind == Span::Kind::biarc ? span.second : span.arc;
+    const bool is_round = is_arc && arc.turns > 0;
+    add_codes(is_round, arc);
+    if (!is_round && is_last && plane_ != edit_.run.plane) add_code(plane_ = edit_.run.plane);
     add_end(span);
-    if (is_arc) add_centre(span.arc);
-    add_feed(span);
+    if (is_round) add_centre(arc);
+    if (span.kind != Span::Kind::biarc) add_feed(span);
     end_line(label, lines_.ending(line_of(span.last - 1)));
+  }
+
+  void add_codes(bool is_round, const FittedArc& arc) {
+    const int needed = !is_round ? 1 : arc.clockwise ? 2 : 3;
+    if (is_round && arc.plane != plane_) add_code(plane_ = arc.plane);
+    if (needed != motion_) add_code(motion_ = needed);
+  }
+
+  /// The first block of a biarc.
+  void write_joint(const Span& span) {
+    add_codes(span.arc.turns > 0, span.arc);
+    const Eigen::Vector3d from = moves_.begin_of(edit_.run.row + span.first).head<3>();
+    const Eigen::Index normal = PlaneOfArcs(span.arc.plane).normal;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      if (axis == normal && span.joint[axis] == from[axis]) continue;
+      const double place = (span.joint[axis] - edit_.run.offset[axis]) / edit_.run.unit;
+      add(std::string_view("XYZ").substr(static_cast<std::size_t>(axis), 1),
+          shortened(fmt::format("{:.{}f}", place, edit_.decimals), keeps_points_));
+    }
+    if (span.arc.turns > 0) add_centre(span.arc);
+    add_feed(span);
+    end_line({}, lines_.ending(line_of(span.last - 1)));
   }
 
   /// The words of axes that the span moves, and of an arc both of its plane; at least one.
   void add_end(const Span& span) {
     const std::size_t row = edit_.run.row;
     const AxisVector &from = moves_.begin_of(row + span.first), &to = moves_.end[row + span.last - 1];
-    const bool is_arc = span.kind == Span::Kind::arc;
-    const Eigen::Index normal = !is_arc ? 3 : 19 - span.arc.plane;
+    const bool is_arc = span.kind != Span::Kind::line;
+    const Eigen::Index normal = !is_arc ? 3 : PlaneOfArcs(span.arc.plane).normal;
     bool any = false;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      if (from[axis] == to[axis] && (!is_arc || axis == normal)) continue;
+      const bool by_joint = span.kind == Span::Kind::biarc && span.joint[axis] != from[axis];
+      if (from[axis] == to[axis] && !by_joint && (!is_arc || axis == normal)) continue;
       any = add_axis(span, axis) || any;
     }
     for (Eigen::Index axis = 0; axis < 3 && !any; ++axis) any = add_axis(span, axis);
   }
 
-  /// As it is written last within the span.
+  /// As it is written last up to the span's end.
   bool add_axis(const Span& span, Eigen::Index axis) {
-    for (std::size_t k = span.last; k-- > span.first;) {
+    for (std::size_t k = span.last; k-- > edit_.run.named[static_cast<std::size_t>(axis)];) {
       const auto line = plain_line(lines_.content(line_of(k)));
       const std::string_view number = line->axis[static_cast<std::size_t>(axis)];
       if (number.empty()) continue;

@@ -18,6 +18,7 @@ Curve curve_of(const std::vector<Eigen::Vector3d>& points) {
     curve.vertex.push_back(static_cast<std::uint32_t>(k));
   }
   curve.barrier.assign(points.size(), 0);
+  curve.is_arc.assign(points.size() - 1, 0);
   curve.barrier.front() = curve.barrier.back() = 1;
   return curve;
 }
@@ -100,8 +101,8 @@ TEST(ARun, EndsItsBlocksAtBarriers) {
 }
 
 TEST(ARunOfNoise, LosesNothingWhereItWouldGainLittle) {
-  // Two rows within the whole tolerance, but not within a third of it.
-  const Curve curve = curve_of({{0, 0, 0}, {1, 0.008, 0}, {2, 0, 0}});
+  // Two rows within the whole tolerance, but not well within it.
+  const Curve curve = curve_of({{0, 0, 0}, {1, 0.009, 0}, {2, 0, 0}});
   const auto spans = fit_run(curve, {}, 17);
   ASSERT_EQ(spans.size(), 2u);
   EXPECT_EQ(spans[0].kind, Span::Kind::kept);
