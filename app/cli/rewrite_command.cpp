@@ -17,17 +17,20 @@
 #include "toolpace/base/descriptor.h"
 #include "toolpace/base/input_file.h"
 #include "toolpace/io/output_file.h"
+#include "toolpace/machine/controller_machine.h"
 #include "toolpace/rewrite/controller_timer.h"
 #include "toolpace/rewrite/rewrite.h"
 
 namespace toolpace::cli {
 namespace {
 
+constexpr double kBitsOfBlock = 300;  // 30 bytes, as blocks with three coordinates or a centre have
+
 struct RewriteFlags {
   ReadingFlags reading;
   JobFlags job;
   ControllerFlags controller;
-  std::string output, fit = "arcs";
+  std::string output, fit = "arcs", feeds = "keep";
   bool json = false;
 };
 
@@ -45,6 +48,10 @@ Result<Order> order_of(const RewriteFlags& flags) {
   }
   if (flags.output.empty())
     return tl::unexpected(usage_error("flag-missing", "there is no file to write", "name it with -o"));
+  if (flags.feeds != "keep" && flags.feeds != "planned") {
+    return tl::unexpected(
+        usage_error("bad-flag", "--feeds does not know '" + flags.feeds + "'", "give one of keep, planned"));
+  }
   auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
   auto predict = flags.controller.options();
@@ -90,9 +97,28 @@ bool has_arcs(const std::optional<ControllerSettings>& settings) {
   return !klipper || klipper->has_arcs;
 }
 
+/// Of the machine; or, where a controller is named, what of its own limits it does not hold by itself: all models hold speeds of axes,
+/// LinuxCNC's accelerations on arcs, too.
+FeedLimits feed_limits(const Order& order) {
+  FeedLimits limits{order.setup.machine, 0.0};
+  if (order.settings) {
+    limits.machine = controller_setup(*order.settings).machine;
+    limits.machine.path.speed = kUnlimited;
+    for (AxisLimits& axis : limits.machine.axes) axis.speed = kUnlimited;
+    if (order.settings->controller == Controller::linuxcnc) {
+      limits.machine.path.acceleration = kUnlimited;
+      for (AxisLimits& axis : limits.machine.axes) axis.acceleration = kUnlimited;
+    }
+  }
+  limits.block_time = order.predict.block_time.value_or(0.0);
+  if (order.predict.baud) limits.block_time += kBitsOfBlock / *order.predict.baud;
+  return limits;
+}
+
 Result<Rewritten> rewrite_with_times(const RewriteFlags& flags, const Order& order, std::string_view text,
                                      const Reading& reading) {
-  RewriteOptions options{order.setup.options.corner.tolerance, flags.fit == "arcs" && has_arcs(order.settings), {}};
+  RewriteOptions options{order.setup.options.corner.tolerance, flags.fit == "arcs" && has_arcs(order.settings), {}, {}};
+  if (flags.feeds == "planned") options.feeds = feed_limits(order);
   const Monitor monitor = terminal_monitor("rewriting");
   if (order.settings) options.timer = controller_timer(*order.settings, order.predict, {monitor.stop, {}});
   auto rewritten = rewrite(text, flags.reading.program, reading, flags.reading.options(), options, monitor);
@@ -123,6 +149,7 @@ Json rewrite_json(const Told& t) {
           {"dialect", std::string(dialect_name(t.reading.dialect))},
           {"controller", std::move(controller)},
           {"fit", t.flags.fit},
+          {"feeds", t.flags.feeds},
           {"tolerance_mm", t.order.setup.options.corner.tolerance},
           {"blocks_in", motion_blocks(t.reading.moves)},
           {"blocks_out", motion_blocks(t.rewritten.reading.moves)},
@@ -182,6 +209,8 @@ void add_rewrite_command(CommandLine& line) {
                [flags] { return run_rewrite(*flags); });
   command.output("-o,--output FILE", flags->output, "The new program; - = standard output");
   command.word("--fit HOW", flags->fit, "arcs (default): lines, arcs and helices; lines: lines alone");
+  command.word("--feeds HOW", flags->feeds,
+               "keep (default); planned: lower F where axes could not follow, or blocks would come too late");
   flags->controller.add_to(command, Need::optional);
   command.json(flags->json, "Print one JSON object");
   flags->job.add_to(command);

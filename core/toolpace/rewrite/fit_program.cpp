@@ -109,6 +109,10 @@ Result<std::vector<Edit>> ProgramFitter::fit(const Monitor& monitor) {
   return edits;
 }
 
+std::vector<Stretch> ProgramFitter::as_it_is(const Run& run) {
+  return stretches_of(kept_rows(0, run.count), Stretch::Fit::idle);
+}
+
 void ProgramFitter::fit_simpler(const Edit& edit, Stretch& stretch) {
   if (stretch.fit <= Stretch::Fit::lines) return;
   const Run part{edit.run.line + stretch.first,
@@ -138,7 +142,8 @@ void keep(Stretch& stretch, Stretch::Fit why) {
 bool keep_span(Stretch& stretch, std::size_t span) {
   const Span old = stretch.spans[span];
   if (old.kind == Span::Kind::kept) return false;
-  const std::vector<Span> rows = kept_rows(old.first, old.last);
+  std::vector<Span> rows = kept_rows(old.first, old.last);
+  for (Span& row : rows) row.feed = old.feed, row.programmed = old.programmed;
   const auto at = stretch.spans.erase(stretch.spans.begin() + static_cast<std::ptrdiff_t>(span));
   stretch.spans.insert(at, rows.begin(), rows.end());
   return true;

@@ -19,6 +19,9 @@ class ProgramFitter {
   /// An edit for each run; those that gain nothing have no stretches. @return errors: cancelled
   Result<std::vector<Edit>> fit(const Monitor& monitor);
 
+  /// A run's rows as stretches that stay.
+  static std::vector<Stretch> as_it_is(const Run& run);
+
   /// Fits a stretch with less: smooth → arcs → lines.
   void fit_simpler(const Edit& edit, Stretch& stretch);
 

@@ -19,6 +19,8 @@ struct Span {
   FittedArc arc;                                    ///< of a biarc the first one
   FittedArc second;                                 ///< of a biarc; turns 0: a line
   Eigen::Vector3d joint = Eigen::Vector3d::Zero();  ///< of a biarc
+  double programmed = 0.0;  ///< F that the program has there, in its units; where feeds are planned
+  double feed = 0.0;        ///< F that is lower; 0 = the program's
 };
 
 /// Neighbouring blocks of a run that are written, or left, together.

@@ -1,5 +1,6 @@
 #include "toolpace/rewrite/fit_smooth.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

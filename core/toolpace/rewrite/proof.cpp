@@ -115,7 +115,7 @@ class Prover {
     if (j_ == begin) return false;
     const Pending pending{place, {i_, i_ + rows}, {begin, j_}};
     i_ += rows;
-    if (!begins_and_ends_alike(pending) || !says_the_same(pending)) {
+    if (!begins_and_ends_alike(pending) || !says_the_same(pending, span.feed > 0.0)) {
       proof_.wrong.push_back(place);
     } else if (span.kind != Span::Kind::kept) {
       pending_.push_back(pending);
@@ -138,8 +138,8 @@ class Prover {
            a_.end[p.before.last - 1] == b_.end[p.after.last - 1];
   }
 
-  /// As fast, and under the same modes but for the plane.
-  bool says_the_same(const Pending& p) const {
+  /// As fast, or slower where that is planned, and under the same modes but for the plane.
+  bool says_the_same(const Pending& p, bool may_be_slower) const {
     const std::size_t first = p.before.first;
     for (std::size_t row = first; row < p.before.last; ++row) {
       if (a_.feed[row] != a_.feed[first]) return false;
@@ -148,7 +148,9 @@ class Prover {
       MoveMode mode = b_.modes[b_.mode[row]];
       mode.plane = a_.modes[a_.mode[first]].plane;
       const bool feeds = b_.kind[row] == MoveKind::feed || b_.kind[row] == MoveKind::arc;
-      if (!feeds || b_.feed[row] != a_.feed[first] || !(mode == a_.modes[a_.mode[first]])) return false;
+      if (!feeds || (may_be_slower ? b_.feed[row] > a_.feed[first] : b_.feed[row] != a_.feed[first]) ||
+          !(mode == a_.modes[a_.mode[first]]))
+        return false;
     }
     return true;
   }

@@ -38,11 +38,30 @@ class Rewriter {
     auto edits = fitter_.fit(monitor_);
     if (!edits) return tl::unexpected(edits.error());
     edits_ = std::move(*edits);
-    if (!options_.timer) return settled();
-    return fastest();
+    auto rewritten = options_.timer ? fastest() : settled();
+    if (!rewritten || !options_.feeds) return rewritten;
+    return with_planned_feeds(std::move(*rewritten));
   }
 
  private:
+  /// The same with lower feeds where the program's cannot be held; as it was where that does not pass the proof.
+  Result<Rewritten> with_planned_feeds(Rewritten rewritten) {
+    if (!best_edits_.empty()) edits_ = best_edits_;
+    for (Edit& edit : edits_) {
+      if (edit.stretches.empty()) edit.stretches = fitter_.as_it_is(edit.run);
+    }
+    plan_feeds(reading_, *options_.feeds, edits_);
+    auto planned = settled();
+    if (!planned) return planned;
+    if (!has_edits()) return rewritten;
+    planned->time_before = rewritten.time_before;
+    if (!options_.timer) return planned;
+    const auto after = options_.timer(planned->reading, planned->text);
+    if (!after) return tl::unexpected(after.error());
+    planned->time_after = after->total;
+    return planned;
+  }
+
   /// The program with the present edits, less what does not pass the proof.
   Result<Rewritten> settled() {
     for (int round = 0; round < kProofRounds && has_edits(); ++round) {
@@ -124,8 +143,10 @@ class Rewriter {
     }
     candidate->time_before = before;
     candidate->time_after = after->total;
-    if (after->total <= before * (1 + kSameTime) && (!best_ || is_better(*candidate, *best_)))
+    if (after->total <= before * (1 + kSameTime) && (!best_ || is_better(*candidate, *best_))) {
       best_ = std::move(*candidate);
+      best_edits_ = edits_;
+    }
     return measured;
   }
 
@@ -199,6 +220,7 @@ class Rewriter {
   ProgramFitter fitter_;
   std::vector<Edit> edits_;
   std::optional<Rewritten> best_;
+  std::vector<Edit> best_edits_;
   std::vector<std::vector<Rows>> rows_;  // of stretches in the program written last
   std::size_t unproven_ = 0, slower_ = 0;
 };

@@ -11,6 +11,7 @@
 #include "toolpace/base/monitor.h"
 #include "toolpace/nc/read_options.h"
 #include "toolpace/nc/reading.h"
+#include "toolpace/rewrite/feeds.h"
 
 namespace toolpace {
 
@@ -24,9 +25,10 @@ struct ProgramTime {
 using ProgramTimer = std::function<Result<ProgramTime>(const Reading& reading, std::string_view text)>;
 
 struct RewriteOptions {
-  double tolerance = 0.01;  ///< [mm] > 0: how far the new path may be from the old one
-  bool has_arcs = true;     ///< arcs and helices, too; else lines alone
-  ProgramTimer timer = {};  ///< where it is given, parts that would take longer are left as they were
+  double tolerance = 0.01;               ///< [mm] > 0: how far the new path may be from the old one
+  bool has_arcs = true;                  ///< arcs and helices, too; else lines alone
+  ProgramTimer timer = {};               ///< where it is given, parts that would take longer are left as they were
+  std::optional<FeedLimits> feeds = {};  ///< where they are given, feeds are lowered to what keeps them; after all else
 };
 
 struct Rewritten {
@@ -45,7 +47,7 @@ struct Rewritten {
 /// The distance is that of a walk along both paths which never goes back (Fréchet). Blocks end where rows of the program do, in
 /// the program's own numbers, so that positions at all that is no feed move are the same to the bit. Corners stay (curve.h). The
 /// result was read again, and everything above proven on that; what does not pass is left as it was. With a timer the result
-/// never takes longer than the program.
+/// never takes longer than the program, but for what planned feeds cost.
 ///
 /// @param reading  of `text`, as read_text(text, name, read_options) has it
 /// @return errors: input ("program-refused"); cancelled; of the timer

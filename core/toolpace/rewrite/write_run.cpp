@@ -35,6 +35,7 @@ class RunWriter {
     gap_ = first->is_spaced ? " " : "";
     case_ = first->is_lower ? 'a' - 'A' : 0;
     if (first->motion == 0) motion_ = motion_of_row(moves, edit.run.row);
+    if (first->feed.empty() && edit.plans_feeds) feed_ = edit.stretches.front().spans.front().programmed;
   }
 
   void write(std::size_t number) {
@@ -81,14 +82,17 @@ class RunWriter {
     const bool in_plane = needed == 1 || plane_ == edit_.run.plane;
     const std::string_view content = lines_.content(line_of(span.first));
     if (in_plane && (line.motion != 0 || motion_ == needed)) {
-      block_ = content;
+      block_ = edit_.plans_feeds ? without_feed(content, line) : std::string(content);
+      if (edit_.plans_feeds) add_planned_feed(span);
       end_line({}, lines_.ending(line_of(span.first)));
     } else {
       if (!in_plane) add_code(plane_ = edit_.run.plane);
       if (line.motion == 0) add_code(needed);
       const std::size_t label = line.label.empty() ? 0 : content.find(line.label) + line.label.size();
-      const std::string_view rest = content.substr(label);
+      const std::string whole = edit_.plans_feeds ? without_feed(content, line) : std::string(content);
+      const std::string_view rest = std::string_view(whole).substr(label);
       block_.append(gap_).append(rest.substr(std::min(rest.find_first_not_of(" \t"), rest.size())));
+      if (edit_.plans_feeds) add_planned_feed(span);
       end_line(line.label, lines_.ending(line_of(span.first)));
     }
     motion_ = needed;
@@ -175,10 +179,34 @@ class RunWriter {
 
   /// Where the feed changes with the span, or the run begins: what is written there.
   void add_feed(const Span& span) {
+    if (edit_.plans_feeds) return add_planned_feed(span);
     const std::size_t row = edit_.run.row + span.first;
     if (span.first > 0 && moves_.feed[row] == moves_.feed[row - 1]) return;
     const auto line = plain_line(lines_.content(line_of(span.first)));
     if (!line->feed.empty()) add("F", line->feed);
+  }
+
+  void add_planned_feed(const Span& span) {
+    const double feed = span.feed > 0.0 ? span.feed : span.programmed;
+    if (feed == feed_ || !(feed > 0.0)) return;
+    feed_ = feed;
+    add("F", feed_text(feed));
+  }
+
+  std::string feed_text(double feed) const {
+    std::string text = fmt::format("{}", feed);
+    if (text.find_first_not_of("0123456789.") != std::string::npos) text = fmt::format("{:.9f}", feed);
+    return keeps_points_ && text.find('.') == std::string::npos ? text + '.' : text;
+  }
+
+  /// N stays where it is.
+  static std::string without_feed(std::string_view content, const PlainLine& line) {
+    if (line.feed.empty()) return std::string(content);
+    const auto number = static_cast<std::size_t>(line.feed.data() - content.data());
+    std::size_t begin = content.find_last_of("Ff", number);
+    const std::size_t end = number + line.feed.size();
+    if (begin > 0 && content[begin - 1] == ' ') --begin;
+    return std::string(content.substr(0, begin)).append(content.substr(end));
   }
 
   /// Lets the lines behind the run find the modal state that they expect.
@@ -186,9 +214,12 @@ class RunWriter {
     const Run& run = edit_.run;
     const int expected = motion_of_row(moves_, run.row + run.count - 1);
     const bool restores_motion = motion_ != expected && !is_motion_named_from(lines_, run.line + run.count);
-    if (plane_ == run.plane && !restores_motion) return;
+    const double feed = edit_.stretches.back().spans.back().programmed;
+    const bool restores_feed = edit_.plans_feeds && feed_ != feed;
+    if (plane_ == run.plane && !restores_motion && !restores_feed) return;
     if (plane_ != run.plane) add_code(run.plane);
     if (restores_motion) add_code(expected);
+    if (restores_feed) add("F", feed_text(feed));
     const std::string_view ending = lines_.ending(run.line + run.count - 1);
     end_line({}, ending.empty() ? "\n" : ending);
   }
@@ -199,7 +230,8 @@ class RunWriter {
   bool keeps_points_;
   Composed& out_;
   int plane_;
-  int motion_ = 0;  // modal one in what is written; 0 = not known
+  int motion_ = 0;     // modal one in what is written; 0 = not known
+  double feed_ = 0.0;  // the same, in the program's units
   Origin origin_;
   std::string_view gap_;
   int case_ = 0;

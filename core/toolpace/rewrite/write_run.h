@@ -16,6 +16,7 @@ struct Edit {
   Run run;
   std::vector<Stretch> stretches;  ///< of all its rows; none = it stays as it is
   int decimals = 4;                ///< of I J K
+  bool plans_feeds = false;        ///< F is written as the spans have it
 };
 
 /// What a line of a composed text stands for.

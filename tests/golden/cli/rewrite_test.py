@@ -61,6 +61,19 @@ class Rewrite(CommandLineTest):
             self.assertLessEqual(told["blocks_out"], most, name)
             self.assertLessEqual(told["max_deviation_mm"], 0.01, name)
 
+    def test_planned_feeds_keep_the_axes_within_their_limits(self):
+        # 10 mm/s² on a radius of 20 mm allow √(10·20) = 14.1 mm/s; the program wants F1200 = 20 mm/s.
+        program = self.file("a.ngc", HEAD + chords() + TAIL)
+        machine = self.file("m.toml", "[path]\nmax_speed_mm_s = 100\nmax_acceleration_mm_s2 = 100\nmax_jerk_mm_s3 = 1e6\n" +
+                            "".join(f"[axes.{axis}]\nmax_acceleration_mm_s2 = 10\n" for axis in "XYZ"))
+        told, text = self.rewrite(program, "--machine", machine, "--feeds", "planned")
+        self.assertEqual(told["feeds"], "planned")
+        feeds = [float(word[1:]) for line in text.splitlines() for word in line.split() if word[0] == "F"]
+        self.assertEqual(max(feeds), 1200)
+        self.assertLess(min(feeds), 60 * math.sqrt(10 * 20.01))
+        self.assertGreater(min(feeds), 60 * math.sqrt(10 * 20) * 0.98)
+        self.assertEqual(text[-len(TAIL):], TAIL)
+
     def test_the_summary_is_for_people(self):
         run = self.run_toolpace("rewrite", self.file("a.ngc", HEAD + chords() + TAIL), "-o", "out.ngc")
         self.assertEqual(run.code, FINE, run.err)
@@ -74,7 +87,7 @@ class Rewrite(CommandLineTest):
 
     def test_what_cannot_be_done_is_said(self):
         program = self.file("a.ngc", HEAD + chords() + TAIL)
-        for arguments, words in ((["--fit", "curves"], "arcs, lines"), (["--tolerance-mm", "0"], "--tolerance-mm"),
+        for arguments, words in ((["--fit", "curves"], "arcs, lines"), (["--feeds", "slow"], "keep, planned"), (["--tolerance-mm", "0"], "--tolerance-mm"),
                                  (["--controller", "grbl"], "--settings"), (["--baud", "9600"], "--settings")):
             run = self.run_toolpace("rewrite", program, "-o", "out.ngc", *arguments)
             self.expect_failure(run, BAD_USAGE, words)

@@ -41,7 +41,7 @@ TEST(TheTangentOfACurve, IsThatOfTheParabolaThroughItsPoints) {
 TEST(ABiarc, LeavesAndArrivesAsItIsTold) {
   const Curve curve = clothoid();
   const Eigen::Vector3d out(1, 0, 0), in(std::cos(1.0), std::sin(1.0), 0);
-  const auto biarc = BiarcFitter(curve, {}, {}, 0.1).fit(17, 0, 200, out, in);
+  const auto biarc = BiarcFitter(curve, {}, {}, 0.3).fit(17, 0, 200, out, in);
   ASSERT_TRUE(biarc);
   // Radii stand at right angles to both directions, and meet in one line at the joint.
   EXPECT_NEAR(biarc->first.i, 0, 1e-3);
