@@ -1114,6 +1114,10 @@
             <translation>程序报警</translation>
         </message>
         <message>
+            <source>program-refused</source>
+            <translation>程序有错误</translation>
+        </message>
+        <message>
             <source>program-repeats</source>
             <translation>程序无限重复</translation>
         </message>
@@ -1979,6 +1983,10 @@
         <message>
             <source>check the numbers of this line</source>
             <translation>检查本行的数值</translation>
+        </message>
+        <message>
+            <source>correct them first</source>
+            <translation>请先改正这些错误</translation>
         </message>
         <message>
             <source>check the path</source>

@@ -280,6 +280,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies",
                       "check the centre words I J K, G90.1/G91.1, and the plane; --arc-tolerance-mm lets more pass"),
     QT_TRANSLATE_NOOP("remedies", "check G17 G18 G19; --dialect grbl and others leave the word out"),
+    QT_TRANSLATE_NOOP("remedies", "correct them first"),
     QT_TRANSLATE_NOOP("remedies", "P1 to P300 are G54.1 P1 to P300"),
     QT_TRANSLATE_NOOP("remedies", "$ names the spindle of M3 M4 M5 M19 S G33 G33.1 G76 G96 G97"),
     QT_TRANSLATE_NOOP("remedies", "put it in quotes"),
