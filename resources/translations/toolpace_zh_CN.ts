@@ -1557,6 +1557,10 @@
             <source>controller-over-limit</source>
             <translation>超出轴的限值</translation>
         </message>
+        <message>
+            <source>extruder-not-counted</source>
+            <translation>未计入挤出机</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>

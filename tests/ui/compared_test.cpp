@@ -45,6 +45,7 @@ class OnController : public Opened {
  public:
   OnController() { open(kProgram, "p.nc"); }
   double seconds() { return workspace().pinned() ? workspace().pinned().timeline->duration() : 0; }
+  bool takes(double expected) { return std::abs(seconds() - expected) < 1e-9; }
   QByteArray text() { return QByteArray::fromStdString(workspace().controller().text()->text); }
   QLineEdit& setting(const char* key) { return the<QLineEdit>((QByteArray("setting ") + key).constData()); }
   QString button() { return the<QToolButton>("runsButton").text(); }
@@ -78,7 +79,7 @@ class ComparedTest : public QObject {
     Workspace& workspace = window.workspace();
     const auto own = workspace.plan().timeline->outcome();
     QVERIFY(window.openController(in("grbl.txt")));
-    TOOLPACE_EVENTUALLY_EQUAL(window.seconds(), predicted(kGrbl));
+    TOOLPACE_EVENTUALLY(window.takes(predicted(kGrbl)));
     QVERIFY(workspace.plan().timeline->outcome() == own);
     QCOMPARE(window.button(), QString("Runs on grbl"));
     // $122 is missing, which is told.
@@ -98,13 +99,13 @@ class ComparedTest : public QObject {
     const QByteArray quick = QByteArray(kGrbl).replace("$120=500.000", "$120=250.000");
     window.type("$120", "250");
     QCOMPARE(window.text(), quick);
-    TOOLPACE_EVENTUALLY_EQUAL(window.seconds(), predicted(quick));
+    TOOLPACE_EVENTUALLY(window.takes(predicted(quick)));
     QCOMPARE(window.button(), QString("Runs on grbl*"));
     screenshot(window, "runs-on-grbl");
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(window.text(), kGrbl);
     QCOMPARE(window.button(), QString("Runs on grbl"));
-    TOOLPACE_EVENTUALLY_EQUAL(window.seconds(), predicted(kGrbl));
+    TOOLPACE_EVENTUALLY(window.takes(predicted(kGrbl)));
     window.actions().redo->trigger();
     // Only the line that was changed is another one in the file.
     QCOMPARE(content(in("grbl.txt")), kGrbl);
@@ -205,10 +206,10 @@ class ComparedTest : public QObject {
     window.openController(in("mill.ini"));
     workspace.cancel();
     TOOLPACE_EVENTUALLY(!workspace.isBusy());
-    QVERIFY(!workspace.controllerView().found);
-    QVERIFY(workspace.controllerView().is_stale);
+    // Unless it was quicker, there is nothing, and that is said.
+    QVERIFY(workspace.controllerView().found || workspace.controllerView().is_stale);
     window.type("[AXIS_X] MAX_ACCELERATION", "800");
-    TOOLPACE_EVENTUALLY(workspace.controllerView().found);
+    TOOLPACE_EVENTUALLY(workspace.controllerView().found && !workspace.controllerView().is_stale);
     const double seconds = predicted(QByteArray(mill).replace("1000\n[AXIS_Y]", "800\n[AXIS_Y]"), Controller::linuxcnc);
     QCOMPARE(workspace.controllerView().found->prediction.cycle_time, seconds);
     QVERIFY(!workspace.pinned());

@@ -23,6 +23,14 @@ constexpr double kLeastSaved = 5e-4;  // [s]; less is nothing to a person
 
 constexpr int kSettingColumns = 4;  // setting, values, seconds, share
 
+/// Without the section where the key alone says enough; an axis has the same keys as another.
+QString brief_name(const WhatIf& what) {
+  const auto end = what.setting.find("] ");
+  const bool is_of_axis = what.setting.starts_with("[AXIS_");
+  if (end == std::string::npos || is_of_axis) return setting_name(what.setting, what.title);
+  return QString::fromStdString(what.setting.substr(end + 2));
+}
+
 }  // namespace
 
 ControllerPanel::ControllerPanel(QWidget* parent)
@@ -151,10 +159,11 @@ void ControllerPanel::showRows() {
     const bool nothing = std::abs(saved) < kLeastSaved;
     const QColor colour = nothing ? theme_.secondary : saved > 0 ? theme_.good : theme_.error;
     const QString unit = setting_unit(what.unit);
-    auto* name = new QTableWidgetItem(setting_name(what.setting, what.title));
-    name->setToolTip(setting_title(what.title) + "\n" + tr("Double click: take this value"));
-    auto* values = new QTableWidgetItem(number_text(what.from) + " → " + number_text(what.to) +
-                                        (unit.isEmpty() ? QString() : ' ' + unit));
+    auto* name = new QTableWidgetItem(brief_name(what));
+    name->setToolTip(setting_name(what.setting, what.title) + ": " + number_text(what.from) + " → " +
+                     number_text(what.to) + ' ' + unit + "\n" + setting_title(what.title) + "\n" +
+                     tr("Double click: take this value"));
+    auto* values = new QTableWidgetItem("→ " + number_text(what.to) + (unit.isEmpty() ? QString() : ' ' + unit));
     values->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* seconds = new NumberItem(nothing ? QString("0") : QString::number(saved, 'f', 3), saved);
     auto* share =

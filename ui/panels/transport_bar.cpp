@@ -85,7 +85,8 @@ void TransportBar::showInstant(const std::optional<Instant>& instant) {
 void TransportBar::setBlockName(const QString& name) { block_name_ = name; }
 
 QString TransportBar::steady(Number number, double value, int decimals) {
-  const QString text = QString::number(value, 'f', decimals);
+  QString text = QString::number(value, 'f', decimals);
+  if (text.startsWith('-') && text.toDouble() == 0) text.remove(0, 1);  // nothing has no sign
   widths_[number] = std::max(widths_[number], static_cast<int>(text.size()));
   return text.rightJustified(widths_[number], QChar(0x2007));  // a space as wide as a digit
 }
