@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kLeastSaved = 5e-4;  // [s]; less is nothing to a person
 
-constexpr int kSettingColumns = 4;  // setting, values, seconds, share
+constexpr int kSettingColumns = 3;  // setting, value, seconds
 
 /// Without the section where the key alone says enough; an axis has the same keys as another.
 QString brief_name(const WhatIf& what) {
@@ -166,11 +166,9 @@ void ControllerPanel::showRows() {
     auto* values = new QTableWidgetItem("→ " + number_text(what.to) + (unit.isEmpty() ? QString() : ' ' + unit));
     values->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* seconds = new NumberItem(nothing ? QString("0") : QString::number(saved, 'f', 3), saved);
-    auto* share =
-        new NumberItem(nothing || now <= 0 ? QString("0") : QString::number(saved / now * 100, 'f', 1), saved);
-    for (auto* item : {seconds, share}) item->setForeground(colour);
+    seconds->setForeground(colour);
     int column = 0;
-    for (auto* item : {name, values, static_cast<QTableWidgetItem*>(seconds), static_cast<QTableWidgetItem*>(share)}) {
+    for (auto* item : {name, values, static_cast<QTableWidgetItem*>(seconds)}) {
       rows_table_->setItem(row, column++, item);
     }
   }
@@ -197,7 +195,7 @@ void ControllerPanel::changeEvent(QEvent* event) {
 
 void ControllerPanel::retranslate() {
   set_heads(limits_, {tr("Held down by"), tr("Time") + "  s", "%"});
-  set_heads(rows_table_, {tr("Setting"), tr("Value"), tr("Saves") + "  s", "%"});
+  set_heads(rows_table_, {tr("Setting"), tr("Value"), tr("Saves") + "  s"});
   limits_->setAccessibleName(tr("Where the time goes on the controller"));
   rows_table_->setAccessibleName(tr("What each setting would save"));
   name_control(bar_, tr("Where the time goes on the controller"));
