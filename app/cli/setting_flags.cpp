@@ -31,9 +31,11 @@ class FlagList {
  public:
   void set(const char* flag, std::string text) {
     remove(flag);
+    Json value = text;
     const auto number = parse_number(text);
-    list_.push_back({flag, number ? Json(*number) : Json(text), text});
-    if (number && *number == kUnlimited) list_.back().value = Json(text);
+    const bool is_depth = std::string_view(flag) == "--lookahead";  // read as a whole number: "4.0" is none
+    if (number && *number < kUnlimited) value = is_depth ? Json(static_cast<std::int64_t>(*number)) : Json(*number);
+    list_.push_back({flag, std::move(value), std::move(text)});
   }
   void remove(const char* flag) {
     std::erase_if(list_, [&](const SettingFlag& f) { return f.flag == flag; });

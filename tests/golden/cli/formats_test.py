@@ -47,6 +47,11 @@ class Formats(CommandLineTest):
         told = {key for row in table("JSON") for key in names(row[0])}
         self.assertEqual(told, set(run.json()))
 
+    def test_every_key_of_tune_is_told(self):
+        self.file("a.ngc", PROGRAM)
+        told = {key for row in table("JSON of tune") for key in names(row[0])}
+        self.assertEqual(told, set(self.run_toolpace("tune", "a.ngc", "--plans", 2, "--json").json()))
+
     def test_every_key_of_the_other_commands_is_told(self):
         self.file("a.ngc", PROGRAM)
         self.file("m.toml", "[path]\nmax_speed_mm_s = 100\nmax_acceleration_mm_s2 = 3000\nmax_jerk_mm_s3 = 1e6\n")

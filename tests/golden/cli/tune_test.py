@@ -1,0 +1,97 @@
+"""tune, as its users meet it: points that plan and simulate confirm, limits that are kept, machine files that keep their comments."""
+
+import unittest
+
+from command_line import BAD_INPUT, BAD_USAGE, FINE, LIMIT_BROKEN, CommandLineTest
+
+PROGRAM = "G21 G90 G94 F6000\nG1 X4\nG1 X5 Y2\nG1 X1 Y3\nG2 X3 Y5 I2 J0\nG1 X20 Y0\nM2\n"
+MACHINE = """# the mill in the corner
+[path]
+max_speed_mm_s = 100.0
+max_acceleration_mm_s2 = 3000.0   # as its maker says
+max_deceleration_mm_s2 = 2000.0
+max_jerk_mm_s3 = 1e6
+[law]
+kind = "five-phase-time"          # as ever
+tacc_ms = 30
+"""
+
+
+class Tune(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        self.file("a.ngc", PROGRAM)
+        self.file("m.toml", MACHINE)
+
+    def tune(self, *arguments):
+        run = self.run_toolpace("tune", "a.ngc", "--machine", "m.toml", *arguments, "--json")
+        self.assertEqual(run.code, FINE, run.err)
+        return run.json()
+
+    def confirm(self, point, machine="m.toml"):
+        flags = [word for flag, value in point["settings"].items() for word in (flag, value)]
+        plan = self.run_toolpace("plan", "a.ngc", "--machine", machine, *flags, "--json").json()
+        simulated = self.run_toolpace("simulate", "a.ngc", "--machine", machine, *flags, "--json").json()
+        self.assertEqual(plan["cycle_time_s"], point["cycle_time_s"], flags)
+        self.assertEqual(simulated["cycle_time_s"], point["cycle_time_s"], flags)
+        self.assertEqual(simulated["servo"]["max_contour_error_mm"] / 1e-3, point["contour_um"], flags)
+
+    def test_each_point_is_what_plan_and_simulate_print_with_its_flags(self):
+        told = self.tune("--plans", 40, "--override-percent", 90, "--dm", 1500)
+        self.assertEqual(told["plans_evaluated"], 40)
+        self.assertGreater(len(told["front"]), 3)
+        for point in told["front"] + [told["present"], told["knee"], told["best"]]:
+            self.confirm(point)
+            self.assertEqual(point["settings"]["--override-percent"], 90)
+            self.assertIsNone(point["vibration_um"])
+        for a in told["front"]:
+            for b in told["front"]:
+                if a is not b:
+                    self.assertFalse(a["cycle_time_s"] <= b["cycle_time_s"] and a["contour_um"] <= b["contour_um"], (a, b))
+
+    def test_the_best_keeps_the_limit_and_goes_into_the_machine_file(self):
+        limit = self.tune("--plans", 1)["present"]["contour_um"] / 2
+        told = self.tune("--plans", 40, "--contour-um", limit, "-o", "best.toml")
+        self.assertLessEqual(told["best"]["contour_um"], limit)
+        self.assertEqual(told["contour_limit_um"], limit)
+        text = (self.folder / "best.toml").read_text()
+        for comment in ("# the mill in the corner", "# as its maker says", "# as ever"):
+            self.assertIn(comment, text)
+        self.confirm({**told["best"], "settings": {}}, "best.toml")
+
+    def test_what_nothing_keeps_is_told_and_writes_nothing(self):
+        self.file("best.toml", "old")
+        run = self.run_toolpace("tune", "a.ngc", "--machine", "m.toml", "--plans", 3, "--contour-um", 1e-6, "-o", "best.toml", "--json")
+        self.assertEqual((run.code, run.json()["best"]), (LIMIT_BROKEN, None), run.err)
+        self.assertEqual((self.folder / "best.toml").read_text(), "old")
+
+    def test_only_what_is_to_be_varied_is(self):
+        told = self.tune("--plans", 16, "--vary", "am,jm")
+        self.assertGreater(len(told["front"]), 1)
+        for point in told["front"]:
+            self.assertLessEqual(set(point["settings"]), {"--am", "--dm", "--jm", "--jd"})
+            self.assertLessEqual(point["settings"].get("--am", 0), 3000)
+            self.assertLessEqual(point["settings"].get("--dm", 0), 2000)
+
+    def test_the_same_arguments_give_the_same_bytes(self):
+        arguments = ["tune", "a.ngc", "--machine", "m.toml", "--plans", 24, "--json"]
+        self.assertEqual(self.run_toolpace(*arguments).out, self.run_toolpace(*arguments).out)
+
+    def test_seconds_end_it(self):
+        self.assertLess(self.tune("--seconds", 0.2)["plans_evaluated"], 100000)
+
+    def test_people_are_told_the_flags(self):
+        run = self.run_toolpace("tune", "a.ngc", "--plans", 12)
+        self.assertEqual(run.code, FINE, run.err)
+        self.assertRegex(run.out.decode(), r"now +\S+ s +\S+ µm  as it is\n  front .* --.*\n(.*\n)+  knee .*\n  best .*\n")
+
+    def test_what_makes_no_sense_is_refused(self):
+        for flag, value, said in (("--vary", "am,feed", "feed"), ("--vary", "am,,jm", "--vary"), ("--contour-um", 0, "--contour-um"),
+                                  ("--seconds", -1, "--seconds"), ("--plans", 10000000, "--plans")):
+            self.expect_failure(self.run_toolpace("tune", "a.ngc", flag, value, "--json"), BAD_USAGE, said)
+        self.file("bad.ngc", "G1 X\n")
+        self.expect_failure(self.run_toolpace("tune", "bad.ngc", "--plans", 2), BAD_INPUT, "bad.ngc")
+
+
+if __name__ == "__main__":
+    unittest.main()
