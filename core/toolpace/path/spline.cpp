@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace toolpace {
 namespace {
@@ -85,18 +86,11 @@ Cartesian evaluate_uniform(const SplineCurve& c, double u, std::size_t span) {
            scale * scale * (second + x * third), scale * scale * scale * third}};
 }
 
-/// The point alone, and the first derivative alone: the same bits as evaluate() gives, at less than half its cost.
+/// The point alone: the same bits as evaluate() gives, at less than half its cost.
 Eigen::Vector3d point_at(const SplineCurve& c, double u, std::size_t span) {
   if (is_uniform_cubic(c, span)) return evaluate_uniform(c, u, span).d[0];
   const Homogeneous h = evaluate_homogeneous(c, u, span, 1);
   return h.d[0].head<3>() / h.d[0][3];
-}
-
-Eigen::Vector3d first_derivative(const SplineCurve& c, double u, std::size_t span) {
-  const Homogeneous h = evaluate_homogeneous(c, u, span, 2);
-  const double w = h.d[0][3];
-  const Eigen::Vector3d point = h.d[0].head<3>() / w;
-  return (h.d[1].head<3>() - h.d[1][3] * point) / w;
 }
 
 /// Quotient rule: C = A/w, C' = (A' − w'C)/w, …
@@ -122,12 +116,55 @@ ParameterDerivatives derivatives(const SplineCurve& c, double u, std::size_t spa
   return d;
 }
 
+/// The first derivative inside a span: the same bits as evaluate() gives. What does not depend on the place is worked out once, and
+/// the shares between knots serve both the curve and its derivative, which is one degree lower on the same knots.
+class SpanDerivative {
+ public:
+  SpanDerivative(const SplineCurve& c, std::size_t span) : p_(static_cast<std::size_t>(c.degree)) {
+    for (std::size_t i = 0; i <= p_; ++i) {
+      control_[i] = c.points[span - p_ + i];
+      knot_[i] = c.knots[span - p_ + i];
+    }
+    for (std::size_t r = 1; r <= p_; ++r) {
+      for (std::size_t i = r; i <= p_; ++i) width_[r][i] = c.knots[span + 1 + i - r] - knot_[i];
+    }
+    for (std::size_t i = 0; i + 1 <= p_; ++i) {
+      const double width = width_[1][i + 1];
+      slope_[i] = width > 0 ? Eigen::Vector4d(static_cast<double>(p_) / width * (control_[i + 1] - control_[i]))
+                            : Eigen::Vector4d(Eigen::Vector4d::Zero());
+    }
+  }
+
+  Eigen::Vector3d operator()(double u) const {
+    auto point = control_, slope = slope_;
+    for (std::size_t r = 1; r <= p_; ++r) {
+      for (std::size_t i = p_; i >= r; --i) {
+        const double t = width_[r][i] > 0 ? (u - knot_[i]) / width_[r][i] : 0.0;
+        point[i] = (1 - t) * point[i - 1] + t * point[i];
+        if (r > 1) slope[i - 1] = (1 - t) * slope[i - 2] + t * slope[i - 1];
+      }
+    }
+    const Eigen::Vector4d &h = point[p_], &h1 = slope[p_ - 1];
+    const Eigen::Vector3d at = h.head<3>() / h[3];
+    return (h1.head<3>() - h1[3] * at) / h[3];
+  }
+
+ private:
+  std::size_t p_;
+  std::array<Eigen::Vector4d, kMaxDegree + 1> control_, slope_;
+  std::array<double, kMaxDegree + 1> knot_;
+  std::array<std::array<double, kMaxDegree + 1>, kMaxDegree + 1> width_;
+};
+
 /// |C'| inside a span and at its ends.
 class SpanSpeed {
  public:
-  SpanSpeed(const SplineCurve& curve, std::size_t span) : curve_(curve), span_(span), begin_(curve.knots[span]) {
+  SpanSpeed(const SplineCurve& curve, std::size_t span) : begin_(curve.knots[span]) {
     is_uniform_ = is_uniform_cubic(curve, span);
-    if (!is_uniform_) return;
+    if (!is_uniform_) {
+      derivative_.emplace(curve, span);
+      return;
+    }
     const Cartesian start = evaluate_uniform(curve, begin_, span);
     first_ = start.d[1];
     second_ = start.d[2];
@@ -135,14 +172,13 @@ class SpanSpeed {
   }
 
   double operator()(double u) const {
-    if (!is_uniform_) return first_derivative(curve_, u, span_).norm();
+    if (!is_uniform_) return (*derivative_)(u).norm();
     const double x = u - begin_;
     return (first_ + x * (second_ + x * half_third_)).norm();
   }
 
  private:
-  const SplineCurve& curve_;
-  std::size_t span_;
+  std::optional<SpanDerivative> derivative_;  ///< where knots are not even, or points have weights
   double begin_;
   bool is_uniform_;
   Eigen::Vector3d first_, second_, half_third_;

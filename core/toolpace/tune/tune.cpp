@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kBatch = 8;              // whatever the number of threads, so that results do not depend on it
 constexpr std::size_t kMostStarted = 40;       // plans of the first design
 constexpr std::size_t kLongProgram = 100'000;  // rows; plans of one hold much memory
-constexpr double kTooFarOff = 1.5;             // times the error of a plan that is as fast: no more is looked at
+constexpr double kTooFarOff = 1.2;             // times the error of a plan that is as fast: no more is looked at
 
 std::size_t threads_for(const Job& job) {
   const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
