@@ -2,6 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "smooth_moves.h"
@@ -68,8 +70,34 @@ BENCHMARK_CAPTURE(whole_job, quintic_n8, std::size_t{8}, Ramps::block)->Unit(ben
 BENCHMARK_CAPTURE(whole_job, quintic_all, std::nullopt, Ramps::block)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(whole_job, quintic_span, std::nullopt, Ramps::span)->Unit(benchmark::kMillisecond);
 
-void sampling(benchmark::State& state) {
-  const auto job = make_job({}, Ramps::block);
+/// A NURBS of degree 3 with weights, of a few millimetres a span: as sculptured parts are sent by some CAM systems.
+std::shared_ptr<Job> spline_job() {
+  constexpr int kPoints = 400;
+  auto reading = std::make_shared<Reading>();
+  Moves& moves = reading->moves;
+  SplineDetail spline;
+  spline.degree = 3;
+  for (int k = 0; k < kPoints; ++k) {
+    spline.points.emplace_back(3.0 * k, 4 * std::sin(0.7 * k) + 2 * std::cos(1.9 * k), 0.0);
+    spline.weights.push_back(1 + 0.4 * std::sin(1.3 * k));
+  }
+  for (int k = 0; k <= kPoints + 3; ++k) spline.knots.push_back(std::clamp(k - 3, 0, kPoints - 3));
+  moves.start.head<3>() = spline.points.front();
+  moves.kind = {MoveKind::spline};
+  moves.line = {1};
+  moves.file = {0};
+  moves.mode = {0};
+  moves.detail = {0};
+  moves.end = {AxisVector::Zero()};
+  moves.end[0].head<3>() = spline.points.back();
+  moves.feed = {50};
+  moves.splines = {spline};
+  auto job = std::make_shared<Job>(*make_job({}, Ramps::block));
+  job->program = reading;
+  return job;
+}
+
+void sample_job(benchmark::State& state, const std::shared_ptr<Job>& job) {
   const auto outcome = run(job);
   if (!outcome) return state.SkipWithError(outcome.error().message.c_str());
   std::size_t rows = 0;
@@ -81,6 +109,11 @@ void sampling(benchmark::State& state) {
   state.SetItemsProcessed(static_cast<std::int64_t>(rows));
   state.SetLabel("setpoints");
 }
+
+void sampling(benchmark::State& state) { sample_job(state, make_job({}, Ramps::block)); }
 BENCHMARK(sampling)->Unit(benchmark::kMillisecond);
+
+void sampling_a_spline(benchmark::State& state) { sample_job(state, spline_job()); }
+BENCHMARK(sampling_a_spline)->Unit(benchmark::kMillisecond);
 
 }  // namespace

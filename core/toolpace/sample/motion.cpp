@@ -145,18 +145,31 @@ const AxisVector& Motion::direction() {
   return direction_;
 }
 
+const PieceWalker& Motion::walker() {
+  if (walked_ != segment_) {
+    const SplinePiece& piece = path_.spline_pieces[path_.detail[segment_]];
+    walker_.emplace(path_.splines[piece.spline], piece, path_.length[segment_]);
+    walked_ = segment_;
+  }
+  return *walker_;
+}
+
 AxisVector Motion::position() {
   if (spline_) return beside_.position;
   if (path_.size() == 0) return path_.node.front();
   if (on_segment_ >= path_.length[segment_]) return path_.node[segment_ + 1];
   if (path_.kind[segment_] == SegmentKind::line) return path_.node[segment_] + on_segment_ * direction();
+  if (on_segment_ <= 0) return path_.node[segment_];
+  if (path_.kind[segment_] == SegmentKind::spline && walker().is_exact()) return walker().point_at(on_segment_);
   return point_at(path_, segment_, on_segment_);
 }
 
 AxisMotion Motion::axes() {
   if (spline_) return beside_;
   if (path_.size() == 0) return {path_.node.front(), AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
-  return chained(frame_at(path_, segment_, on_segment_), along_);
+  AxisMotion motion = chained(frame_at(path_, segment_, on_segment_), along_);
+  motion.position = position();
+  return motion;
 }
 
 /// Calls add(part) for each phase that runs between the two times, with the part of it that lies between them.

@@ -2,9 +2,11 @@
 /// Path + plan: where a machine is at any time, and how it moves there.
 
 #include <cstdint>
+#include <optional>
 
 #include "toolpace/law/phase_bounds.h"
 #include "toolpace/path/path.h"
+#include "toolpace/path/piece_walker.h"
 #include "toolpace/plan/motion_plan.h"
 
 namespace toolpace {
@@ -67,6 +69,7 @@ class Motion {
   void find_segment(bool goes_on);
   void enter(std::size_t segment);
   const AxisVector& direction();
+  const PieceWalker& walker();
   template <class Add>
   void for_each_part(double begin, double end, const Add& add);
   void add_on_path(const Part& part, std::size_t axis, PhaseBounds& box);
@@ -84,6 +87,8 @@ class Motion {
   std::size_t phase_ = 0, arriving_ = 0, last_spline_ = 0, segment_ = 0, handover_ = 0;
   std::size_t line_ = static_cast<std::size_t>(-1);  ///< segment of direction_
   AxisVector direction_ = kNowhere;
+  std::size_t walked_ = static_cast<std::size_t>(-1);  ///< segment of walker_
+  std::optional<PieceWalker> walker_;
 };
 
 }  // namespace toolpace

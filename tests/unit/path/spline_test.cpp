@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "toolpace/path/build_path.h"
+#include "toolpace/path/piece_walker.h"
 
 namespace toolpace {
 namespace {
@@ -119,6 +121,46 @@ TEST(Spline, CurveWithACuspIsCutIntoABoundedNumberOfPieces) {
   ASSERT_TRUE(path);
   EXPECT_LE(path->size(), 4096u);
   for (const double length : path->length) EXPECT_GT(length, 0);
+}
+
+// Degrees 2 to 7, with and without weights, evenly spaced knots and others, a rotary axis.
+TEST(Spline, AWalkerFindsThePointsThatTheCurveHasAtTheirLength) {
+  std::mt19937_64 random(20260404);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::size_t pieces = 0, exact = 0;
+  for (int n = 0; n < 40; ++n) {
+    const int degree = 2 + n % 6, spans = 1 + n % 4, count = degree + spans;
+    SplineDetail detail;
+    detail.degree = degree;
+    for (int k = 0; k < count; ++k) {
+      detail.points.emplace_back(5.0 * k + 2 * unit(random), 8 * unit(random), n % 3 == 0 ? 5 * unit(random) : 0.0);
+      if (n % 2 == 0) detail.weights.push_back(std::exp(unit(random)));
+    }
+    for (int k = 0; k <= count + degree; ++k) detail.knots.push_back(std::clamp(k - degree, 0, spans) * (1 + n % 3));
+    AxisVector end = at(detail.points.back()[0], detail.points.back()[1]);
+    end[3] = n % 5 == 0 ? 1.5 : 0.0;
+    const SplineCurve curve = make_spline(at(0, 0), end, detail);
+    for (const SplinePiece& piece : cut_spline(curve, 0)) {
+      ++pieces;
+      const double length = piece_length(curve, piece.begin, piece.end);
+      const PieceWalker walker(curve, piece, length);
+      if (!walker.is_exact()) continue;
+      ++exact;
+      for (const double share : {1e-6, 0.02, 0.37, 0.5, 0.81, 1.0}) {
+        const AxisVector there = spline_point(curve, parameter_at(curve, piece, length, share * length));
+        EXPECT_LT((walker.point_at(share * length) - there).norm(), 1e-12 * (length + there.norm()))
+            << "curve " << n << ", " << share;
+      }
+    }
+  }
+  EXPECT_GT(exact, pieces * 9 / 10);
+}
+
+TEST(Spline, AWalkerTellsWhereTheLengthIsNoPolynomial) {
+  const SplineDetail cusp{3, {{0, 0, 0}, {10, 10, 0}, {0, 10, 0}, {10, 0, 0}}, {}, {0, 0, 0, 0, 1, 1, 1, 1}};
+  const SplineCurve curve = make_spline(at(0, 0), at(10, 0), cusp);
+  const double length = piece_length(curve, 0, 1);
+  EXPECT_FALSE(PieceWalker(curve, {0, 0, 1}, length).is_exact());
 }
 
 }  // namespace
