@@ -7,158 +7,216 @@ namespace toolpace {
 namespace {
 
 constexpr double kTopShare = 0.999;  // of the speed at which nothing is left
-constexpr double kRounding = 1e-9;   // of a third derivative that is all against the direction
-/// Share of the jerk, as an angle's sine, that the turning part 3κva takes at most where a ramp may do anything at its cap.
-constexpr double kTurningShare = 0.7;
-/// Speeds x as shares of the cap where a ramp is looked at: with a = √(2j(cap − v)) the turning part v·a peaks at 2/3. Between
-/// two of these places, h apart, its square ∝ (1 − x)·x² rises above its chord by |2 − 6x|·h²/8, no more than by so much of its
-/// own; the part along the path is convex, and below its chord.
-constexpr double kPlaces[] = {1.0, 0.985, 0.965, 0.94, 0.91, 0.88, 0.835, 0.79, 0.75, 0.71, 0.64, 0.57, 0.5};
-constexpr double kBetweenPlaces = 1.012;
-/// A rectangle inside another one beats the ellipse where its sides are at most this much shorter.
-constexpr double kMuchApart = 1.3;
-constexpr double kSettled = 1e-4;  // of the jerk that is looked for
-constexpr int kMostSteps = 40;
+constexpr double kRounding = 1e-9;   // of a third derivative that is all against the direction; of a root
+/// Speeds x as parts of the cap between which the jerk's terms in v³ are those of the faster end. With a = √(2j(cap − v)) the
+/// turning part v·a is largest at two thirds of the cap, and what holds there holds below.
+constexpr double kPlaces[] = {1.0, 0.985, 0.965, 0.94, 0.91, 0.88, 0.835, 0.79, 0.75, 0.71, 2.0 / 3};
+
+constexpr double kLeastJerk = 1e-6;  // of what is left at constant speed
+constexpr int kHalvings = 26, kJerkHalvings = 13, kMostSteps = 20;
 
 double squared(double x) { return x * x; }
+double cubed(double x) { return x * x * x; }
+double root_of(double x) { return std::sqrt(std::max(0.0, x)); }
 
-double level_at(double speed, const CurveBudget& b) {
-  return b.slope > 0 ? std::max(0.0, b.level - b.slope * speed * speed) : b.level;
+/// Largest acceleration beside a speed.
+double acceleration_at(double speed, const CurveRow& row, double curvature) {
+  const double square = speed * speed, left = 1 - row.across * square;
+  const double apart = row.along > 0 ? left / row.along : left >= 0 ? kUnlimited : 0.0;
+  const double together = row.plane > 0 ? root_of(squared(1 / row.plane) - squared(curvature * square)) : 0.0;
+  return std::max({apart, together, 0.0});
 }
 
-/// Largest acceleration of a ramp that ends (begins) at the cap with jerk j: y = a² with y/A² + (cap − y/2j)⁴/Q² = 1. The left
-/// side is convex in y, so Newton's steps from above do not pass the root. Neither y = j·cap nor A² is passed by any ramp.
-double acceleration_towards(double cap, double jerk, const CurveBudget& b) {
-  if (cap * cap > b.square) return level_at(cap, b);  // on the other form's side
-  double y = std::min(jerk * cap, squared(b.acceleration));
-  const double by_square = 1 / squared(b.acceleration);
+/// The last place before the first one where a rising function is above zero, by halves; from a place where it is not.
+template <int halvings = kHalvings, class F>
+double last_below(double low, double high, const F& f) {
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (low + high) / 2;
+    (f(middle) > 0 ? high : low) = middle;
+  }
+  return low;
+}
+
+/// Largest acceleration of a ramp that ends (begins) at the cap with jerk j, by the sum: the first root of
+/// along·a + across·(cap − a²/2j)² = 1. The left side bends downwards up to a² = 2j·cap/3 and upwards from there, so it has one
+/// hump at most, in the first part. No ramp passes a² = j·cap.
+double acceleration_by_sum(double cap, double jerk, const CurveRow& row) {
+  const auto speed = [&](double a) { return cap - a * a / (2 * jerk); };
+  const auto excess = [&](double a) { return row.along * a + row.across * squared(speed(a)) - 1; };
+  const auto falls = [&](double a) { return 2 * row.across * speed(a) * a / jerk - row.along; };
+  const double most = std::sqrt(jerk * cap), bend = std::sqrt(2 * jerk * cap / 3);
+  if (excess(0) > 0) return 0;
+  if (falls(bend) > 0) {
+    const double hump = last_below(0.0, bend, falls);
+    if (excess(hump) > 0) return last_below(0.0, hump, excess);
+  }
+  return excess(most) > 0 ? last_below(0.0, most, excess) : most;
+}
+
+/// The same by the right angle: y = a² with y + κ²(cap − y/2j)⁴ = 1/plane². The left side is convex in y, so Newton's steps from
+/// above do not pass the root. No ramp passes y = 1/plane² either.
+double acceleration_by_right_angle(double cap, double jerk, const CurveRow& row, double curvature) {
+  if (!(row.plane > 0) || row.plane * curvature * cap * cap > 1) return 0;
+  const double most = squared(1 / row.plane);
+  double y = std::min(jerk * cap, most);
   for (int i = 0; i < 30; ++i) {
-    const double u = cap - y / (2 * jerk), turned = squared(u * u / b.square);
-    const double excess = y * by_square + turned - 1;
+    const double u = cap - y / (2 * jerk), turned = squared(curvature * u * u);
+    const double excess = y + turned - most;
     if (excess <= 0) break;
-    const double slope = by_square - 2 * turned / (u * jerk);
+    const double slope = 1 - 2 * turned / (u * jerk);
     if (!(slope > 0)) break;
     const double next = y - excess / slope;
     if (next >= y * (1 - 1e-9)) break;
     y = std::max(next, 0.0);
   }
-  // Rounding aside this holds already, but where the cap itself is at the limit.
-  return std::max(std::min(b.acceleration, std::sqrt(y * (1 - 1e-9))), level_at(cap, b));
+  return std::sqrt(y * (1 - 1e-9));
 }
 
-/// By how much the squares of the parts of the jerk pass what there is, at the worst place of a ramp with jerk j.
-double excess_of_jerk(double cap, double jerk, const CurveBudget& b) {
-  const double slowest = cap - squared(acceleration_towards(cap, jerk, b)) / (2 * jerk);
-  double worst = -1;
-  for (const double place : kPlaces) {
-    const double v = std::max(place * cap, slowest), cube = v * v * v;
-    const double turning = kBetweenPlaces * 2 * jerk * (cap - v) * squared(v / b.turning);
-    const double along = squared((jerk + b.bend * cube) / b.jerk), left = squared(std::max(0.0, 1 - cube / b.cube));
-    worst = std::max(worst, (b.is_apart ? std::max(along, turning) : along + turning) - left);
-    if (v > place * cap) break;
+double acceleration_towards(double cap, double jerk, const CurveRow& row, double curvature) {
+  return std::max({acceleration_by_sum(cap, jerk, row), acceleration_by_right_angle(cap, jerk, row, curvature),
+                   acceleration_at(cap, row, curvature)});
+}
+
+/// Jerk that is left at a constant speed.
+double jerk_at(double speed, const CurveBudget& b) {
+  const double volume = cubed(speed);
+  double least = kUnlimited;
+  for (const CurveRow& row : b.rows()) {
+    if (row.jerk > 0) least = std::min(least, (1 - row.rest * volume) / row.jerk - b.bend * volume);
   }
-  return worst;
+  return least;
 }
 
-/// Largest jerk of a ramp that ends at the cap. The excess rises with the jerk: false position, held to the side that keeps the
-/// limits.
-double jerk_towards(double cap, double most, const CurveBudget& b) {
-  double low = 0, high = most, at_low = excess_of_jerk(cap, most * 1e-6, b), at_high = excess_of_jerk(cap, most, b);
-  if (at_high <= 0) return most;
-  if (!(at_low < 0)) return most * 1e-6;  // turning takes all
-  for (int i = 0, side = 0; i < kMostSteps && high - low > kSettled * high; ++i) {
-    const double share = i % 4 == 3 ? 0.5 : at_low / (at_low - at_high);
-    const double x = low + share * (high - low), excess = excess_of_jerk(cap, x, b);
-    if (excess <= 0) {
-      low = x;
-      at_low = excess;
-      if (side == -1) at_high /= 2;
-      side = -1;
-    } else {
-      high = x;
-      at_high = excess;
-      if (side == 1) at_low /= 2;
-      side = 1;
+/// Largest v·a beside a speed and a jerk.
+double turning_at(double speed, double jerk, const CurveBudget& b) {
+  const double volume = cubed(speed), bent = jerk + b.bend * volume;
+  double least = kUnlimited;
+  for (const CurveRow& row : b.rows()) {
+    const double all = 1 - row.rest * volume, left = all - (row.jerk > 0 ? row.jerk * bent : 0.0);
+    const double apart = row.turning > 0 ? left / (3 * row.turning) : left >= 0 ? kUnlimited : 0.0;
+    const double free = row.jerk_plane > 0 && all > 0 ? root_of(squared(all / row.jerk_plane) - squared(bent)) : 0.0;
+    const double together = free > 0 ? free / (3 * b.curvature) : 0.0;  // infinite where nothing turns
+    least = std::min(least, std::max({apart, together, 0.0}));
+  }
+  return least;
+}
+
+/// By how much of the cap a ramp towards it may begin below, so that it keeps the jerk: with x = 1 − y the speed as a part of the
+/// cap, x²·y ≤ (v·a)²/(2j·cap³) all the way. The left side rises in y below a third, ever more slowly, so Newton's steps from
+/// below do not pass the root.
+double fall_towards(double cap, double jerk, const CurveBudget& b) {
+  const double whole = 2 * jerk * cubed(cap);
+  for (std::size_t i = 0; i + 1 < std::size(kPlaces); ++i) {
+    const double most = squared(turning_at(kPlaces[i] * cap, jerk, b)) / whole, next = kPlaces[i + 1];
+    if (next * next * (1 - next) <= most) continue;
+    double y = 1 - kPlaces[i];
+    for (int k = 0; k < kMostSteps; ++k) {
+      const double x = 1 - y, step = (most - x * x * y) / (x * (3 * x - 2));
+      if (!(step > kRounding * y)) break;
+      y += step;
     }
+    return y;
   }
-  return low > 0 ? low : most * 1e-6;
+  return 1;
 }
 
-/// What an axis uses of its limit at most where t and n lie inside an ellipse with these half axes: the share of the direction
-/// in it times t and that of the normal (by curvature) times n, or, by their right angle, both together.
-double use(double first, double second, double together, double along, double across) {
-  const double apart = std::hypot(first > 0 ? first * along : 0.0, second > 0 ? second * across : 0.0);
-  return std::min(apart, together);
+/// Largest acceleration beside a cap and a jerk, whatever jerk the axes may have.
+double acceleration_beside(double cap, double jerk, AtCap at_cap, const CurveBudget& b) {
+  const bool rests = at_cap == AtCap::rests && jerk < kUnlimited;
+  double least = kUnlimited;
+  for (const CurveRow& row : b.rows()) {
+    if (!(row.along > 0) && !(row.across > 0)) continue;  // no limit
+    const double a = rests ? acceleration_towards(cap, jerk, row, b.curvature) : acceleration_at(cap, row, b.curvature);
+    least = std::min(least, a);
+  }
+  return least;
 }
 
-/// Makes the ellipse of accelerations so small that it holds for every axis, and finds the line under what each axis alone
-/// leaves: level − slope·v² between a standstill and the highest speed.
-void fit_acceleration(const CurveBounds& b, const std::array<AxisLimits, kAxisCount>& axes, CurveBudget& budget) {
-  budget.level = budget.acceleration;
-  if (!(budget.square < kUnlimited) || !(budget.acceleration < kUnlimited)) return;
-  double worst = 1, at_top = kUnlimited;
-  for (std::size_t k = 0; k < kAxisCount; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    if (!(axes[k].acceleration < kUnlimited)) continue;
-    const double both =
-        is_rotary(k) ? kUnlimited : b.together[i] * std::max(budget.acceleration, b.curvature * budget.square);
-    worst =
-        std::max(worst, use(b.first[i], b.second[i], both, budget.acceleration, budget.square) / axes[k].acceleration);
-    if (b.first[i] > 0) at_top = std::min(at_top, (axes[k].acceleration - b.second[i] * budget.square) / b.first[i]);
-  }
-  budget.slope = (budget.acceleration - std::max(0.0, at_top)) / budget.square;
-  budget.acceleration /= worst;
-  budget.square /= worst;
+/// No higher than what turning leaves the jerk for.
+double acceleration_under(double cap, double jerk, AtCap at_cap, const CurveBudget& b) {
+  if (at_cap == AtCap::changes || !(jerk < kUnlimited)) return turning_at(cap, jerk, b) / cap;
+  const double fall = fall_towards(cap, jerk, b);
+  return fall < 1 ? std::sqrt(2 * jerk * cap * fall) : kUnlimited;
 }
 
-/// The same for jerk: as an ellipse, or, where they lose less by it, with both parts apart.
-void fit_jerk(const CurveBounds& b, const std::array<AxisLimits, kAxisCount>& axes, CurveBudget& budget) {
-  if (!(budget.turning < kUnlimited)) return;
-  double together = 1, apart = 1;
-  for (std::size_t k = 0; k < kAxisCount; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    if (!(axes[k].jerk < kUnlimited)) continue;
-    const double along = b.first[i] > 0 ? b.first[i] * budget.jerk : 0.0;
-    const double across = b.second[i] > 0 ? 3 * b.second[i] * budget.turning : 0.0;
-    const double both =
-        is_rotary(k) ? kUnlimited : b.together[i] * std::max(budget.jerk, 3 * b.curvature * budget.turning);
-    together = std::max(together, std::min(std::hypot(along, across), both) / axes[k].jerk);
-    apart = std::max(apart, (along + across) / axes[k].jerk);
+/// The highest jerk ≤ most that leaves all of the acceleration.
+double jerk_beside_all(double cap, double most, AtCap at_cap, const CurveBudget& b) {
+  const auto excess = [&](double jerk) {
+    return acceleration_beside(cap, jerk, at_cap, b) - acceleration_under(cap, jerk, at_cap, b);
+  };
+  return excess(most) > 0 ? last_below<kJerkHalvings>(0.0, most, excess) : most;
+}
+
+CurveShare along_line(const CurveBudget& b) {
+  CurveShare share{kUnlimited, jerk_at(0, b)};
+  for (const CurveRow& row : b.rows()) {
+    if (row.along > 0) share.acceleration = std::min(share.acceleration, 1 / row.along);
   }
-  budget.is_apart = apart < kMuchApart * together;
-  budget.jerk /= budget.is_apart ? apart : together;
-  budget.turning /= budget.is_apart ? apart : together;
+  return share;
+}
+
+bool is_never_less(const CurveRow& a, const CurveRow& b) {
+  return a.along >= b.along && a.across >= b.across && a.plane >= b.plane && a.jerk >= b.jerk &&
+         a.turning >= b.turning && a.jerk_plane >= b.jerk_plane && a.rest >= b.rest;
 }
 
 }  // namespace
 
+bool CurveBudget::bends() const {
+  const auto all = rows();
+  return std::any_of(all.begin(), all.end(), [&](const CurveRow& r) {
+    return r.across > 0 || r.turning > 0 || r.rest > 0 || (r.jerk > 0 && bend > 0);
+  });
+}
+
 double CurveBudget::top_speed() const {
-  double top = std::sqrt(slope > 0 ? std::max(square, level / slope) : square);
-  if (cube < kUnlimited || (bend > 0 && jerk < kUnlimited)) {
-    top = std::min(top, std::cbrt(1 / (1 / cube + (bend > 0 ? bend / jerk : 0.0))));
+  double top = kUnlimited;
+  for (const CurveRow& r : rows()) {
+    const double across = r.plane > 0 ? std::min(r.across, r.plane * curvature) : r.across;
+    top = std::min({top, std::sqrt(1 / across), std::cbrt(1 / (r.rest + r.jerk * bend))});
   }
   return std::min(speed, kTopShare * top);
 }
 
-CurveShare CurveBudget::at(double cap, AtCap at_cap) const {
-  if (!bends()) return {acceleration, jerk};
-  const double turned = std::min(1.0, squared(cap * cap / square));
-  const double any = std::max(acceleration * std::sqrt(1 - turned), level_at(cap, *this));
-  if (!(jerk < kUnlimited) && !(turning < kUnlimited) && !(cube < kUnlimited)) return {any, kUnlimited};
-  const double volume = cap * cap * cap, left = 1 - volume / cube;
-  const double bent = jerk < kUnlimited ? bend * volume / jerk : 0.0;
-  if (is_apart && at_cap == AtCap::changes) {
-    return {std::min(any, left * turning / cap), jerk < kUnlimited ? jerk * (left - bent) : kUnlimited};
+JerkRange CurveBudget::jerk_range(double cap, AtCap at_cap) const {
+  const double most = bends() ? jerk_at(cap, *this) : kUnlimited;
+  return {most < kUnlimited ? jerk_beside_all(cap, most, at_cap, *this) : most, most};
+}
+
+CurveShare CurveBudget::at(double cap, const JerkRange& range, double split, AtCap at_cap) const {
+  if (!bends()) return along_line(*this);
+  double jerk = range.most;
+  if (jerk < kUnlimited) {
+    jerk = split > 0 ? range.beside_all + split * (range.most - range.beside_all) : (1 + split) * range.beside_all;
+    if (!(jerk > 0)) jerk = kLeastJerk * range.most;  // turning takes all
   }
-  if (at_cap == AtCap::changes || !(jerk < kUnlimited)) {
-    const double free = std::sqrt(std::max(0.0, left * left - bent * bent));
-    const double a = std::min(any, kTurningShare * free * turning / cap);
-    const double turned_jerk = turning < kUnlimited ? cap * a / turning : 0.0;
-    const double rest = std::sqrt(std::max(0.0, left * left - squared(turned_jerk)));
-    return {a, jerk < kUnlimited ? jerk * (rest - bent) : kUnlimited};
+  const double a =
+      std::min(acceleration_beside(cap, jerk, at_cap, *this), acceleration_under(cap, jerk, at_cap, *this));
+  return {a, jerk};
+}
+
+void CurveBudgets::add(const CurveBudget& budget) {
+  const auto first = static_cast<std::ptrdiff_t>(rows_.size());
+  for (const CurveRow& row : budget.rows()) {
+    const auto covers = [&](const CurveRow& other) { return is_never_less(other, row); };
+    if (std::any_of(rows_.begin() + first, rows_.end(), covers)) continue;
+    const auto covered = [&](const CurveRow& other) { return is_never_less(row, other); };
+    rows_.erase(std::remove_if(rows_.begin() + first, rows_.end(), covered), rows_.end());
+    rows_.push_back(row);
   }
-  const double j = jerk_towards(cap, jerk * (left - bent), *this);
-  return {acceleration_towards(cap, j, *this), j};
+  curves_.push_back({budget.speed, budget.curvature, budget.bend, rows_.size()});
+}
+
+CurveBudget CurveBudgets::operator[](std::size_t index) const {
+  const Curve& curve = curves_[index];
+  CurveBudget budget;
+  budget.speed = curve.speed;
+  budget.curvature = curve.curvature;
+  budget.bend = curve.bend;
+  const std::size_t begin = index > 0 ? curves_[index - 1].end : 0;
+  budget.count = curve.end - begin;
+  std::copy_n(rows_.begin() + static_cast<std::ptrdiff_t>(begin), budget.count, budget.row.begin());
+  return budget;
 }
 
 Dynamics within(const Dynamics& along, const CurveShare& share) {
@@ -170,23 +228,25 @@ Dynamics within(const Dynamics& along, const CurveShare& share) {
 
 CurveBudget curve_budget(const CurveBounds& b, const std::array<AxisLimits, kAxisCount>& axes) {
   CurveBudget budget;
+  budget.curvature = b.curvature;
+  budget.bend = b.bend;
   for (std::size_t k = 0; k < kAxisCount; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    if (b.first[i] > 0) {
-      budget.speed = std::min(budget.speed, axes[k].speed / b.first[i]);
-      budget.acceleration = std::min(budget.acceleration, axes[k].acceleration / b.first[i]);
-      budget.jerk = std::min(budget.jerk, axes[k].jerk / b.first[i]);
+    const double first = b.first[i], second = b.second[i];
+    if (first > 0) budget.speed = std::min(budget.speed, axes[k].speed / first);
+    CurveRow one{};
+    const double together = is_rotary(k) ? 0.0 : b.together[i];  // none: there is no right angle
+    if (axes[k].acceleration < kUnlimited) {
+      const double part = 1 / axes[k].acceleration;
+      one.along = part * first, one.across = part * second, one.plane = part * together;
     }
-    if (b.second[i] > 0) {
-      budget.square = std::min(budget.square, axes[k].acceleration / b.second[i]);
-      budget.turning = std::min(budget.turning, axes[k].jerk / (3 * b.second[i]));
+    if (axes[k].jerk < kUnlimited) {
+      const double part = 1 / axes[k].jerk, rest = b.third[i] - b.bend * first;
+      one.jerk = part * first, one.turning = part * second, one.jerk_plane = part * together;
+      if (rest > kRounding * b.third[i]) one.rest = part * rest;
     }
-    const double rest = b.third[i] - b.bend * b.first[i];
-    if (rest > kRounding * b.third[i]) budget.cube = std::min(budget.cube, axes[k].jerk / rest);
+    if (first > 0 || second > 0 || b.third[i] > 0) budget.row[budget.count++] = one;
   }
-  budget.bend = b.bend;
-  fit_acceleration(b, axes, budget);
-  fit_jerk(b, axes, budget);
   return budget;
 }
 

@@ -86,10 +86,10 @@ class Limiter {
       const double top = budget.bends() ? budget.top_speed() : budget.speed;
       if (top < cap) cause = top < budget.speed && !command.is_rapid ? Cause::curvature : axis_cause(ceiling, command);
       cap = std::min(cap, top);
-      dynamics = within(dynamics, budget.at(cap, AtCap::changes));
+      dynamics = within(dynamics, budget.at(cap, usual_split(AtCap::changes), AtCap::changes));
       if (budget.bends()) {
         limits_.curved.push_back(static_cast<std::uint32_t>(i));
-        limits_.budget.push_back(budget);
+        limits_.budget.add(budget);
         limits_.ceiling.push_back(command.ceiling);
       }
     }

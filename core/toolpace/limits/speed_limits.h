@@ -40,7 +40,7 @@ struct SpeedLimits {
   // One entry a curve: cap and ramp limits of its block are a choice among all that its budget allows, at first the highest
   // cap and what that leaves (settle_curves() chooses better). Slices have none.
   std::vector<std::uint32_t> curved;  ///< blocks that turn, rising
-  std::vector<CurveBudget> budget;
+  CurveBudgets budget;
   std::vector<std::uint16_t> ceiling;  ///< index into along
   std::vector<AlongPath> along;        ///< under each ceiling of the program
   /// Nodes beside curves, rising, where the corner rule allows no more than a speed [mm/s], whatever the caps of their blocks.

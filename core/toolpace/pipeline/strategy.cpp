@@ -36,24 +36,20 @@ ForEach on_all_cores(const Monitor& monitor) {
 
 bool takes_any(const Job&, std::size_t) { return true; }
 
-/// For which plan the caps of curves are chosen.
-enum class CapsFor {
-  the_plan,     ///< the one to come, as if it saw all
-  single_moves  ///< one that stops at every node
-};
-
 /// Limits with curves as the plan to come can use them: ramps inside blocks come to rest at the caps, but for a feed hold.
-Result<SpeedLimits> settled(const PlanTask& task, const PlanOptions& o, CapsFor caps, const Monitor& monitor) {
+/// @param depth  the look-ahead for which the curves' caps are chosen
+Result<SpeedLimits> settled(const PlanTask& task, const PlanOptions& o, std::size_t depth, const Monitor& monitor) {
   if (task.limits.curved.empty()) return std::move(task.limits);
   const AtCap at_cap = o.ramps == Ramps::block && !o.hold_at ? AtCap::rests : AtCap::changes;
-  const bool stops = caps == CapsFor::single_moves || o.lookahead == std::size_t{1};
-  SpeedLimits limits = settle_curves(task.limits, {o.law, at_cap, stops}, {monitor.stop, {}});
+  SpeedLimits limits = settle_curves(task.limits, {o.law, at_cap, depth}, {monitor.stop, {}});
   if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());  // half settled they fit nothing
   return limits;
 }
 
-Result<Planned> plan_with(const PlanTask& task, const PlanOptions& options, CapsFor caps, const Monitor& monitor) {
-  auto limits = settled(task, options, caps, monitor);
+std::size_t depth_of(const PlanTask& task) { return task.job.options.lookahead.value_or(task.limits.size()); }
+
+Result<Planned> plan_with(const PlanTask& task, const PlanOptions& options, std::size_t depth, const Monitor& monitor) {
+  auto limits = settled(task, options, depth, monitor);
   if (!limits) return tl::unexpected(limits.error());
   Planned planned;
   planned.limits = std::move(*limits);
@@ -64,16 +60,26 @@ Result<Planned> plan_with(const PlanTask& task, const PlanOptions& options, Caps
   return planned;
 }
 
-/// The fastest of the plans that the job allows. Ramps inside their blocks leave curves more than ramps across them, and what
-/// suits a plan that sees all need not suit one that sees a few blocks, which is never slower than one that stops everywhere.
+/// Depths for which the caps of curves are chosen. What suits a plan that sees all need not suit one that sees a few blocks. A
+/// deeper look-ahead tries all that a shallower one does, so that it is never the slower one; where there are many curves that
+/// costs too much, and only a stop everywhere is tried besides.
+std::vector<std::size_t> depths_tried(const PlanTask& task) {
+  constexpr std::size_t kFewCurves = 300;
+  const std::size_t all = task.limits.size(), depth = depth_of(task);
+  if (sees_all(task.job) || depth == 1 || depth >= all) return {depth};
+  std::vector<std::size_t> depths{all};
+  const std::size_t deepest = task.limits.curved.size() <= kFewCurves ? depth : 1;
+  for (std::size_t d = 1; d <= deepest; d *= 2) depths.push_back(d);
+  return depths;
+}
+
+/// The fastest of the plans that the job allows. Ramps inside their blocks leave curves more than ramps across them.
 Result<Planned> plan_phases(const PlanTask& task, PlanOptions options, const Monitor& monitor) {
-  if (task.limits.curved.empty()) return plan_with(task, options, CapsFor::the_plan, monitor);
-  const bool is_short_sighted = options.lookahead && !sees_all(task.job) && *options.lookahead > 1;
-  std::vector<std::pair<Ramps, CapsFor>> ways;
-  for (const CapsFor caps : {CapsFor::the_plan, CapsFor::single_moves}) {
-    if (caps == CapsFor::single_moves && !is_short_sighted) continue;
-    if (options.ramps == Ramps::span) ways.emplace_back(Ramps::span, caps);
-    ways.emplace_back(Ramps::block, caps);
+  if (task.limits.curved.empty()) return plan_with(task, options, depth_of(task), monitor);
+  std::vector<std::pair<Ramps, std::size_t>> ways;
+  for (const std::size_t depth : depths_tried(task)) {
+    if (options.ramps == Ramps::span) ways.emplace_back(Ramps::span, depth);
+    ways.emplace_back(Ramps::block, depth);
   }
   Result<Planned> best;
   for (std::size_t i = 0; i < ways.size(); ++i) {
@@ -192,7 +198,7 @@ bool has_exact_blocks(const PlanTask& task) {
 }
 
 Result<Planned> plan_through_tube(const PlanTask& task, const Monitor& monitor) {
-  auto limits = settled(task, task.job.options, CapsFor::the_plan, monitor);
+  auto limits = settled(task, task.job.options, depth_of(task), monitor);
   if (!limits) return tl::unexpected(limits.error());
   Planned planned;
   planned.ran = task.job.options;
@@ -217,7 +223,7 @@ int tubes_tried(std::size_t segments) {
 
 /// In place of corner curves: jerk counts where the law keeps it.
 Result<Planned> plan_quickly_through_tube(const PlanTask& task, const Monitor& monitor) {
-  auto limits = settled(task, task.job.options, CapsFor::the_plan, monitor);
+  auto limits = settled(task, task.job.options, depth_of(task), monitor);
   if (!limits) return tl::unexpected(limits.error());
   Planned planned;
   planned.ran = task.job.options;

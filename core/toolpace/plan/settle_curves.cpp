@@ -1,28 +1,35 @@
 #include "toolpace/plan/settle_curves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "toolpace/limits/dynamics_table.h"
 #include "toolpace/plan/block/block_plan.h"
+#include "toolpace/plan/curve_run.h"
 
 namespace toolpace {
 namespace {
 
-/// Shares of the top speed that are tried first, and how narrow the search between them becomes.
+using detail::CurveRun;
+using Choice = detail::CurveChoice;
+
+/// Shares of the top speed, and splits of the jerk that they leave, that are tried first, and how narrow the search between them
+/// becomes.
 constexpr double kShares[] = {1.0,  0.97, 0.95, 0.93, 0.905, 0.88, 0.84, 0.8, 0.75, 0.7,
                               0.65, 0.6,  0.55, 0.5,  0.45,  0.4,  0.35, 0.3, 0.2,  0.1};
-constexpr std::size_t kLast = std::size(kShares) - 1;
+constexpr double kSplits[] = {0.95, 0.85, 0.71, 0.5, 0.25, 0.1, 0.0, -0.12, -0.3};
 constexpr double kNarrow = 0.002;
 constexpr double kGolden = 0.6180339887498949;
-/// The time of a run may have several valleys by the share: each is looked into where that costs little, in chains of no more
-/// curves, else the first that is found.
+/// The time of a run may have several valleys: each is looked into where that costs little, in chains of no more curves, else the
+/// first that is found.
 constexpr std::size_t kFewCurves = 3000;
 constexpr std::size_t kMostValleys = 3;
 constexpr std::size_t kInVain = 5;  // shares in a row, where there are many curves
-/// Where it costs little each curve's share is turned by itself, by such parts.
+/// Where it costs little each curve's share and part is turned by itself, by such steps.
 constexpr std::size_t kSmallRun = 400;  // blocks times curves
 constexpr double kFirstTurn = 0.1, kLeastTurn = 0.002;
+constexpr double kMostSplit = 0.995, kLeastSplit = -0.9;
 /// Curves whose caps are no more than this share of their top speeds leave nearly all of their limits: no search.
 constexpr double kGentle = 0.5;
 /// Rounds of lowering caps to the speeds that are reached, as long as a cap falls and the time does by such shares.
@@ -32,202 +39,218 @@ constexpr double kLowered = 0.98, kGain = 1e-4;
 constexpr double kNearRest = 0.3;
 constexpr double kAtCap = 1 - 1e-9;
 
+/// A place that one of a row of values is, between its neighbours.
+template <std::size_t count>
+std::pair<double, double> beside(const double (&values)[count], double value) {
+  const auto* const at = std::find(std::begin(values), std::end(values), value);
+  return {at + 1 == std::end(values) ? *at : at[1], at == std::begin(values) ? *at : at[-1]};
+}
+
 /// One run of blocks, its curves at changing caps.
 class RunSettler {
  public:
   RunSettler(const SpeedLimits& all, std::size_t begin, std::size_t end, const CurveUse& use)
-      : all_(all), begin_(begin), end_(end), use_(use), run_(slice(all, begin, end)) {
-    const auto first = std::lower_bound(all.curved.begin(), all.curved.end(), begin);
-    const auto last = std::lower_bound(first, all.curved.end(), end);
-    first_ = static_cast<std::size_t>(first - all.curved.begin());
-    count_ = static_cast<std::size_t>(last - first);
-    share_.assign(count_, 1.0);
-  }
+      : use_(use),
+        usual_{1.0, usual_split(use.at_cap)},
+        is_thorough_(all.curved.size() <= kFewCurves),
+        run_(all, begin, end, use, is_thorough_ ? std::size(kShares) : 1),
+        choice_(run_.curves(), usual_) {}
 
   /// The run with its curves' caps chosen.
-  const SpeedLimits& run() {
-    if (count_ == 0) return run_;
-    std::vector<double> fastest;
+  const CurveRun& run() {
+    if (choice_.empty()) return run_;
+    std::vector<Choice> fastest;
     double least = kUnlimited;
-    for (const double share : is_gentle() ? std::vector<double>{1.0} : valleys()) {
-      least_ = time_of(share);
+    for (const Choice& start : is_gentle() ? std::vector<Choice>{usual_} : valleys()) {
+      least_ = time_of(start);
       raise();
       lower();
       if (is_small()) polish();
       if (!(least_ < least)) continue;
       least = least_;
-      fastest = share_;
+      fastest = choice_;
     }
-    if (fastest.empty()) fastest.assign(count_, 1.0);
-    if (share_ != fastest) {
-      share_ = fastest;
+    if (fastest.empty()) fastest.assign(run_.curves(), usual_);
+    if (choice_ != fastest) {
+      choice_ = fastest;
       apply();
     }
     return run_;
   }
 
  private:
-  const CurveBudget& budget(std::size_t c) const { return all_.budget[first_ + c]; }
-  std::size_t block(std::size_t c) const { return all_.curved[first_ + c] - begin_; }
-  double widest_cap(std::size_t c) const { return all_.block_cap[begin_ + block(c)]; }
+  struct Timed {
+    Choice choice;
+    double time;
+  };
+
+  double time() const { return detail::time_block_ramps(run_.limits(), use_.law, use_.blocks); }
+  detail::BlockSpeeds speeds() const { return detail::block_ramp_speeds(run_.limits(), use_.law, use_.blocks); }
+  void apply() { run_.apply(choice_); }
 
   bool is_gentle() const {
-    for (std::size_t c = 0; c < count_; ++c) {
-      if (widest_cap(c) > kGentle * budget(c).top_speed()) return false;
+    for (std::size_t c = 0; c < run_.curves(); ++c) {
+      if (run_.widest_cap(c) > kGentle * run_.top(c)) return false;
     }
     return true;
   }
 
-  void set(double share) {
-    std::fill(share_.begin(), share_.end(), share);
+  double time_of(const Choice& choice) {
+    std::fill(choice_.begin(), choice_.end(), choice);
     apply();
+    return time();
   }
 
-  /// Caps and ramp limits by the shares. Nodes keep their own caps: plans see the lower of these and their neighbours'.
-  void apply() {
-    DynamicsTable different;
-    std::size_t c = 0;
-    for (std::size_t i = 0; i < run_.size(); ++i) {
-      Dynamics dynamics = all_.dynamics_of(begin_ + i);
-      Cause cause = all_.dynamics_cause[all_.ramp[begin_ + i]];
-      if (c < count_ && block(c) == i) {
-        const CurveBudget& b = budget(c);
-        const AlongPath& along = all_.along[all_.ceiling[first_ + c]];
-        run_.block_cap[i] = std::min(widest_cap(c), share_[c] * b.top_speed());
-        dynamics = within(along.dynamics, b.at(run_.block_cap[i], use_.at_cap));
-        cause = cause_of(dynamics, along);
-        ++c;
-      }
-      run_.ramp[i] = different.add(dynamics, cause);
+  /// Choices, the same for all curves, from which no other one near by is faster; the fastest first.
+  std::vector<Choice> valleys() {
+    std::array<std::vector<Timed>, std::size(kSplits)> rows;
+    for (std::size_t p = 0; p < std::size(kSplits); ++p) {
+      const bool may_help = use_.at_cap == AtCap::rests ? kSplits[p] <= 0.5 : kSplits[p] >= 0;
+      if (kSplits[p] == usual_.split || (is_thorough_ && run_.has_jerk() && may_help))
+        rows[p] = timed_shares(kSplits[p], is_thorough_);
     }
-    std::move(different).give_to(run_);
+    std::vector<Timed> bottoms;
+    for (std::size_t p = 0; p < std::size(kSplits); ++p) {
+      for (std::size_t k = 0; k < rows[p].size(); ++k) {
+        const auto is_passed_by = [&](const std::vector<Timed>& row) {
+          return std::any_of(row.begin() + static_cast<std::ptrdiff_t>(k > 0 ? k - 1 : 0),
+                             row.begin() + static_cast<std::ptrdiff_t>(std::min(row.size(), k + 2)),
+                             [&](const Timed& other) { return other.time < rows[p][k].time; });
+        };
+        const auto first = rows.begin() + static_cast<std::ptrdiff_t>(p > 0 ? p - 1 : 0);
+        const auto last = rows.begin() + static_cast<std::ptrdiff_t>(std::min(p + 2, rows.size()));
+        if (std::none_of(first, last, is_passed_by)) bottoms.push_back(rows[p][k]);
+      }
+    }
+    std::stable_sort(bottoms.begin(), bottoms.end(), [](const Timed& a, const Timed& b) { return a.time < b.time; });
+    bottoms.resize(std::min(bottoms.size(), is_thorough_ ? kMostValleys : 1));
+    std::vector<Choice> choices;
+    for (const Timed& bottom : bottoms) choices.push_back(bottom_near(bottom));
+    return choices;
   }
 
-  double time_of(double share) {
-    set(share);
-    return detail::time_block_ramps(run_, use_.law);
-  }
-
-  /// Shares, the same for all curves, from which no other one near by is faster; the fastest first.
-  std::vector<double> valleys() {
-    std::vector<double> time;
+  /// All shares with one split of the jerk, or as long as they may become faster yet.
+  std::vector<Timed> timed_shares(double split, bool all) {
+    std::vector<Timed> row;
     std::size_t least = 0;
-    const bool is_thorough = all_.curved.size() <= kFewCurves;
-    while (time.size() < std::size(kShares) && (is_thorough || time.size() <= least + kInVain)) {
-      time.push_back(time_of(kShares[time.size()]));
-      if (time.back() < time[least]) least = time.size() - 1;
+    while (row.size() < std::size(kShares) && (all || row.size() <= least + kInVain)) {
+      const Choice choice{kShares[row.size()], split};
+      row.push_back({choice, time_of(choice)});
+      if (row.back().time < row[least].time) least = row.size() - 1;
     }
-    std::vector<std::size_t> bottoms;
-    for (std::size_t k = 0; k < time.size(); ++k) {
-      const bool falls = k == 0 || time[k] < time[k - 1], rises = k + 1 == time.size() || time[k] <= time[k + 1];
-      if (falls && rises) bottoms.push_back(k);
-    }
-    std::stable_sort(bottoms.begin(), bottoms.end(), [&](std::size_t a, std::size_t b) { return time[a] < time[b]; });
-    bottoms.resize(std::min(bottoms.size(), is_thorough ? kMostValleys : 1));
-    std::vector<double> shares;
-    for (const std::size_t k : bottoms) shares.push_back(bottom_near(k, time[k]));
-    return shares;
+    return row;
   }
 
-  /// The fastest share between both neighbours of one that is tried first, of which the time is known.
-  double bottom_near(std::size_t at, double least) {
-    double best = kShares[at], low = kShares[std::min(at + 1, kLast)], high = kShares[at > 0 ? at - 1 : 0];
-    double x = high - kGolden * (high - low), y = low + kGolden * (high - low);
-    double fx = time_of(x), fy = time_of(y);
-    while (high - low > kNarrow) {
-      if (fx < fy) {
-        high = y;
+  /// The fastest choice between the neighbours of one that is tried first: by one of the two, and then by the other.
+  Choice bottom_near(Timed start) {
+    Timed best = narrowed(start, &Choice::share, beside(kShares, start.choice.share));
+    return run_.has_jerk() ? narrowed(best, &Choice::split, beside(kSplits, start.choice.split)).choice : best.choice;
+  }
+
+  Timed narrowed(Timed best, double Choice::*what, std::pair<double, double> between) {
+    auto [low, high] = between;
+    const auto at = [&](double x) {
+      Timed other = best;
+      other.choice.*what = x;
+      other.time = time_of(other.choice);
+      return other;
+    };
+    Timed x = at(high - kGolden * (high - low)), y = at(low + kGolden * (high - low));
+    for (;;) {
+      const Timed& faster = x.time < y.time ? x : y;
+      if (faster.time < best.time) best = faster;
+      if (!(high - low > kNarrow)) return best;
+      if (x.time < y.time) {
+        high = y.choice.*what;
         y = x;
-        fy = fx;
-        x = high - kGolden * (high - low);
-        fx = time_of(x);
+        x = at(high - kGolden * (high - low));
       } else {
-        low = x;
+        low = x.choice.*what;
         x = y;
-        fx = fy;
-        y = low + kGolden * (high - low);
-        fy = time_of(y);
-      }
-      if (std::min(fx, fy) < least) {
-        least = std::min(fx, fy);
-        best = fx < fy ? x : y;
+        y = at(low + kGolden * (high - low));
       }
     }
-    return best;
   }
 
   /// Curves that are run through at their cap need not change speed: they may have their top speed, if the plan as a whole
   /// gains by it.
   void raise() {
-    const std::vector<double> shares = share_;
-    const std::vector<double> v = detail::block_ramp_speeds(run_, use_.law).node;
+    const std::vector<Choice> before = choice_;
+    const std::vector<double> v = speeds().node;
     bool raised = false;
-    for (std::size_t c = 0; c < count_; ++c) {
-      const std::size_t i = block(c);
-      const double cap = run_.block_cap[i] * kAtCap;
-      if (v[i] < cap || v[i + 1] < cap || share_[c] == 1.0) continue;
-      share_[c] = 1.0;
+    for (std::size_t c = 0; c < run_.curves(); ++c) {
+      const std::size_t i = run_.block(c);
+      const double cap = run_.limits().block_cap[i] * kAtCap;
+      if (v[i] < cap || v[i + 1] < cap || choice_[c].share == 1.0) continue;
+      choice_[c].share = 1.0;
       raised = true;
     }
-    if (!raised) return;
-    keep_if_faster(shares);
+    if (raised) keep_if_faster(before);
   }
 
   /// Where the speed does not come up to a curve's cap, the cap leaves less than it could.
   void lower() {
     for (int round = 0; round < kMostLowerings; ++round) {
-      const std::vector<double> shares = share_;
-      const std::vector<double> peak = detail::block_ramp_speeds(run_, use_.law).peak;
+      const std::vector<Choice> last = choice_;
+      const std::vector<double> peak = speeds().peak;
       bool lowered = false;
-      for (std::size_t c = 0; c < count_; ++c) {
-        const std::size_t i = block(c);
-        if (!(peak[i] < kLowered * run_.block_cap[i]) || !(peak[i] > 0)) continue;
-        share_[c] = peak[i] / budget(c).top_speed();
+      for (std::size_t c = 0; c < run_.curves(); ++c) {
+        const std::size_t i = run_.block(c);
+        if (!(peak[i] < kLowered * run_.limits().block_cap[i]) || !(peak[i] > 0)) continue;
+        choice_[c].share = peak[i] / run_.top(c);
         lowered = true;
       }
       const double before = least_;
-      if (!lowered || !keep_if_faster(shares) || least_ > before * (1 - kGain)) return;
+      if (!lowered || !keep_if_faster(last) || least_ > before * (1 - kGain)) return;
     }
   }
 
-  bool is_small() const { return all_.curved.size() <= kFewCurves && run_.size() * count_ <= kSmallRun; }
+  bool is_small() const { return is_thorough_ && run_.blocks() * run_.curves() <= kSmallRun; }
 
-  /// Turns each curve's share by itself, as long as that saves time.
+  /// Turns each curve's choice by itself, as long as that saves time.
   void polish() {
     for (double turn = kFirstTurn; turn > kLeastTurn; turn /= 2) {
       bool gains = true;
       for (int round = 0; round < kMostRounds && gains; ++round) {
         gains = false;
-        for (std::size_t c = 0; c < count_; ++c) gains |= turn_share(c, 1 / (1 + turn)) || turn_share(c, 1 + turn);
+        for (std::size_t c = 0; c < run_.curves(); ++c) {
+          gains |= turn_share(c, 1 / (1 + turn)) || turn_share(c, 1 + turn);
+          if (run_.has_jerk()) gains |= turn_split(c, -turn) || turn_split(c, turn);
+        }
       }
     }
   }
 
   bool turn_share(std::size_t c, double factor) {
-    const std::vector<double> shares = share_;
-    share_[c] = std::min(1.0, share_[c] * factor);
-    return share_[c] != shares[c] && keep_if_faster(shares);
+    const std::vector<Choice> before = choice_;
+    choice_[c].share = std::min(1.0, choice_[c].share * factor);
+    return choice_[c] != before[c] && keep_if_faster(before);
   }
 
-  /// Takes the new shares, or goes back to these.
-  bool keep_if_faster(const std::vector<double>& shares) {
+  bool turn_split(std::size_t c, double by) {
+    const std::vector<Choice> before = choice_;
+    choice_[c].split = std::clamp(choice_[c].split + by, kLeastSplit, kMostSplit);
+    return choice_[c] != before[c] && keep_if_faster(before);
+  }
+
+  /// Takes the new choices, or goes back to these.
+  bool keep_if_faster(const std::vector<Choice>& before) {
     apply();
-    const double time = detail::time_block_ramps(run_, use_.law);
-    if (time < least_) {
-      least_ = time;
+    const double now = time();
+    if (now < least_) {
+      least_ = now;
       return true;
     }
-    share_ = shares;
+    choice_ = before;
     apply();
     return false;
   }
 
-  const SpeedLimits& all_;
-  std::size_t begin_, end_;
   CurveUse use_;
-  SpeedLimits run_;
-  std::size_t first_, count_;  // of the run's curves
-  std::vector<double> share_;  // of each curve's top speed
+  Choice usual_;
+  bool is_thorough_;
+  CurveRun run_;
+  std::vector<Choice> choice_;  // one entry a curve
   double least_ = 0;
 };
 
@@ -255,12 +278,12 @@ SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor
   std::vector<std::uint32_t> ramp(n);
   std::vector<double> cap = widest.block_cap;
   for (std::size_t begin = 0, end = 0; begin < n && !monitor.is_cancelled(); begin = end) {
-    for (end = begin + 1; end < n && !use.stops_everywhere && !is_near_rest(widest, end);) ++end;
+    for (end = begin + 1; end < n && use.blocks > 1 && !is_near_rest(widest, end);) ++end;
     RunSettler settler(widest, begin, end, use);
-    const SpeedLimits& run = settler.run();
+    const CurveRun& run = settler.run();
     for (std::size_t i = begin; i < end; ++i) {
-      cap[i] = run.block_cap[i - begin];
-      ramp[i] = chosen.add(run.dynamics_of(i - begin), run.dynamics_cause[run.ramp[i - begin]]);
+      cap[i] = run.limits().block_cap[i - begin];
+      ramp[i] = chosen.add(run.limits().dynamics_of(i - begin), run.cause(i - begin));
     }
   }
   for (const std::uint32_t i : widest.curved) {

@@ -160,8 +160,9 @@ TEST(LimitSpeed, WithoutAxisLimitsAnArcIsCappedByThePathsAcceleration) {
   EXPECT_EQ(limits.block_cause[0], Cause::curvature);
   EXPECT_LE(limits.dynamics_of(0).up.acceleration, 0.2 * 3000);
   ASSERT_EQ(limits.curved, std::vector<std::uint32_t>{0});
-  EXPECT_NEAR(limits.budget[0].square, 3000, 1e-9);
-  EXPECT_NEAR(limits.budget[0].jerk, 1e6, 1e-6);
+  ASSERT_EQ(limits.budget.size(), 1u);
+  EXPECT_NEAR(limits.budget[0].row[0].across, 1 / 3000.0, 1e-15);
+  EXPECT_NEAR(limits.budget[0].row[0].jerk, 1e-6, 1e-18);
 }
 
 TEST(LimitSpeed, NothingThatBoundsTheSpeedIsAUsageError) {

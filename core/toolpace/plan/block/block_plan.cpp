@@ -41,11 +41,11 @@ MotionPlan plan_with(const SpeedLimits& limits, std::size_t blocks, const Monito
 }
 
 template <class Law>
-double time_with(const SpeedLimits& limits) {
+double time_with(const SpeedLimits& limits, std::size_t blocks) {
   const std::vector<double> cap = joined_caps(limits);
   const std::vector<MoveTerms> terms = terms_of<Law>(limits.dynamics);
   const Chain chain{limits.length, limits.ramp, limits.dynamics, terms, cap};
-  const std::vector<double> v = speeds_of_whole_chain<Law>(chain);
+  const std::vector<double> v = node_speeds<Law>(chain, blocks, {});
   double sum = 0;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     sum += stretch_time({limits.length[i], limits.block_cap[i], v[i], v[i + 1]}, terms[limits.ramp[i]]);
@@ -55,12 +55,12 @@ double time_with(const SpeedLimits& limits) {
 
 }  // namespace
 
-BlockSpeeds block_ramp_speeds(const SpeedLimits& limits, LawKind law) {
+BlockSpeeds block_ramp_speeds(const SpeedLimits& limits, LawKind law, std::size_t blocks) {
   return visit_law(law, [&](auto chosen) {
     using Law = decltype(chosen);
     const std::vector<double> cap = joined_caps(limits);
     const std::vector<MoveTerms> terms = terms_of<Law>(limits.dynamics);
-    BlockSpeeds v{speeds_of_whole_chain<Law>({limits.length, limits.ramp, limits.dynamics, terms, cap}), {}};
+    BlockSpeeds v{node_speeds<Law>({limits.length, limits.ramp, limits.dynamics, terms, cap}, blocks, {}), {}};
     for (std::size_t i = 0; i < limits.size(); ++i) {
       v.peak.push_back(
           peak_speed(Stretch{limits.length[i], limits.block_cap[i], v.node[i], v.node[i + 1]}, terms[limits.ramp[i]]));
@@ -69,8 +69,8 @@ BlockSpeeds block_ramp_speeds(const SpeedLimits& limits, LawKind law) {
   });
 }
 
-double time_block_ramps(const SpeedLimits& limits, LawKind law) {
-  return visit_law(law, [&](auto chosen) { return time_with<decltype(chosen)>(limits); });
+double time_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks) {
+  return visit_law(law, [&](auto chosen) { return time_with<decltype(chosen)>(limits, blocks); });
 }
 
 MotionPlan plan_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks, const Monitor& monitor) {

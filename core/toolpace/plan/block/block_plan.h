@@ -15,15 +15,16 @@ namespace toolpace::detail {
 /// Node caps that also respect both neighbours' feeds; the ends rest [mm/s].
 std::vector<double> joined_caps(const SpeedLimits& limits);
 
-/// Cycle time of plan_block_ramps over the whole chain, without the plan [s].
-double time_block_ramps(const SpeedLimits& limits, LawKind law);
+/// Cycle time of plan_block_ramps, without the plan [s].
+/// @param blocks  look-ahead, ≥ 1
+double time_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks);
 
 /// Speeds of that plan [mm/s].
 struct BlockSpeeds {
   std::vector<double> node;
   std::vector<double> peak;  ///< of each block
 };
-BlockSpeeds block_ramp_speeds(const SpeedLimits& limits, LawKind law);
+BlockSpeeds block_ramp_speeds(const SpeedLimits& limits, LawKind law, std::size_t blocks);
 
 /// @param blocks  look-ahead, ≥ 1
 /// @return no phases when cancelled
