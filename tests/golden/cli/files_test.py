@@ -21,7 +21,8 @@ CONTENTS = {"PROGRAM": LINE, "--program": LINE, "--machine": MACHINE, "--tools":
 class Inputs(CommandLineTest):
     # What a command has to be told besides the files in question; a command that is new has to be added here.
     NEEDS = {"plan": ["PROGRAM"], "blocks": ["PROGRAM"], "simulate": ["PROGRAM"], "report": ["PROGRAM"],
-             "predict": ["PROGRAM", "--output"], "--settings"], "rewrite": "tune": ["PROGRAM", "--plans", "1"],
+             "predict": ["PROGRAM", "--settings"], "rewrite": ["PROGRAM", "--output"],
+             "tune": ["PROGRAM", "--plans", "1"],
              "verify": ["SETPOINTS", "--machine"],
              "move": "--law trapezoid --length 1 --feed 1 --am 1".split(),
              "steps": "--steps 10 --speed 100 --tacc-ms 10 --tdec-ms 10 --timer-hz 1e6".split()}
