@@ -8,9 +8,10 @@ namespace {
 
 constexpr double kTopShare = 0.999;  // of the speed at which nothing is left
 constexpr double kRounding = 1e-9;   // of a third derivative that is all against the direction; of a root
-/// Speeds x as parts of the cap between which the jerk's terms in v³ are those of the faster end. With a = √(2j(cap − v)) the
-/// turning part v·a is largest at two thirds of the cap, and what holds there holds below.
-constexpr double kPlaces[] = {1.0, 0.985, 0.965, 0.94, 0.91, 0.88, 0.835, 0.79, 0.75, 0.71, 2.0 / 3};
+/// Places of a ramp, evenly spread between its cap and two thirds of that, between which the jerk's terms in v³ are those of the
+/// faster end. With a = √(2j(cap − v)) the turning part v·a is largest at two thirds of the cap, and what holds there holds below.
+constexpr int kPlaces = 48;
+constexpr double place(int i) { return 1 - i / (3.0 * kPlaces); }
 
 constexpr double kLeastJerk = 1e-6;  // of what is left at constant speed
 constexpr int kHalvings = 26, kJerkHalvings = 13, kMostSteps = 20;
@@ -106,10 +107,10 @@ double turning_at(double speed, double jerk, const CurveBudget& b) {
 /// below do not pass the root.
 double fall_towards(double cap, double jerk, const CurveBudget& b) {
   const double whole = 2 * jerk * cubed(cap);
-  for (std::size_t i = 0; i + 1 < std::size(kPlaces); ++i) {
-    const double most = squared(turning_at(kPlaces[i] * cap, jerk, b)) / whole, next = kPlaces[i + 1];
+  for (int i = 0; i < kPlaces; ++i) {
+    const double most = squared(turning_at(place(i) * cap, jerk, b)) / whole, next = place(i + 1);
     if (next * next * (1 - next) <= most) continue;
-    double y = 1 - kPlaces[i];
+    double y = 1 - place(i);
     for (int k = 0; k < kMostSteps; ++k) {
       const double x = 1 - y, step = (most - x * x * y) / (x * (3 * x - 2));
       if (!(step > kRounding * y)) break;
