@@ -10,6 +10,7 @@ void add_commands(CommandLine& line) {
   add_verify_command(line);
   add_simulate_command(line);
   add_compare_command(line);
+  add_identify_command(line);
   add_report_command(line);
   add_predict_command(line);
   add_rewrite_command(line);

@@ -8,6 +8,7 @@ namespace toolpace::cli {
 void add_plan_command(CommandLine& line);
 void add_blocks_command(CommandLine& line);
 void add_compare_command(CommandLine& line);
+void add_identify_command(CommandLine& line);
 void add_move_command(CommandLine& line);
 void add_report_command(CommandLine& line);
 void add_predict_command(CommandLine& line);

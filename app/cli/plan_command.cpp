@@ -17,6 +17,7 @@
 #include "report.h"
 #include "servo_json.h"
 #include "setpoint_pass.h"
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/base/descriptor.h"
 #include "toolpace/bound/lower_bound.h"
 #include "toolpace/io/program_pulse_writer.h"
@@ -26,6 +27,7 @@
 #include "toolpace/pipeline/follow.h"
 #include "toolpace/pipeline/prove.h"
 #include "toolpace/sample/program_pulses.h"
+#include "toolpace/servo/vibration.h"
 #include "verification.h"
 
 namespace toolpace::cli {
@@ -173,6 +175,24 @@ void print_summary(const Outcome& outcome, std::optional<double> bound, const Se
   }
 }
 
+/// Of axes with a resonance.
+Json vibration_json(const Vibration& vibration) {
+  Json json = Json::object();
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (!vibration[axis]) continue;
+    const AxisVibration& v = *vibration[axis];
+    const double thousandth = axis_unit(axis).size * 1e-3;
+    const std::string unit = is_rotary(axis) ? "mdeg" : "um";
+    json[std::string(1, kAxisNames[axis])] = {{"resonance_hz", v.resonance},
+                                              {"damping", v.damping},
+                                              {"peak_" + unit, v.peak / thousandth},
+                                              {"residual_" + unit, v.residual / thousandth},
+                                              {"peak_t_s", v.peak_time},
+                                              {"residual_t_s", v.residual_time}};
+  }
+  return json;
+}
+
 Json plan_json(const Outcome& outcome, const SetpointPass& pass, const std::optional<VerifyReport>& proof) {
   Json json = outcome_json(outcome);
   json["axes"] = axes_json(pass.peaks);
@@ -219,6 +239,11 @@ Done run_plan(const PlanFlags& flags) {
     Json json = plan_json(*outcome, *pass, proof);
     if (bound) json["bound_s"] = *bound;
     json["ignored"] = flags.job.ignored_in(*outcome);
+    const auto shaken = vibration(*outcome->path, outcome->plan, outcome->node_time, outcome->job->machine.servo,
+                                  terminal_monitor("vibration"));
+    end_progress();
+    if (!shaken) return tl::unexpected(shaken.error());
+    json["vibration"] = vibration_json(*shaken);
     json["servo"] = nullptr;
     if (flags.servo) {
       const auto servo = follow(*outcome, {}, terminal_monitor("simulating"));

@@ -278,6 +278,14 @@
             <translation>控制器拒绝这一步</translation>
         </message>
         <message>
+            <source>identify-no-fit</source>
+            <translation>驱动模型与测量轨迹不符</translation>
+        </message>
+        <message>
+            <source>identify-still</source>
+            <translation>该轴几乎不动，无法辨识</translation>
+        </message>
+        <message>
             <source>settings-classic-jerk</source>
             <translation>采用经典 jerk，未建模</translation>
         </message>
@@ -1573,6 +1581,10 @@
             <translation>在 printer.cfg 中加入 [gcode_arcs]</translation>
         </message>
         <message>
+            <source>check that the trace is of these setpoints, of the slide, and not filtered</source>
+            <translation>请检查轨迹是否属于这些设定点、取自滑台且未经滤波</translation>
+        </message>
+        <message>
             <source>cut the trace there</source>
             <translation>请在该处截断轨迹</translation>
         </message>
@@ -1627,6 +1639,10 @@
         <message>
             <source>name it with --columns t=NAME, or give the time from row to row with --trace-period-ms</source>
             <translation>请用 --columns t=名称 指定该列，或用 --trace-period-ms 给出行间时间</translation>
+        </message>
+        <message>
+            <source>record a program that moves it</source>
+            <translation>请记录一个让该轴运动的程序</translation>
         </message>
         <message>
             <source>record again with a larger buffer (depth of the sampler)</source>

@@ -392,7 +392,9 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "give mm, um, nm, m, in, deg or rad in brackets"),
     QT_TRANSLATE_NOOP("remedies",
                       "write t=NAME,x=NAME, … with names or numbers of columns; a unit may follow: x=3[um]; commanded "
-                      "positions are commanded_x")};
+                      "positions are commanded_x"),
+    QT_TRANSLATE_NOOP("remedies", "record a program that moves it"),
+    QT_TRANSLATE_NOOP("remedies", "check that the trace is of these setpoints, of the slide, and not filtered")};
 
 }  // namespace
 

@@ -45,6 +45,10 @@ Result<void> check(const ServoAxis& s, double period) {
 
 Result<AxisServo> AxisServo::create(const ServoAxis& s, double period) {
   if (auto fits = check(s, period); !fits) return tl::unexpected(fits.error());
+  return of(s, period);
+}
+
+AxisServo AxisServo::of(const ServoAxis& s, double period) {
   const double w = 2 * std::numbers::pi * s.bandwidth;
   const double wr = 2 * std::numbers::pi * s.resonance;
   const bool rings = s.resonance > 0;

@@ -24,6 +24,10 @@ class AxisServo {
   /// Errors (usage): servo-value for values that make no sense; servo-unstable for Kv ≥ 2ζω (Hurwitz).
   static Result<AxisServo> create(const ServoAxis& axis, double period);
 
+  /// The same without looking at the values, for fits that try some beside those that make sense: a feed-forward below 0.
+  /// @pre Kv < 2ζω; gain, bandwidth and damping > 0
+  static AxisServo of(const ServoAxis& axis, double period);
+
   /// At rest at a position.
   void reset(double position);
 

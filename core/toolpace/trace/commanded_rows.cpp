@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "toolpace/io/setpoint_reader.h"
+#include "toolpace/sample/cubic_between.h"
 #include "toolpace/verify/setpoint_readers.h"
 
 namespace toolpace {
@@ -58,21 +59,8 @@ void CommandedRows::append(const Setpoints& chunk) {
 }
 
 CommandedPoint commanded_at(const std::vector<double>& position, double period, double time) {
-  const auto last = static_cast<std::ptrdiff_t>(position.size()) - 1;
-  const double row = time / period;
-  if (!(row > 0)) return {position.front(), 0};
-  if (row >= static_cast<double>(last)) return {position.back(), 0};
-  const auto k = static_cast<std::ptrdiff_t>(row);
-  const double u = row - static_cast<double>(k);
-  const auto at = [&](std::ptrdiff_t i) {
-    return position[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))];
-  };
-  const double p0 = at(k - 1), p1 = at(k), p2 = at(k + 1), p3 = at(k + 2);
-  // Lagrange's cubic at −1, 0, 1, 2, in Newton's form from p1.
-  const double d1 = p2 - p1, d2 = (p2 - 2 * p1 + p0) / 2, d3 = (p3 - 3 * p2 + 3 * p1 - p0) / 6;
-  const double value = p1 + u * (d1 + (u - 1) * (d2 + (u + 1) * d3));
-  const double slope = d1 + (2 * u - 1) * d2 + (3 * u * u - 1) * d3;
-  return {value, slope / period};
+  const CubicPoint point = cubic_between(position, time / period);
+  return {point.value, point.slope / period};
 }
 
 Result<CommandedRows> read_commanded(const std::filesystem::path& file, double period, const Monitor& monitor) {

@@ -72,6 +72,8 @@ class Formats(CommandLineTest):
         told = {key for row in table("JSON of compare") for key in names(row[0])}
         run = self.run_toolpace("compare", "a.ngc", "t.csv", "--json")
         self.assertEqual(told, set(run.json()))
+        told = {key for row in table("JSON of identify") for key in names(row[0])}
+        self.assertEqual(told, set(self.run_toolpace("identify", "a.ngc", "t.csv", "--json").json()))
         self.assertIn((self.folder / "t.csv").read_text().splitlines()[0], TEXT)
 
     def test_columns_are_those_that_are_written(self):

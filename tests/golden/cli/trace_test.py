@@ -1,6 +1,7 @@
 """compare and its traces, as their users meet them."""
 
 import csv
+import random
 import unittest
 
 from command_line import BAD_INPUT, BAD_USAGE, FILE_TROUBLE, FINE, CommandLineTest
@@ -79,6 +80,49 @@ class Trace(CommandLineTest):
         self.expect_failure(self.run_toolpace("compare", "a.csv", flat), BAD_INPUT, "trace-saturated", "axis X")
         self.expect_failure(self.run_toolpace("compare", "a.csv", "none.csv"), FILE_TROUBLE, "none.csv")
         self.expect_failure(self.run_toolpace("compare", "none.csv", "t.csv"), FILE_TROUBLE, "none.csv")
+
+    def test_identify_finds_the_drives_and_writes_them_into_the_machine_file(self):
+        noise = random.Random(7)
+        noisy = self.write("n.csv", ["t_s", "x_mm", "y_mm"],
+                           lambda r: (r["t_s"], r["actual_x_mm"] + noise.gauss(0, 5e-4), r["actual_y_mm"] + noise.gauss(0, 5e-4)))
+        run = self.run_toolpace("identify", "a.csv", noisy, "--machine", "m.toml", "-o", "servo.toml", "--json")
+        self.assertEqual(run.code, FINE, run.err)
+        told = run.json()
+        for axis in "XY":
+            gain = told["axes"][axis]["position_gain"]
+            self.assertLess(abs(gain["value"] - 63), 3 * gain["standard_error"], axis)
+            self.assertFalse(told["axes"][axis]["resonance"]["told"])
+            self.assertIn("no resonance", told["axes"][axis]["resonance"]["verdict"])
+        written = (self.folder / "servo.toml").read_text()
+        self.assertIn("[servo]   # of all axes\nkv_1_s = 63\n", written)
+        self.assertIn(f"[servo.X]\nkv_1_s = {told['axes']['X']['position_gain']['value']:.6g}\n", written)
+        self.assertTrue(written.startswith("[path]\nmax_speed_mm_s = 100\n"))
+        # It is a machine file, whose drives do what the trace shows.
+        self.run_toolpace("simulate", "a.ngc", "--machine", "servo.toml", "--trace", "again.csv")
+        lag = self.run_toolpace("simulate", "a.ngc", "--machine", "servo.toml", "--json").json()["servo"]["max_lag_mm"]
+        self.assertAlmostEqual(lag, self.simulated["max_lag_mm"], places=3)
+        # Once more: into the same file.
+        again = self.run_toolpace("identify", "a.csv", noisy, "-o", "servo.toml")
+        self.assertEqual(again.code, FINE, again.err)
+        self.assertEqual((self.folder / "servo.toml").read_text(), written)
+
+    def test_identify_writes_over_nothing_that_it_reads(self):
+        for flags in (("-o", "t.csv"), ("-o", "a.csv"), ("--machine", "m.toml", "-o", "m.toml")):
+            self.expect_failure(self.run_toolpace("identify", "a.csv", "t.csv", *flags), BAD_USAGE, "output-is-input")
+        self.file("bad.toml", "[servo\n")
+        self.expect_failure(self.run_toolpace("identify", "a.csv", "t.csv", "-o", "bad.toml"), BAD_USAGE, "bad.toml")
+
+    def test_a_plan_tells_how_axes_with_a_resonance_vibrate(self):
+        self.file("one.ngc", "G21 G90 G94\nG1 X30 F3000\nM2\n")
+        self.file("r.toml", MACHINE.replace("kv_1_s", "resonance_damping = 0.001\n[servo.X]\nresonance_hz = 40\nkv_1_s"))
+        plan = ("plan", "one.ngc", "--machine", "r.toml", "--law", "five-phase-time", "--json")
+        calm = self.run_toolpace(*plan, "--tacc-ms", 50, "--tdec-ms", 50).json()["vibration"]  # two periods
+        hard = self.run_toolpace(*plan, "--tacc-ms", 25, "--tdec-ms", 25).json()["vibration"]
+        self.assertEqual(list(calm), ["X"])
+        self.assertEqual(calm["X"]["resonance_hz"], 40)
+        self.assertLess(calm["X"]["residual_um"], 0.02 * hard["X"]["residual_um"])
+        self.assertGreater(calm["X"]["peak_um"], 1)
+        self.assertEqual(self.run_toolpace("plan", "one.ngc", "--json").json()["vibration"], {})
 
 
 if __name__ == "__main__":

@@ -1,0 +1,234 @@
+#include "toolpace/servo/servo_fit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "toolpace/sample/cubic_between.h"
+#include "toolpace/servo/axis_servo.h"
+#include "toolpace/servo/servo_range.h"
+
+namespace toolpace::detail {
+namespace {
+
+constexpr double kLogStep = 1e-4, kShareStep = 1e-4;          // of differences for the Jacobian
+constexpr double kPlayStep = 1e-6;                            // [mm, rad]
+constexpr double kLeastPlay = 1e-9;                           // [mm, rad] of a model with play: none is another model
+constexpr double kStable = 0.999;                             // of the gain that swings up
+constexpr double kConverged = 1e-10;                          // of the squares, that a round still takes off
+constexpr double kUsualBandwidth = 80, kUsualDamping = 0.75;  // [Hz], 1
+constexpr double kGuidance = 0.05;                            // of what is left, for a factor of e
+constexpr int kMostLags = 200;                                // of the residuals' correlation
+
+/// A parameter that is held near a value.
+struct Held {
+  int parameter;
+  double center, weight;
+};
+
+bool is_log(int p) {
+  return p == kGain || p == kBandwidth || p == kDamping || p == kResonance || p == kResonanceDamping;
+}
+
+double step_of(int p, double value) {
+  if (p == kBacklash) return std::min(kPlayStep, value / 2);
+  return is_log(p) ? kLogStep : kShareStep;
+}
+
+bool fits(double value, const ServoRange& range) { return value >= range.least && value <= range.most; }
+
+}  // namespace
+
+FitVector FitState::values() const {
+  FitVector v;
+  v << std::log(axis.position_gain), axis.velocity_feed_forward, axis.acceleration_feed_forward,
+      std::log(axis.bandwidth), std::log(axis.damping), axis.backlash,
+      axis.resonance > 0 ? std::log(axis.resonance) : 0.0, std::log(axis.resonance_damping), zero, clock;
+  return v;
+}
+
+bool FitState::set(const FitVector& v) {
+  axis.position_gain = std::exp(v[kGain]);
+  axis.velocity_feed_forward = v[kVelocityForward];
+  axis.acceleration_feed_forward = v[kAccelerationForward];
+  axis.bandwidth = std::exp(v[kBandwidth]);
+  axis.damping = std::exp(v[kDamping]);
+  if (free[kBacklash]) axis.backlash = v[kBacklash];
+  if (axis.resonance > 0) axis.resonance = std::exp(v[kResonance]);
+  axis.resonance_damping = std::exp(v[kResonanceDamping]);
+  zero = v[kZero];
+  clock = v[kClock];
+  const double most = 2 * axis.damping * 2 * std::numbers::pi * axis.bandwidth;
+  return v.allFinite() && axis.position_gain < kStable * most && fits(axis.position_gain, kServoGain) &&
+         fits(axis.bandwidth, kServoBandwidth) && fits(axis.damping, kServoDamping) &&
+         (axis.resonance == 0 || fits(axis.resonance, kServoResonance)) &&
+         fits(axis.resonance_damping, kServoDamping) && (!free[kBacklash] || axis.backlash >= kLeastPlay) &&
+         std::abs(axis.velocity_feed_forward) < 10 && std::abs(axis.acceleration_feed_forward) < 100;
+}
+
+std::vector<double> ServoFit::model(const FitState& state) const {
+  AxisServo servo = AxisServo::of(state.axis, data_.period);
+  const auto& r = data_.commanded;
+  servo.reset(r.front());
+  // Two rows more than are needed, for the cubic there.
+  const double last = std::max(0.0, (data_.time.back() + state.clock) / data_.period);
+  const auto rows = static_cast<std::size_t>(last) + 3;
+  std::vector<double> slide(rows);
+  double before = r.front(), from = before;
+  for (std::size_t k = 0; k < rows; ++k) {
+    const double to = k < r.size() ? r[k] : r.back();
+    slide[k] = servo.step(before, from, to);
+    before = from;
+    from = to;
+  }
+  std::vector<double> at(data_.time.size());
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    at[i] = cubic_between(slide, (data_.time[i] + state.clock) / data_.period).value + state.zero;
+  }
+  return at;
+}
+
+Eigen::VectorXd ServoFit::residuals(const FitState& state) const {
+  const std::vector<double> at = model(state);
+  Eigen::VectorXd left(static_cast<Eigen::Index>(at.size()));
+  for (std::size_t i = 0; i < at.size(); ++i) left[static_cast<Eigen::Index>(i)] = data_.actual[i] - at[i];
+  return left;
+}
+
+Eigen::MatrixXd ServoFit::jacobian(const FitState& state) const {
+  const auto rows = static_cast<Eigen::Index>(data_.time.size());
+  Eigen::MatrixXd j = Eigen::MatrixXd::Zero(rows, kFitParameters);
+  const FitVector here = state.values();
+  for (int p = 0; p < kFitParameters; ++p) {
+    if (!state.free[static_cast<std::size_t>(p)]) continue;
+    if (p == kZero) {
+      j.col(p).setOnes();
+      continue;
+    }
+    const double step = p == kClock ? data_.period * kShareStep : step_of(p, here[p]);
+    FitState more = state, less = state;
+    FitVector v = here;
+    v[p] = here[p] + step;
+    more.set(v);
+    v[p] = here[p] - step;
+    less.set(v);
+    j.col(p) = (residuals(less) - residuals(more)) / (2 * step);
+  }
+  return j;
+}
+
+double ServoFit::squares_of(const FitState& state, Eigen::VectorXd& residual) const {
+  residual = residuals(state);
+  return residual.squaredNorm();
+}
+
+FitResult ServoFit::fit(FitState state, int rounds, bool is_guided) const {
+  FitResult result{state, 0, FitVector::Zero(), 0, 1, false};
+  if (!state.set(state.values())) {
+    result.squares = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  std::vector<int> index;
+  for (int p = 0; p < kFitParameters; ++p) {
+    if (state.free[static_cast<std::size_t>(p)]) index.push_back(p);
+  }
+  Eigen::VectorXd residual;
+  double squares = squares_of(state, residual), damping = 1e-3, growth = 2;
+  const auto rows = static_cast<double>(residual.size());
+  for (int round = 0; round < rounds && !result.has_converged; ++round) {
+    const Eigen::MatrixXd j = jacobian(state)(Eigen::all, index);
+    Eigen::MatrixXd normal = j.transpose() * j;
+    Eigen::VectorXd gradient = j.transpose() * residual;
+    // What is known beforehand is one more row each: the clock by the noise that is left, a usual drive by a share of all.
+    std::array<Held, 3> held = {Held{kClock, 0, 0}, Held{kBandwidth, 0, 0}, Held{kDamping, 0, 0}};
+    if (state.clock_error) held[0].weight = squares / rows / (*state.clock_error * *state.clock_error);
+    if (is_guided) {
+      held[1] = {kBandwidth, std::log(kUsualBandwidth), kGuidance * squares};
+      held[2] = {kDamping, std::log(kUsualDamping), kGuidance * squares};
+    }
+    const auto cost_of = [&](const FitVector& v) {
+      double cost = 0;
+      for (const Held& h : held) cost += h.weight * (v[h.parameter] - h.center) * (v[h.parameter] - h.center);
+      return cost;
+    };
+    for (std::size_t i = 0; i < index.size(); ++i) {
+      for (const Held& h : held) {
+        if (index[i] != h.parameter) continue;
+        const auto k = static_cast<Eigen::Index>(i);
+        normal(k, k) += h.weight;
+        gradient[k] -= h.weight * (state.values()[h.parameter] - h.center);
+      }
+    }
+    const Eigen::VectorXd scale = normal.diagonal().cwiseMax(1e-30 * normal.diagonal().maxCoeff());
+    for (;;) {
+      Eigen::MatrixXd damped = normal;
+      damped.diagonal() += damping * scale;
+      const Eigen::VectorXd step = damped.ldlt().solve(gradient);
+      FitVector v = state.values();
+      for (std::size_t i = 0; i < index.size(); ++i) v[index[i]] += step[static_cast<Eigen::Index>(i)];
+      FitState trial = state;
+      Eigen::VectorXd left;
+      const bool exists = step.allFinite() && trial.set(v);
+      const double now = exists ? squares_of(trial, left) : std::numeric_limits<double>::infinity();
+      const double gain = squares + cost_of(state.values()) - now - cost_of(trial.values());
+      if (exists && gain >= 0) {
+        const double expected = step.dot(damping * scale.cwiseProduct(step) + gradient);
+        const double ratio = expected > 0 ? gain / expected : 0;
+        damping *= std::max(1.0 / 3, 1 - std::pow(2 * ratio - 1, 3));
+        growth = 2;
+        result.has_converged = gain <= kConverged * squares;
+        state = trial;
+        residual = left;
+        squares = now;
+        break;
+      }
+      damping *= growth;
+      growth *= 2;
+      if (damping < 1e12) continue;
+      result.has_converged = true;
+      break;
+    }
+  }
+  result.state = state;
+  result.squares = squares;
+  return result;
+}
+
+void ServoFit::judge(FitResult& result) const {
+  std::vector<int> index;
+  for (int p = 0; p < kFitParameters; ++p) {
+    if (result.state.free[static_cast<std::size_t>(p)]) index.push_back(p);
+  }
+  const Eigen::VectorXd left = residuals(result.state);
+  const auto rows = left.size();
+  const double freedom = std::max<double>(1, static_cast<double>(rows) - static_cast<double>(index.size()));
+  result.noise = std::sqrt(left.squaredNorm() / freedom);
+  // 1 + 2Σρ up to the first lag at which the correlation is lost in its own scatter.
+  double sum = 1;
+  for (Eigen::Index lag = 1; lag < std::min<Eigen::Index>(kMostLags, rows / 4); ++lag) {
+    const double rho = left.head(rows - lag).dot(left.tail(rows - lag)) / std::max(left.squaredNorm(), 1e-300);
+    if (rho < 2 / std::sqrt(static_cast<double>(rows))) break;
+    sum += 2 * rho;
+  }
+  result.correlation = std::sqrt(sum);
+  const Eigen::MatrixXd j = jacobian(result.state)(Eigen::all, index);
+  Eigen::MatrixXd normal = j.transpose() * j;
+  for (std::size_t i = 0; i < index.size(); ++i) {
+    if (index[i] != kClock || !result.state.clock_error) continue;
+    normal(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) +=
+        std::pow(result.noise / *result.state.clock_error, 2);
+  }
+  // Scaled to a diagonal of ones, or parameters of different sizes cost each other's digits.
+  const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseMax(1e-150).cwiseInverse();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+  const Eigen::MatrixXd inverse = scaled.completeOrthogonalDecomposition().pseudoInverse();
+  result.error.setZero();
+  for (std::size_t i = 0; i < index.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    result.error[index[i]] = result.noise * result.correlation * std::sqrt(std::max(0.0, inverse(k, k))) * scale[k];
+  }
+}
+
+}  // namespace toolpace::detail

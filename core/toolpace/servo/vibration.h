@@ -1,0 +1,36 @@
+#pragma once
+/// How the axes of a machine vibrate under a plan.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "toolpace/base/monitor.h"
+#include "toolpace/base/result.h"
+#include "toolpace/plan/motion_plan.h"
+#include "toolpace/servo/servo_simulation.h"
+
+namespace toolpace {
+
+/// Of an axis with a resonance: the displacement of its slide against its drive, which is taken to do what is commanded.
+struct AxisVibration {
+  double resonance = 0;  ///< [Hz]
+  double damping = 0;
+  double peak = 0;              ///< [mm, rad] largest displacement while it moves
+  double peak_time = 0;         ///< [s]
+  std::uint32_t peak_move = 0;  ///< row of Moves
+  double residual = 0;          ///< [mm, rad] largest amplitude that a stop leaves: pauses, stops on the way, the end
+  double residual_time = 0;     ///< [s] of that stop
+  std::uint32_t residual_move = 0;
+};
+using Vibration = std::array<std::optional<AxisVibration>, kAxisCount>;
+
+/// Exact on lines and beside the path (rounding apart); on curves accelerations are interpolated over at most a quarter of a
+/// radian, by polynomials of the fifth degree, to 1e-9 of them. Steps of speed at corners count.
+///
+/// @param node_time  [s] arrival at each node of the path
+/// @return nothing for axes without a resonance. Errors: cancelled
+Result<Vibration> vibration(const Path& path, const MotionPlan& plan, const std::vector<double>& node_time,
+                            const ServoMachine& servo, const Monitor& monitor = {});
+
+}  // namespace toolpace
