@@ -1418,6 +1418,26 @@
             <translation>按 G 代码体系 B 读取</translation>
         </message>
         <message>
+            <source>kinematics-missing</source>
+            <translation>缺少 [kinematics]</translation>
+        </message>
+        <message>
+            <source>tool-length-missing</source>
+            <translation>缺少刀具长度</translation>
+        </message>
+        <message>
+            <source>setpoint-columns-unnamed</source>
+            <translation>该格式没有列名</translation>
+        </message>
+        <message>
+            <source>tool-direction-unreachable</source>
+            <translation>旋转轴无法达到该刀具方向</translation>
+        </message>
+        <message>
+            <source>rotary-travel</source>
+            <translation>超出旋转轴行程</translation>
+        </message>
+        <message>
             <source>setvn-unreadable</source>
             <translation>SETVN 需要首个变量号和方括号中的名称</translation>
         </message>
@@ -2679,6 +2699,42 @@
         <message>
             <source>write N and a number from 0</source>
             <translation>写 N 和不小于 0 的数</translation>
+        </message>
+        <message>
+            <source>give each rotary axis once</source>
+            <translation>每个旋转轴只列一次</translation>
+        </message>
+        <message>
+            <source>give the length from the spindle's nose to the tip</source>
+            <translation>请给出从主轴端面到刀尖的长度</translation>
+        </message>
+        <message>
+            <source>name the rotary axis</source>
+            <translation>请写出旋转轴的名称</translation>
+        </message>
+        <message>
+            <source>say whether it carries the workpiece or the spindle</source>
+            <translation>请说明它带动工件还是主轴</translation>
+        </message>
+        <message>
+            <source>add tool_mm to [kinematics]</source>
+            <translation>在 [kinematics] 中加入 tool_mm</translation>
+        </message>
+        <message>
+            <source>name it with --machine, or add rotary = [...] to it</source>
+            <translation>用 --machine 指定机床文件，或在其中加入 rotary = [...]</translation>
+        </message>
+        <message>
+            <source>write .csv or .semicolon.csv</source>
+            <translation>请写 .csv 或 .semicolon.csv</translation>
+        </message>
+        <message>
+            <source>tilt the tool less, or check the directions of the rotary axes in [kinematics]</source>
+            <translation>减小刀具倾斜，或检查 [kinematics] 中旋转轴的方向</translation>
+        </message>
+        <message>
+            <source>give the axis more travel, or tilt the tool otherwise</source>
+            <translation>增大该轴行程，或改变刀具倾斜</translation>
         </message>
         <message>
             <source>write SETVN 500[NAME,NAME]</source>

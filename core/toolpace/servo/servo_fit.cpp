@@ -13,20 +13,13 @@
 namespace toolpace::detail {
 namespace {
 
-constexpr double kLogStep = 1e-4, kShareStep = 1e-4;          // of differences for the Jacobian
-constexpr double kPlayStep = 1e-6;                            // [mm, rad]
-constexpr double kLeastPlay = 1e-9;                           // [mm, rad] of a model with play: none is another model
-constexpr double kStable = 0.999;                             // of the gain that swings up
-constexpr double kConverged = 1e-10;                          // of the squares, that a round still takes off
-constexpr double kUsualBandwidth = 80, kUsualDamping = 0.75;  // [Hz], 1
-constexpr double kGuidance = 0.05;                            // of what is left, for a factor of e
-constexpr int kMostLags = 200;                                // of the residuals' correlation
-
-/// A parameter that is held near a value.
-struct Held {
-  int parameter;
-  double center, weight;
-};
+constexpr double kLogStep = 1e-4, kShareStep = 1e-4;  // of differences for the Jacobian
+constexpr double kPlayStep = 1e-6;                    // [mm, rad]
+constexpr double kLeastPlay = 1e-9;                   // [mm, rad] of a model with play: none is another model
+constexpr double kStable = 0.999;                     // of the gain that swings up
+constexpr double kConverged = 1e-10;                  // of the squares, that a round still takes off
+constexpr double kMostDamping = 1e12;                 // beyond it no step leads on
+constexpr int kMostLags = 200;                        // of the residuals' correlation
 
 bool is_log(int p) {
   return p == kGain || p == kBandwidth || p == kDamping || p == kResonance || p == kResonanceDamping;
@@ -124,71 +117,80 @@ double ServoFit::squares_of(const FitState& state, Eigen::VectorXd& residual) co
   return residual.squaredNorm();
 }
 
-FitResult ServoFit::fit(FitState state, int rounds, bool is_guided) const {
+namespace {
+
+/// Where a step of the fit begins: the normal equations of what is free, and what the clock is held by.
+struct Normal {
+  std::vector<int> index;  // of the free parameters
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd gradient, scale;
+  double clock_weight = 0;  // what is known of the clock is one more row, by the noise that is left
+
+  double clock_cost(const FitVector& v) const { return clock_weight * v[kClock] * v[kClock]; }
+  FitVector moved(FitVector v, const Eigen::VectorXd& step) const {
+    for (std::size_t i = 0; i < index.size(); ++i) v[index[i]] += step[static_cast<Eigen::Index>(i)];
+    return v;
+  }
+};
+
+Normal normal_at(const FitState& state, const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual) {
+  Normal n;
+  for (int p = 0; p < kFitParameters; ++p) {
+    if (state.free[static_cast<std::size_t>(p)]) n.index.push_back(p);
+  }
+  const Eigen::MatrixXd j = jacobian(Eigen::all, n.index);
+  n.matrix = j.transpose() * j;
+  n.gradient = j.transpose() * residual;
+  if (state.clock_error) {
+    n.clock_weight =
+        residual.squaredNorm() / static_cast<double>(residual.size()) / (*state.clock_error * *state.clock_error);
+  }
+  for (std::size_t i = 0; i < n.index.size(); ++i) {
+    if (n.index[i] != kClock) continue;
+    const auto k = static_cast<Eigen::Index>(i);
+    n.matrix(k, k) += n.clock_weight;
+    n.gradient[k] -= n.clock_weight * state.values()[kClock];
+  }
+  n.scale = n.matrix.diagonal().cwiseMax(1e-30 * n.matrix.diagonal().maxCoeff());
+  return n;
+}
+
+}  // namespace
+
+FitResult ServoFit::fit(FitState state, int rounds) const {
   FitResult result{state, 0, FitVector::Zero(), 0, 1, false};
   if (!state.set(state.values())) {
     result.squares = std::numeric_limits<double>::infinity();
     return result;
   }
-  std::vector<int> index;
-  for (int p = 0; p < kFitParameters; ++p) {
-    if (state.free[static_cast<std::size_t>(p)]) index.push_back(p);
-  }
   Eigen::VectorXd residual;
   double squares = squares_of(state, residual), damping = 1e-3, growth = 2;
-  const auto rows = static_cast<double>(residual.size());
   for (int round = 0; round < rounds && !result.has_converged; ++round) {
-    const Eigen::MatrixXd j = jacobian(state)(Eigen::all, index);
-    Eigen::MatrixXd normal = j.transpose() * j;
-    Eigen::VectorXd gradient = j.transpose() * residual;
-    // What is known beforehand is one more row each: the clock by the noise that is left, a usual drive by a share of all.
-    std::array<Held, 3> held = {Held{kClock, 0, 0}, Held{kBandwidth, 0, 0}, Held{kDamping, 0, 0}};
-    if (state.clock_error) held[0].weight = squares / rows / (*state.clock_error * *state.clock_error);
-    if (is_guided) {
-      held[1] = {kBandwidth, std::log(kUsualBandwidth), kGuidance * squares};
-      held[2] = {kDamping, std::log(kUsualDamping), kGuidance * squares};
-    }
-    const auto cost_of = [&](const FitVector& v) {
-      double cost = 0;
-      for (const Held& h : held) cost += h.weight * (v[h.parameter] - h.center) * (v[h.parameter] - h.center);
-      return cost;
-    };
-    for (std::size_t i = 0; i < index.size(); ++i) {
-      for (const Held& h : held) {
-        if (index[i] != h.parameter) continue;
-        const auto k = static_cast<Eigen::Index>(i);
-        normal(k, k) += h.weight;
-        gradient[k] -= h.weight * (state.values()[h.parameter] - h.center);
-      }
-    }
-    const Eigen::VectorXd scale = normal.diagonal().cwiseMax(1e-30 * normal.diagonal().maxCoeff());
-    for (;;) {
-      Eigen::MatrixXd damped = normal;
-      damped.diagonal() += damping * scale;
-      const Eigen::VectorXd step = damped.ldlt().solve(gradient);
-      FitVector v = state.values();
-      for (std::size_t i = 0; i < index.size(); ++i) v[index[i]] += step[static_cast<Eigen::Index>(i)];
+    const Normal normal = normal_at(state, jacobian(state), residual);
+    for (bool has_moved = false; !has_moved && !result.has_converged;) {
+      Eigen::MatrixXd damped = normal.matrix;
+      damped.diagonal() += damping * normal.scale;
+      const Eigen::VectorXd step = damped.ldlt().solve(normal.gradient);
       FitState trial = state;
       Eigen::VectorXd left;
-      const bool exists = step.allFinite() && trial.set(v);
+      const bool exists = step.allFinite() && trial.set(normal.moved(state.values(), step));
       const double now = exists ? squares_of(trial, left) : std::numeric_limits<double>::infinity();
-      const double gain = squares + cost_of(state.values()) - now - cost_of(trial.values());
-      if (exists && gain >= 0) {
-        const double expected = step.dot(damping * scale.cwiseProduct(step) + gradient);
-        const double ratio = expected > 0 ? gain / expected : 0;
-        damping *= std::max(1.0 / 3, 1 - std::pow(2 * ratio - 1, 3));
-        growth = 2;
-        result.has_converged = gain <= kConverged * squares;
-        state = trial;
-        residual = left;
-        squares = now;
-        break;
+      const double gain = squares + normal.clock_cost(state.values()) - now - normal.clock_cost(trial.values());
+      if (!exists || !(gain >= 0)) {
+        damping *= growth;
+        growth *= 2;
+        result.has_converged = damping >= kMostDamping;
+        continue;
       }
-      damping *= growth;
-      growth *= 2;
-      if (damping < 1e12) continue;
-      result.has_converged = true;
-      break;
+      const double expected = step.dot(damping * normal.scale.cwiseProduct(step) + normal.gradient);
+      const double ratio = expected > 0 ? gain / expected : 0;
+      damping *= std::max(1.0 / 3, 1 - std::pow(2 * ratio - 1, 3));
+      growth = 2;
+      result.has_converged = gain <= kConverged * squares;
+      state = trial;
+      residual = left;
+      squares = now;
+      has_moved = true;
     }
   }
   result.state = state;

@@ -68,10 +68,7 @@ class ServoFit {
 
   /// Levenberg-Marquardt from a state on; at most `rounds` Jacobians.
   /// @source Marquardt 1963, with Nielsen's damping (Madsen, Nielsen, Tingleff, "Methods for non-linear least squares", 2004)
-  ///
-  /// @param is_guided  drives that are set as usual are preferred, by a few hundredths of what is left for each factor of two:
-  ///                   a first fit, without a play or a resonance that is there, would else make up for it by an odd drive
-  FitResult fit(FitState begin, int rounds, bool is_guided = false) const;
+  FitResult fit(FitState begin, int rounds) const;
   /// Errors, noise and its correlation at a state.
   void judge(FitResult& result) const;
 
