@@ -5,6 +5,7 @@
 #include <string>
 
 #include "job_flags.h"
+#include "json.h"
 #include "reading_flags.h"
 #include "toolpace/trace/align.h"
 
