@@ -15,14 +15,15 @@ CALLS = "G21 G90 G94 F3000\no<sub> call\nM2\n"
 SUB = "o<sub> sub\nG1 X10\no<sub> endsub\nM2\n"
 MACHINE = "[path]\nmax_speed_mm_s = 100.0\nmax_acceleration_mm_s2 = 3000.0\nmax_jerk_mm_s3 = 1e6\n"
 CONTENTS = {"PROGRAM": LINE, "--program": LINE, "--machine": MACHINE, "--tools": "T1 P1 D6\n", "--parameters": "5161 0\n",
-            "--settings": "$110=1000\n"}
+            "--settings": "$110=1000\n", "TRACE": "t_s,actual_x_mm\n0,0\n0.001,0.1\n"}
 
 
 class Inputs(CommandLineTest):
     # What a command has to be told besides the files in question; a command that is new has to be added here.
     NEEDS = {"plan": ["PROGRAM"], "blocks": ["PROGRAM"], "simulate": ["PROGRAM"], "report": ["PROGRAM"],
              "predict": ["PROGRAM", "--settings"], "rewrite": ["PROGRAM", "--output"],
-             "tune": ["PROGRAM", "--plans", "1"],
+             "tune": ["PROGRAM", "--plans", "1"], "compare": ["SETPOINTS", "TRACE"],
+             "identify": ["SETPOINTS", "TRACE", "--output"],
              "verify": ["SETPOINTS", "--machine"],
              "move": "--law trapezoid --length 1 --feed 1 --am 1".split(),
              "steps": "--steps 10 --speed 100 --tacc-ms 10 --tdec-ms 10 --timer-hz 1e6".split()}
@@ -30,7 +31,7 @@ class Inputs(CommandLineTest):
     def files_of(self, command):
         """Flags and arguments of a command that name a file, from its help."""
         text = self.run_toolpace(command, "--help").out.decode()
-        return [name for name in ("PROGRAM", "SETPOINTS") if re.search(rf"^  {name} ", text, re.M)] + \
+        return [name for name in ("PROGRAM", "SETPOINTS", "TRACE") if re.search(rf"^  {name} ", text, re.M)] + \
             re.findall(r"(--[a-z-]+) FILE", text)
 
     def content(self, flag):
