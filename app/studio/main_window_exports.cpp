@@ -1,6 +1,7 @@
 /// What the window writes for others: setpoints, pulses, pictures, the report.
 
 #include <QBuffer>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
@@ -211,9 +212,12 @@ void MainWindow::print() {
   printer.setDocName(workspace_.document()->name);
   QPrintDialog dialog(&printer, this);
   dialog.setObjectName("printDialog");
-  if (dialog.exec() == QDialog::Accepted && !printTo(printer)) {
-    transport_->setMessage(tr("the printer takes nothing"));
-  }
+  if (dialog.exec() != QDialog::Accepted) return;
+  // Where there is no printer, Qt offers a file, which may not be there to be written.
+  const QString file = printer.outputFileName();
+  const bool to_file = printer.outputFormat() == QPrinter::PdfFormat;
+  const bool writable = !to_file || (!file.isEmpty() && QFile(file).open(QIODevice::Append));
+  if (!writable || !printTo(printer)) transport_->setMessage(tr("the printer takes nothing"));
 }
 
 // Paper is light, whatever the window is.

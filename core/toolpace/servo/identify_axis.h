@@ -36,10 +36,10 @@ struct AxisIdentification {
   /// In the order of ServoAxis: position gain [1/s], velocity and acceleration feed-forward, bandwidth [Hz], damping,
   /// backlash [mm, rad], resonance [Hz], its damping.
   std::array<IdentifiedValue, 8> values;
-  ServoAxis axis;      ///< `known` with the values that the trace tells
-  double noise = 0;    ///< [mm, rad] standard deviation of what the model leaves
-  double largest = 0;  ///< [mm, rad] of it
-  double clock = 0;    ///< [s] that was added to the times
+  ServoAxis axis;          ///< `known` with the values that the trace tells
+  double noise = 0;        ///< [mm, rad] standard deviation of what the model leaves
+  double largest = 0;      ///< [mm, rad] of it
+  double clock = 0;        ///< [s] that was added to the times
   double clock_error = 0;  ///< [s] its standard error; 0 where it was held
   std::size_t rows = 0;
 };

@@ -20,7 +20,7 @@ using namespace toolpace::ui;
 constexpr int kUsualActions = 100, kBetweenDeepLooks = 40;
 
 struct Place {
-  unsigned long long seed = 1;
+  unsigned long long seed = 2;
   int step = 0;
   QByteArray last;
 };
@@ -62,7 +62,7 @@ class RandomUserTest : public QObject {
   void initTestCase() { QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings_.path()); }
 
   void whatever_somebody_does_the_window_makes_sense() {
-    place.seed = static_cast<unsigned long long>(number_from_environment("TOOLPACE_USER_SEED", 1));
+    place.seed = static_cast<unsigned long long>(number_from_environment("TOOLPACE_USER_SEED", 2));
     const int actions = number_from_environment("TOOLPACE_USER_ACTIONS", kUsualActions);
     const bool traced = qEnvironmentVariableIsSet("TOOLPACE_USER_TRACE");
     for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE}) std::signal(signal, tell_place);

@@ -120,7 +120,8 @@ MotionPlan SpanPlanner::plan_whole() {
     plan = std::move(other);
     best_ = m;
   }
-  if (!has_rivals() || (!plan.phases.empty() && plan.cycle_time() <= time_block_ramps(limits_, law_, limits_.size()))) return plan;
+  if (!has_rivals() || (!plan.phases.empty() && plan.cycle_time() <= time_block_ramps(limits_, law_, limits_.size())))
+    return plan;
   MotionPlan block = plan_block_ramps(limits_, law_, limits_.size(), monitor_);
   return is_faster(block, plan) ? block : plan;
 }
