@@ -12,7 +12,8 @@ namespace toolpace {
 namespace {
 
 constexpr std::size_t kLinearAxes = 3;
-constexpr double kArcStep = 0.1;  ///< [rad] between the points that may be chosen on a curve
+constexpr double kArcStep = 0.1;           ///< [rad] between the points that may be chosen on a curve
+constexpr std::size_t kPointsBefore = 32;  ///< of which the best one is looked for
 
 using Point = Eigen::Vector3d;
 
@@ -45,6 +46,12 @@ class TubeBound {
     // Between two setpoints the motion is off their chord by no more than a·Ts²/8.
     const double bulge = acceleration.norm() * machine.period * machine.period / 8;
     radius_ = tolerance + (std::isfinite(bulge) ? bulge : 0.0);
+  }
+
+  /// The points of the longest time, as far as they are no more than kPointsBefore apart of those that may be chosen.
+  double with_best_points() {
+    is_chosen_at_end_ = true;
+    return with_points_apart(1);
   }
 
   double with_points_apart(double multiple) {
@@ -85,17 +92,51 @@ class TubeBound {
 
   /// Chooses the point, if it is far enough from the one before.
   void take(const Point& point) {
-    if (distance(last_, point) >= least_distance_) choose(point);
+    if (distance(last_, point) < least_distance_) return;
+    is_chosen_at_end_ ? keep(point) : choose(point);
+  }
+
+  void keep(const Point& point) {
+    kept_.push_back({point, cap_, 0, 0});
+    last_ = point;
+    cap_ = 0;
+  }
+
+  double time_between(const Point& from, const Point& to, double cap) const {
+    const double length = distance(from, to) - 2 * radius_;
+    double time = cap > 0 && length > 0 ? length / cap : 0.0;
+    for (std::size_t k = 0; k < kLinearAxes; ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      time = std::max(time, (std::abs(to[i] - from[i]) - 2 * radius_) / machine_.axes[k].speed);
+    }
+    return time;
+  }
+
+  void choose_best() {
+    for (std::size_t to = 1; to < kept_.size(); ++to) {
+      double cap = kept_[to].cap, most = -1;
+      for (std::size_t from = to; from-- > 0 && to - from <= kPointsBefore;) {
+        const double time = kept_[from].time + std::max(0.0, time_between(kept_[from].point, kept_[to].point, cap));
+        cap = std::max(cap, kept_[from].cap);
+        if (time <= most) continue;
+        most = time;
+        kept_[to].from = from;
+      }
+      kept_[to].time = most;
+    }
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = kept_.size() - 1; i > 0; i = kept_[i].from) chosen.push_back(i);
+    last_ = kept_.front().point;
+    std::size_t from = 0;
+    for (; !chosen.empty(); chosen.pop_back()) {
+      for (cap_ = 0; from < chosen.back();) cap_ = std::max(cap_, kept_[++from].cap);
+      choose(kept_[from].point);
+    }
   }
 
   void choose(const Point& point) {
     const double length = distance(last_, point) - 2 * radius_;
-    double time = cap_ > 0 && length > 0 ? length / cap_ : 0.0;
-    for (std::size_t k = 0; k < kLinearAxes; ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      time = std::max(time, (std::abs(point[i] - last_[i]) - 2 * radius_) / machine_.axes[k].speed);
-    }
-    section_time_ += std::max(0.0, time);
+    section_time_ += std::max(0.0, time_between(last_, point, cap_));
     if (length > 0 && cap_ > 0 && cap_ < kUnlimited) {
       line_.length.push_back(length);
       line_.block_cap.push_back(cap_);
@@ -109,11 +150,17 @@ class TubeBound {
     cap_ = 0;
     section_time_ = 0;
     line_ = {};
+    kept_.assign(1, {point, 0, 0, 0});
   }
 
   /// The machine rests at the point.
   void end_section(const Point& point) {
-    choose(point);
+    if (is_chosen_at_end_) {
+      keep(point);
+      choose_best();
+    } else {
+      choose(point);
+    }
     time_ += std::max(section_time_, line_time());
     start_section(point);
   }
@@ -141,6 +188,15 @@ class TubeBound {
   double cap_ = 0;              ///< top speed since then
   double section_time_ = 0, time_ = 0;
   SpeedLimits line_;
+
+  struct Kept {
+    Point point;
+    double cap;        ///< top speed since the one before
+    double time;       ///< the most from the section's begin on
+    std::size_t from;  ///< the one chosen before it, for that
+  };
+  bool is_chosen_at_end_ = false;
+  std::vector<Kept> kept_;  ///< of the section
 };
 
 }  // namespace
@@ -150,7 +206,7 @@ double tube_bound(const Path& path, const Commands& commands, const Machine& mac
   TubeBound bound(path, commands, machine, tolerance);
   double longest = 0;
   for (const double multiple : {25.0, 100.0, 400.0}) longest = std::max(longest, bound.with_points_apart(multiple));
-  return longest;
+  return std::max(longest, bound.with_best_points());
 }
 
 }  // namespace toolpace

@@ -12,7 +12,8 @@ namespace toolpace {
 /// Such a motion comes within the tolerance r of any chosen points of the path, so between two of them, d apart, it
 /// travels at least d − 2r, and along each axis at least |Δ| − 2r. The time is then at least that of these lengths at top
 /// speed, and, as a shorter way from rest to rest takes no longer, at least that of the fastest motion along a line that
-/// consists of them. Points 25, 100 and 400 times r apart are tried, and the largest time counts. Weak where the path has
+/// consists of them. Points 25, 100 and 400 times r apart are tried, and those whose times at top speed add up to the most; the
+/// largest time counts. Weak where the path has
 /// sharp corners that the machine must slow down for; jerk and rotary axes are not looked at.
 ///
 /// @param path  as programmed, before corners were rounded
