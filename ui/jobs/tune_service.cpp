@@ -2,6 +2,18 @@
 
 namespace toolpace::ui {
 
+template <class T, class Argument>
+Background::Delivery TuneService::answer(quint64 number, Result<T> result, void (TuneService::*signal)(Argument)) {
+  return [this, number, result = std::move(result), signal] {
+    if (number != latest_) return;
+    if (result) {
+      emit(this->*signal)(*result);
+    } else {
+      emit failed(result.error());
+    }
+  };
+}
+
 TuneService::TuneService(QObject* parent) : QObject(parent) {
   connect(&worker_, &Background::progressed, this, &TuneService::progressed);
   connect(&worker_, &Background::finished, this, [this] {
@@ -14,13 +26,7 @@ void TuneService::sweep(std::shared_ptr<const Job> job) {
   const quint64 number = ++latest_;
   submit(number, [this, job = std::move(job), number](const Monitor& monitor) {
     auto result = sweep_lookahead(*job, monitor);
-    return ifLatest(number, [this, result = std::move(result)] {
-      if (result) {
-        emit swept(*result);
-      } else {
-        emit failed(result.error());
-      }
-    });
+    return answer(number, std::move(result), &TuneService::swept);
   });
 }
 
@@ -29,13 +35,7 @@ void TuneService::findSavings(std::shared_ptr<const Job> job, double cycle_time)
   constexpr double kRaise = 1.1;
   submit(number, [this, job = std::move(job), cycle_time, number](const Monitor& monitor) {
     auto result = find_savings(*job, cycle_time, kRaise, monitor);
-    return ifLatest(number, [this, result = std::move(result)] {
-      if (result) {
-        emit savingsFound(*result);
-      } else {
-        emit failed(result.error());
-      }
-    });
+    return answer(number, std::move(result), &TuneService::savingsFound);
   });
 }
 
@@ -43,13 +43,7 @@ void TuneService::trySettings(std::shared_ptr<const Controlled> run) {
   const quint64 number = ++latest_;
   submit(number, [this, run = std::move(run), number](const Monitor& monitor) {
     auto result = what_if(*run->reading, *run->text, run->asked->settings, {}, monitor);
-    return ifLatest(number, [this, result = std::move(result)] {
-      if (result) {
-        emit settingsTried(*result);
-      } else {
-        emit failed(result.error());
-      }
-    });
+    return answer(number, std::move(result), &TuneService::settingsTried);
   });
 }
 
@@ -58,13 +52,7 @@ void TuneService::planSetpoints(std::shared_ptr<const Controlled> run) {
   submit(number, [this, run = std::move(run), number](const Monitor& monitor) {
     const bool refined = run->prediction.cycle_time < kLongestRefined;
     auto result = cycle_time_as_setpoints(run->reading, run->asked->settings, kToleranceOfSetpoints, refined, monitor);
-    return ifLatest(number, [this, result = std::move(result)] {
-      if (result) {
-        emit setpointsPlanned(*result);
-      } else {
-        emit failed(result.error());
-      }
-    });
+    return answer(number, std::move(result), &TuneService::setpointsPlanned);
   });
 }
 
@@ -83,12 +71,6 @@ void TuneService::submit(quint64 number, Background::Task task) {
   if (!worker_.isBusy()) return start();
   next_ = start;
   worker_.cancel();
-}
-
-Background::Delivery TuneService::ifLatest(quint64 number, Background::Delivery delivery) {
-  return [this, number, delivery = std::move(delivery)] {
-    if (number == latest_) delivery();
-  };
 }
 
 }  // namespace toolpace::ui

@@ -40,8 +40,9 @@ class TuneService : public QObject {
 
  private:
   void submit(quint64 number, Background::Task task);
-  /// Wraps a delivery so that it is dropped when the request is no longer the latest.
-  Background::Delivery ifLatest(quint64 number, Background::Delivery delivery);
+  /// Gives a result to its signal, an error to failed(), and nothing where the request is no longer the latest.
+  template <class T, class Argument>
+  Background::Delivery answer(quint64 number, Result<T> result, void (TuneService::*signal)(Argument));
 
   Background worker_;
   std::function<void()> next_;
