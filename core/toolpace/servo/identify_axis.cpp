@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "toolpace/servo/axis_servo.h"
+#include "toolpace/servo/resonance_search.h"
 #include "toolpace/servo/servo_fit.h"
 
 namespace toolpace {
@@ -23,13 +24,9 @@ constexpr double kStill = 0.05;       // [mm, deg] an axis that moves less tells
 constexpr double kReverses = 0.02;    // [mm, deg] of way on either side of a turn
 constexpr double kForBacklash = 16;   // by how much squares / noise² have to fall for one more thing in the model:
 constexpr double kForResonance = 30;  //   χ² of one and of two parameters, the second looked for all over the band
-constexpr double kFrequencyRatio = 1.03;  // of the frequencies that are looked at
-constexpr double kLookedAtDamping = 0.05;
-constexpr std::size_t kCandidates = 3, kFinalists = 3;
+constexpr std::size_t kFinalists = 3;
 constexpr double kUsualDamping = 0.7, kUsualBandwidth = 80;  // [Hz] of a drive that is set well
 constexpr double kSmallPlay = 0.004;                         // [mm, deg] that a search begins with
-constexpr double kLeastFrequency = 2.0;                      // [Hz]
-constexpr double kOfNyquist = 0.9;
 constexpr double kRelativeError = 0.25, kShareError = 0.1, kFrequencyError = 0.05;  // beyond it a value is not told
 constexpr double kClear = 3;                                                        // standard errors
 constexpr double kMostLeft = 0.2;                                                   // of the RMS following error
@@ -97,9 +94,9 @@ class AxisFit {
       damped.axis.bandwidth = std::max(damped.axis.bandwidth, kUsualBandwidth);
       damped.free[detail::kDamping] = false;
       const FitResult other = fit_.fit(damped, kFirstRounds);
-      std::vector<double> looked_at = frequencies(other);
+      std::vector<double> looked_at = detail::resonance_frequencies(fit_, other.state);
       if (drive->state.axis.damping < kUsualDamping) looked_at.push_back(drive->state.axis.bandwidth);
-      for (const double f : frequencies(*drive)) try_resonance(drive->state, f, found);
+      for (const double f : detail::resonance_frequencies(fit_, drive->state)) try_resonance(drive->state, f, found);
       for (const double f : looked_at) {
         try_resonance(other.state, f, found);
         FitState usual = other.state;  // as if nothing of the drive were known yet
@@ -124,7 +121,7 @@ class AxisFit {
   void try_resonance(FitState state, double frequency, std::vector<FitResult>& found) const {
     if (monitor_.is_cancelled()) return;
     state.axis.resonance = frequency;
-    state.axis.resonance_damping = kLookedAtDamping;
+    state.axis.resonance_damping = detail::kLookedAtDamping;
     for (const int p : {detail::kResonance, detail::kResonanceDamping, detail::kDamping})
       state.free[static_cast<std::size_t>(p)] = true;
     if (reverses_) {
@@ -188,49 +185,10 @@ class AxisFit {
     }
   }
 
-  /// Frequencies at which a mode would explain most of what is left, beside all that the drive's values could.
-  std::vector<double> frequencies(const FitResult& from) const {
-    const Eigen::MatrixXd j = fit_.jacobian(from.state);
-    std::vector<int> index;
-    for (int p = 0; p < detail::kFitParameters; ++p) {
-      if (from.state.free[static_cast<std::size_t>(p)] && j.col(p).squaredNorm() > 0) index.push_back(p);
-    }
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(j(Eigen::all, index));
-    const Eigen::MatrixXd q =
-        qr.householderQ() * Eigen::MatrixXd::Identity(j.rows(), static_cast<Eigen::Index>(index.size()));
-    const Eigen::VectorXd left = fit_.residuals(from.state);
-    const Eigen::VectorXd open = left - q * (q.transpose() * left);
-    const auto rows = static_cast<double>(data_.time.size());
-    const double nyquist = 0.5 * (rows - 1) / (data_.time.back() - data_.time.front());
-    const double most = kOfNyquist * std::min(nyquist, 0.5 / data_.period);
-    std::vector<std::pair<double, double>> found;  // what it explains, frequency
-    for (double f = kLeastFrequency; f < most; f *= kFrequencyRatio) {
-      FitState state = from.state;
-      state.axis.resonance = f;
-      state.axis.resonance_damping = kLookedAtDamping;
-      Eigen::VectorXd shape = left - fit_.residuals(state);
-      shape -= q * (q.transpose() * shape);
-      const double size = shape.squaredNorm(), along = shape.dot(open);
-      found.emplace_back(along > 0 && size > 0 ? along * along / size : 0.0, f);
-    }
-    std::vector<std::pair<double, double>> peaks;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const bool is_peak = (i == 0 || found[i].first >= found[i - 1].first) &&
-                           (i + 1 == found.size() || found[i].first > found[i + 1].first);
-      if (is_peak && found[i].first > 0) peaks.push_back(found[i]);
-    }
-    std::sort(peaks.rbegin(), peaks.rend());
-    std::vector<double> best;
-    for (std::size_t i = 0; i < std::min(kCandidates, peaks.size()); ++i) best.push_back(peaks[i].second);
-    return best;
-  }
-
   /// Whether a resonance that was found is one: in the band, and not all damping.
   bool is_sound(const FitResult& r) const {
-    const auto rows = static_cast<double>(data_.time.size());
-    const double nyquist = 0.5 * (rows - 1) / (data_.time.back() - data_.time.front());
-    return r.state.axis.resonance < nyquist && r.state.axis.resonance > kLeastFrequency / 2 &&
-           r.state.axis.resonance_damping < 0.7;
+    return r.state.axis.resonance < detail::nyquist_of(fit_data_) &&
+           r.state.axis.resonance > detail::kLeastFrequency / 2 && r.state.axis.resonance_damping < 0.7;
   }
 
   /// Whether another clock would explain the trace no better than the one that is held.

@@ -59,6 +59,8 @@ class ServoFit {
  public:
   explicit ServoFit(const FitData& data) : data_(data) {}
 
+  const FitData& data() const { return data_; }
+
   /// The actual positions that a drive would have given, at the measured times.
   std::vector<double> model(const FitState& state) const;
   /// actual − model
