@@ -14,6 +14,7 @@ namespace toolpace::ui {
 namespace {
 
 constexpr std::size_t kMostBandPieces = 20'000;
+constexpr double kMostOfScaleBar = 110, kAxesWidth = 76, kScaleBarWidth = kMostOfScaleBar + 24;  // px, of the foot
 
 QColor faded(const QColor& colour, double alpha) {
   QColor c = colour;
@@ -171,7 +172,7 @@ void ContourCanvas::drawAxes(QPainter& painter) const {
 
 void ContourCanvas::drawScaleBar(QPainter& painter) const {
   const DisplayUnit unit = display_unit(Quantity::length, unit_);
-  const double most = 110 / projection_.scale * unit.factor;
+  const double most = kMostOfScaleBar / projection_.scale * unit.factor;
   if (!std::isfinite(most) || most <= 0) return;
   const double shown = round_length(most), pixels = shown / unit.factor * projection_.scale;
   const QPointF right(width() - 16, height() - 16), left = right - QPointF(pixels, 0);
@@ -226,9 +227,15 @@ void ContourCanvas::drawCaption(QPainter& painter) const {
   if (tube_ && band_shown_ && tube_->size() > 0) texts << tube_caption(*tube_, unit_);
   if (texts.isEmpty()) return;
   const QString text = texts.join(QStringLiteral("  ·  "));
-  const QSizeF size = QFontMetricsF(painter.font()).size(Qt::TextSingleLine, text);
-  draw_chip(painter, theme_, {{8, 4}, QSizeF(size.width() + 18, size.height() + 8)},
-            {text});  // the path runs behind it
+  const QSizeF words = QFontMetricsF(painter.font()).size(Qt::TextSingleLine, text);
+  // At the foot, which Fit keeps free, between the axes and the scale bar; above the path where that is too narrow.
+  QRectF area({kAxesWidth, 4}, QSizeF(words.width() + 18, words.height() + 8));
+  if (area.right() < width() - kScaleBarWidth) {
+    area.moveBottom(height() - 2);
+  } else {
+    area.moveLeft(8);
+  }
+  draw_chip(painter, theme_, area, {text});
 }
 
 void ContourCanvas::drawHint(QPainter& painter) const {
