@@ -20,6 +20,7 @@ using detail::FitState;
 using detail::ServoFit;
 
 constexpr int kFirstRounds = 12, kRounds = 60;
+constexpr double kFinest = 1e-6;      // [mm, deg] of measured positions
 constexpr double kStill = 0.05;       // [mm, deg] an axis that moves less tells nothing
 constexpr double kReverses = 0.02;    // [mm, deg] of way on either side of a turn
 constexpr double kForBacklash = 16;   // by how much squares / noise² have to fall for one more thing in the model:
@@ -69,10 +70,14 @@ class AxisFit {
   }
 
  private:
+  /// Squared, of a row. No trace is finer than kFinest: below it nothing more of the drive is looked for.
+  double noise_of(const FitResult& r) const {
+    return std::max(r.squares / static_cast<double>(data_.time.size()), kFinest * kFinest * data_.unit * data_.unit);
+  }
+
   /// Takes what explains more, by the noise that is left.
   void prefer(FitResult& best, const FitResult& other, double by) const {
-    const double noise = other.squares / static_cast<double>(data_.time.size());
-    if (other.squares + by * noise < best.squares) best = other;
+    if (other.squares + by * noise_of(other) < best.squares) best = other;
   }
 
   /// The simplest drive that explains the trace.
@@ -178,8 +183,7 @@ class AxisFit {
       state.axis.backlash = 0;
       state.free[detail::kBacklash] = false;
       const FitResult without = fit_.fit(state, kRounds);
-      const double noise = best.squares / static_cast<double>(data_.time.size());
-      if (without.squares <= best.squares + kForBacklash * noise) best = without;
+      if (without.squares <= best.squares + kForBacklash * noise_of(best)) best = without;
     } else if (reverses_) {
       prefer(best, fit_.fit(with_backlash(best).state, kRounds), kForBacklash);
     }
@@ -196,7 +200,7 @@ class AxisFit {
     FitState state = held.state;
     state.free[detail::kClock] = true;
     const FitResult other = fit_.fit(state, kRounds);
-    return held.squares - other.squares <= kClear * kClear * other.squares / static_cast<double>(data_.time.size());
+    return held.squares - other.squares <= kClear * kClear * noise_of(other);
   }
 
   Result<AxisIdentification> report(const FitResult& best) const {
