@@ -40,7 +40,12 @@ class AxisServo {
     motor_[0] -= origin - origin_;
     if (size_ > 3) motor_[3] -= origin - origin_;
     origin_ = origin;
-    motor_ = transition_ * motor_ + by_slope_ * slope + by_bend_ * bend;
+    if (size_ > 3) {
+      motor_ = transition_ * motor_ + by_slope_ * slope + by_bend_ * bend;
+    } else {
+      motor_.head<3>() = transition_.topLeftCorner<3, 3>() * motor_.head<3>() + by_slope_.head<3>() * slope +
+                         by_bend_.head<3>() * bend;
+    }
     return slide(origin_ + motor_[0]);
   }
 

@@ -53,7 +53,7 @@ class AxisFit {
       : data_(data),
         known_(known),
         monitor_(monitor),
-        fit_data_{data.commanded, data.period, data.time, data.actual},
+        fit_data_{data.commanded, data.period, data.time, data.actual, kFinest * data.unit},
         fit_(fit_data_),
         reverses_(reverses(data.commanded, kReverses * data.unit)) {}
 
@@ -64,26 +64,48 @@ class AxisFit {
       held_clock_.reset();
       best = search();
     }
+    if (!is_done(best)) look_along_the_valley(best);
     if (monitor_.is_cancelled()) return tl::unexpected(cancelled_error());
     fit_.judge(best);
     return report(best);
   }
 
  private:
-  /// Squared, of a row. No trace is finer than kFinest: below it nothing more of the drive is looked for.
-  double noise_of(const FitResult& r) const {
-    return std::max(r.squares / static_cast<double>(data_.time.size()), kFinest * kFinest * data_.unit * data_.unit);
+  /// Whether nothing is left that a trace could show.
+  bool is_done(const FitResult& r) const {
+    return fit_data_.noise_of(r.squares) <= fit_data_.finest * fit_data_.finest;
+  }
+
+  /// Gain and feed-forward make up for each other: the squares lie in a long valley at the same lag, with more than one bottom.
+  void look_along_the_valley(FitResult& best) const {
+    const ServoAxis found = best.state.axis;
+    const double lag = (1 - found.velocity_feed_forward) / found.position_gain;
+    FitResult other;
+    other.squares = std::numeric_limits<double>::infinity();
+    for (const double forward : {0.0, 0.25, 0.5, 0.75, 0.9}) {
+      if (monitor_.is_cancelled()) return;
+      FitState state = best.state;
+      state.axis.velocity_feed_forward = forward;
+      state.axis.position_gain = (1 - forward) / lag;
+      state.axis.damping = kUsualDamping;
+      state.axis.bandwidth = kUsualBandwidth;
+      const FitResult tried = fit_.fit(state, kFirstRounds);
+      if (tried.squares < other.squares) other = tried;
+    }
+    other = fit_.fit(other.state, kRounds);
+    if (other.squares < best.squares) best = other;
   }
 
   /// Takes what explains more, by the noise that is left.
   void prefer(FitResult& best, const FitResult& other, double by) const {
-    if (other.squares + by * noise_of(other) < best.squares) best = other;
+    if (other.squares + by * fit_data_.noise_of(other.squares) < best.squares) best = other;
   }
 
   /// The simplest drive that explains the trace.
   FitResult search() const {
     const FitResult stiff = rigid();
     FitResult best = stiff;
+    if (is_done(best)) return best;
     if (reverses_) prefer(best, fit_.fit(with_backlash(stiff).state, kRounds), kForBacklash);
     prefer(best, with_resonance({&stiff, &best}), kForResonance);
     if (best.state.axis.resonance > 0) settle_backlash(best);
@@ -183,7 +205,7 @@ class AxisFit {
       state.axis.backlash = 0;
       state.free[detail::kBacklash] = false;
       const FitResult without = fit_.fit(state, kRounds);
-      if (without.squares <= best.squares + kForBacklash * noise_of(best)) best = without;
+      if (without.squares <= best.squares + kForBacklash * fit_data_.noise_of(best.squares)) best = without;
     } else if (reverses_) {
       prefer(best, fit_.fit(with_backlash(best).state, kRounds), kForBacklash);
     }
@@ -200,7 +222,7 @@ class AxisFit {
     FitState state = held.state;
     state.free[detail::kClock] = true;
     const FitResult other = fit_.fit(state, kRounds);
-    return held.squares - other.squares <= kClear * kClear * noise_of(other);
+    return held.squares - other.squares <= kClear * kClear * fit_data_.noise_of(other.squares);
   }
 
   Result<AxisIdentification> report(const FitResult& best) const {

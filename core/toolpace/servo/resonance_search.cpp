@@ -43,10 +43,6 @@ std::vector<Explained> peaks_of(const std::vector<Explained>& curve) {
 
 }  // namespace
 
-double nyquist_of(const FitData& data) {
-  return 0.5 * (static_cast<double>(data.time.size()) - 1) / (data.time.back() - data.time.front());
-}
-
 std::vector<double> resonance_frequencies(const ServoFit& fit, const FitState& from) {
   const Eigen::MatrixXd reach = reach_of(fit, from);
   const Eigen::VectorXd left = fit.residuals(from), open = left - reach * (reach.transpose() * left);

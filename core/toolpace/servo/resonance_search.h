@@ -10,9 +10,6 @@ namespace toolpace::detail {
 inline constexpr double kLeastFrequency = 2.0;    ///< [Hz] that is looked at
 inline constexpr double kLookedAtDamping = 0.05;  ///< of a mode that is not known yet
 
-/// [Hz] half of the trace's rows a second
-double nyquist_of(const FitData& data);
-
 /// Frequencies at which a mode would explain most of what a drive leaves of the trace, beside all that its own values could; the
 /// best first, three at most. [Hz]
 std::vector<double> resonance_frequencies(const ServoFit& fit, const FitState& from);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
+#include "toolpace/limits/machine.h"
 #include "toolpace/sample/cubic_between.h"
 #include "toolpace/servo/axis_servo.h"
 #include "toolpace/servo/servo_range.h"
@@ -17,7 +19,8 @@ constexpr double kLogStep = 1e-4, kShareStep = 1e-4;  // of differences for the 
 constexpr double kPlayStep = 1e-6;                    // [mm, rad]
 constexpr double kLeastPlay = 1e-9;                   // [mm, rad] of a model with play: none is another model
 constexpr double kStable = 0.999;                     // of the gain that swings up
-constexpr double kConverged = 1e-10;                  // of the squares, that a round still takes off
+constexpr double kNothing = 0.01;                     // of a row's noise, squared: a tenth of a standard error
+constexpr double kMostTrust = 0.02;                   // of the damping, after a step that came out as expected
 constexpr double kMostDamping = 1e12;                 // beyond it no step leads on
 constexpr int kMostLags = 200;                        // of the residuals' correlation
 
@@ -59,6 +62,10 @@ bool FitState::set(const FitVector& v) {
          (axis.resonance == 0 || fits(axis.resonance, kServoResonance)) &&
          fits(axis.resonance_damping, kServoDamping) && (!free[kBacklash] || axis.backlash >= kLeastPlay) &&
          std::abs(axis.velocity_feed_forward) < 10 && std::abs(axis.acceleration_feed_forward) < 100;
+}
+
+double nyquist_of(const FitData& data) {
+  return 0.5 * (static_cast<double>(data.time.size()) - 1) / (data.time.back() - data.time.front());
 }
 
 std::vector<double> ServoFit::model(const FitState& state) const {
@@ -119,6 +126,34 @@ double ServoFit::squares_of(const FitState& state, Eigen::VectorXd& residual) co
 
 namespace {
 
+/// What slow motion tells of a drive: its lag is first·ṙ + second·r̈ + …
+struct Lags {
+  double first, second;
+
+  explicit Lags(const FitVector& v)
+      : first((1 - v[kVelocityForward]) / std::exp(v[kGain])), second((inertia(v) - first) / std::exp(v[kGain])) {}
+  /// The feed-forwards of v by its other parameters and these lags.
+  void give_to(FitVector& v) const {
+    v[kVelocityForward] = 1 - std::exp(v[kGain]) * first;
+    v[kAccelerationForward] = 1 - (first + std::exp(v[kGain]) * second) / drive_lag(v);
+  }
+
+ private:
+  static double drive_lag(const FitVector& v) { return std::exp(v[kDamping] - v[kBandwidth]) / std::numbers::pi; }
+  static double inertia(const FitVector& v) { return drive_lag(v) * (1 - v[kAccelerationForward]); }
+};
+
+constexpr std::pair<double, double> range_of(int p) {
+  if (p == kVelocityForward || p == kAccelerationForward) return {0.0, 1.0};
+  return {p == kBacklash ? kLeastPlay : -kUnlimited, kUnlimited};
+}
+
+/// Whether a step down the gradient would leave the parameter's range.
+bool is_held(int p, double value, double gradient) {
+  const auto [least, most] = range_of(p);
+  return (value <= least && gradient < 0) || (value >= most && gradient > 0);
+}
+
 /// Where a step of the fit begins: the normal equations of what is free, and what the clock is held by.
 struct Normal {
   std::vector<int> index;  // of the free parameters
@@ -127,16 +162,34 @@ struct Normal {
   double clock_weight = 0;  // what is known of the clock is one more row, by the noise that is left
 
   double clock_cost(const FitVector& v) const { return clock_weight * v[kClock] * v[kClock]; }
-  FitVector moved(FitVector v, const Eigen::VectorXd& step) const {
-    for (std::size_t i = 0; i < index.size(); ++i) v[index[i]] += step[static_cast<Eigen::Index>(i)];
-    return v;
+  /// What the whole step would take off the squares, were the model linear.
+  double to_gain() const { return gradient.dot(Eigen::VectorXd(matrix.ldlt().solve(gradient))); }
+  /// Along the step, with the lags changing evenly: at equal lags the squares lie in a narrow, bent valley.
+  FitVector moved(const FitVector& v, const Eigen::VectorXd& step) const {
+    constexpr double kPart = 1e-4;
+    FitVector whole = v, less = v, more = v;
+    for (std::size_t i = 0; i < index.size(); ++i) {
+      const double d = step[static_cast<Eigen::Index>(i)];
+      whole[index[i]] += d, less[index[i]] -= kPart * d, more[index[i]] += kPart * d;
+    }
+    const auto has = [&](int p) { return std::find(index.begin(), index.end(), p) != index.end(); };
+    if (has(kVelocityForward) && has(kAccelerationForward)) {
+      Lags lags(v);
+      const Lags before(less), after(more);
+      lags.first += (after.first - before.first) / (2 * kPart);
+      lags.second += (after.second - before.second) / (2 * kPart);
+      lags.give_to(whole);
+    }
+    for (const int p : index) whole[p] = std::clamp(whole[p], range_of(p).first, range_of(p).second);
+    return whole;
   }
 };
 
 Normal normal_at(const FitState& state, const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual) {
   Normal n;
+  const FitVector here = state.values(), down = jacobian.transpose() * residual;
   for (int p = 0; p < kFitParameters; ++p) {
-    if (state.free[static_cast<std::size_t>(p)]) n.index.push_back(p);
+    if (state.free[static_cast<std::size_t>(p)] && !is_held(p, here[p], down[p])) n.index.push_back(p);
   }
   const Eigen::MatrixXd j = jacobian(Eigen::all, n.index);
   n.matrix = j.transpose() * j;
@@ -149,7 +202,7 @@ Normal normal_at(const FitState& state, const Eigen::MatrixXd& jacobian, const E
     if (n.index[i] != kClock) continue;
     const auto k = static_cast<Eigen::Index>(i);
     n.matrix(k, k) += n.clock_weight;
-    n.gradient[k] -= n.clock_weight * state.values()[kClock];
+    n.gradient[k] -= n.clock_weight * here[kClock];
   }
   n.scale = n.matrix.diagonal().cwiseMax(1e-30 * n.matrix.diagonal().maxCoeff());
   return n;
@@ -167,13 +220,15 @@ FitResult ServoFit::fit(FitState state, int rounds) const {
   double squares = squares_of(state, residual), damping = 1e-3, growth = 2;
   for (int round = 0; round < rounds && !result.has_converged; ++round) {
     const Normal normal = normal_at(state, jacobian(state), residual);
+    result.has_converged = normal.to_gain() <= kNothing * data_.noise_of(squares);
     for (bool has_moved = false; !has_moved && !result.has_converged;) {
       Eigen::MatrixXd damped = normal.matrix;
       damped.diagonal() += damping * normal.scale;
       const Eigen::VectorXd step = damped.ldlt().solve(normal.gradient);
       FitState trial = state;
       Eigen::VectorXd left;
-      const bool exists = step.allFinite() && trial.set(normal.moved(state.values(), step));
+      const bool exists =
+          step.allFinite() && trial.set(normal.moved(state.values(), step)) && trial.axis.bandwidth < nyquist_of(data_);
       const double now = exists ? squares_of(trial, left) : std::numeric_limits<double>::infinity();
       const double gain = squares + normal.clock_cost(state.values()) - now - normal.clock_cost(trial.values());
       if (!exists || !(gain >= 0)) {
@@ -184,9 +239,8 @@ FitResult ServoFit::fit(FitState state, int rounds) const {
       }
       const double expected = step.dot(damping * normal.scale.cwiseProduct(step) + normal.gradient);
       const double ratio = expected > 0 ? gain / expected : 0;
-      damping *= std::max(1.0 / 3, 1 - std::pow(2 * ratio - 1, 3));
+      damping *= std::max(kMostTrust, 1 - std::pow(2 * ratio - 1, 3));
       growth = 2;
-      result.has_converged = gain <= kConverged * squares;
       state = trial;
       residual = left;
       squares = now;
@@ -229,7 +283,8 @@ void ServoFit::judge(FitResult& result) const {
   result.error.setZero();
   for (std::size_t i = 0; i < index.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    result.error[index[i]] = result.noise * result.correlation * std::sqrt(std::max(0.0, inverse(k, k))) * scale[k];
+    result.error[index[i]] =
+        std::max(result.noise, data_.finest) * result.correlation * std::sqrt(std::max(0.0, inverse(k, k))) * scale[k];
   }
 }
 
