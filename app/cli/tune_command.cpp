@@ -32,7 +32,7 @@ struct TuneFlags {
   ReadingFlags reading;
   JobFlags job;
   std::string vary, output;
-  std::optional<double> contour_um, seconds;
+  std::optional<double> contour_um, vibration_um, seconds;
   std::uint64_t plans = 0;  ///< 0 = not given
   bool json = false;
 };
@@ -66,12 +66,14 @@ Result<TuneOptions> options_of(const TuneFlags& flags) {
   auto knobs = knobs_of(flags.vary);
   if (!knobs) return tl::unexpected(knobs.error());
   for (const auto& fine : {check_number("--contour-um", flags.contour_um, kLargestError, "µm"),
+                           check_number("--vibration-um", flags.vibration_um, kLargestError, "µm"),
                            check_number("--seconds", flags.seconds, kMostSeconds, "s")}) {
     if (!fine) return tl::unexpected(fine.error());
   }
   TuneOptions options;
   options.turned = std::move(*knobs);
   if (flags.contour_um) options.contour = *flags.contour_um * kMicro;
+  if (flags.vibration_um) options.vibration = *flags.vibration_um * kMicro;
   const std::uint64_t plans = flags.plans;
   if (plans > kMostPlans) {
     return tl::unexpected(
@@ -107,10 +109,12 @@ struct Found {
   }
 };
 
+Json in_micro(const std::optional<double>& value) { return value ? Json(*value / kMicro) : Json(nullptr); }
+
 Json point_json(const Found& found, const Tuned& tuned) {
   return {{"cycle_time_s", tuned.objectives.cycle_time},
           {"contour_um", tuned.objectives.contour / kMicro},
-          {"vibration_um", nullptr},
+          {"vibration_um", in_micro(tuned.objectives.vibration)},
           {"settings", to_json(found.settings(tuned))}};
 }
 
@@ -126,20 +130,25 @@ Json tune_json(const Found& found, const Diagnostics& warnings) {
           {"present", point_json(found, t.present)},
           {"front", std::move(front)},
           {"knee", point_json(found, t.front[t.knee])},
-          {"contour_limit_um", t.contour_limit / kMicro},
+          {"contour_limit_um", t.limits.contour / kMicro},
+          {"vibration_limit_um", t.present.objectives.vibration ? Json(t.limits.vibration / kMicro) : Json(nullptr)},
           {"best", t.best ? point_json(found, t.front[*t.best]) : Json(nullptr)},
           {"warnings", std::move(told)}};
 }
 
 void print_point(const Found& found, const char* title, const Tuned& point) {
   const std::string settings = to_text(found.settings(point));
-  fmt::print("  {:<11} {:>11.4f} s {:>10.3f} µm  {}\n", title, point.objectives.cycle_time,
-             point.objectives.contour / kMicro, settings.empty() ? "as it is" : settings);
+  const auto& shaking = point.objectives.vibration;
+  fmt::print("  {:<11} {:>11.4f} s {:>10.3f} µm {} {}\n", title, point.objectives.cycle_time,
+             point.objectives.contour / kMicro, shaking ? fmt::format("{:>10.3f} µm ", *shaking / kMicro) : "",
+             settings.empty() ? "as it is" : settings);
 }
 
 void print_found(const Found& found) {
   const Tuning& t = found.tuning;
   fmt::print("{}\n  plans       {}\n", found.flags.reading.program, t.plans);
+  fmt::print("  {:<11} {:>13} {:>13} {} settings\n", "", "cycle time", "contour error",
+             t.present.objectives.vibration ? "    vibration" : "");
   print_point(found, "now", t.present);
   const std::size_t shown = std::min(kShownPoints, t.front.size());
   for (std::size_t i = 0; i < shown; ++i) {
@@ -150,7 +159,9 @@ void print_found(const Found& found) {
   if (t.best) {
     print_point(found, "best", t.front[*t.best]);
   } else {
-    fmt::print("  best        none keeps {:.6g} µm\n", t.contour_limit / kMicro);
+    fmt::print("  best        none keeps {:.6g} µm of contour error", t.limits.contour / kMicro);
+    if (t.present.objectives.vibration) fmt::print(" and {:.6g} µm of vibration", t.limits.vibration / kMicro);
+    fmt::print("\n");
   }
 }
 
@@ -198,13 +209,17 @@ Done run_tune(const TuneFlags& flags) {
 
 void add_tune_command(CommandLine& line) {
   auto flags = std::make_shared<TuneFlags>();
-  Command command = line.add("tune", "Find the best settings: cycle time against contour error",
+  Command command = line.add("tune", "Find the best settings: cycle time against contour error and vibration",
                              [flags] { return run_tune(*flags); });
   command.word("--vary LIST", flags->vary,
                "What may be changed, with commas between: " + knob_names() + "; default all");
   command.number(
       "--contour-um UM", flags->contour_um,
       "Largest contour error through the drives that the best may have; default: that of the settings as they are");
+  command.number(
+      "--vibration-um UM", flags->vibration_um,
+      "Largest residual vibration of an axis after a stop that the best may have (a rotary axis: in thousandths of a "
+      "degree); default: that of the settings as they are");
   command.count("--plans N", flags->plans, "Plans that may be made; default 200");
   command.number("--seconds S", flags->seconds, "Or the time that may be spent: looked at between plans");
   command.output("-o,--output FILE", flags->output,
@@ -217,12 +232,12 @@ void add_tune_command(CommandLine& line) {
       "Acceleration, jerk,\n"
       "tolerance, junction deviation and look-ahead are limits: never above what machine file and flags say. Contour "
       "error is\n"
-      "that of the drives ([servo]) from the commanded path.\n"
-      "Exit codes: 0 fine; 1 no settings keep --contour-um; 2 bad usage; 3 bad input; 4 file trouble; 130 "
+      "that of the drives ([servo]) from the commanded path; vibration is that of axes with a resonance, after stops.\n"
+      "Exit codes: 0 fine; 1 no settings keep the limits; 2 bad usage; 3 bad input; 4 file trouble; 130 "
       "interrupted.\n\n"
       "Examples:\n"
       "  toolpace tune part.ngc --machine mill.toml\n"
-      "  toolpace tune part.ngc --machine mill.toml --contour-um 20 -o best.toml\n"
+      "  toolpace tune part.ngc --machine mill.toml --contour-um 20 --vibration-um 5 -o best.toml\n"
       "  toolpace tune part.ngc --machine mill.toml --vary am,jm,law --plans 100 --json");
 }
 

@@ -282,6 +282,10 @@
             <translation>驱动模型与测量轨迹不符</translation>
         </message>
         <message>
+            <source>tune-no-resonance</source>
+            <translation>要限制振动，但机床没有任何轴设有共振频率</translation>
+        </message>
+        <message>
             <source>identify-still</source>
             <translation>该轴几乎不动，无法辨识</translation>
         </message>
@@ -1659,6 +1663,10 @@
         <message>
             <source>name it with --columns t=NAME, or give the time from row to row with --trace-period-ms</source>
             <translation>请用 --columns t=名称 指定该列，或用 --trace-period-ms 给出行间时间</translation>
+        </message>
+        <message>
+            <source>give resonance_hz of the axis that shakes in [servo.X] of the machine file; &apos;toolpace identify&apos; finds it in a trace</source>
+            <translation>请在机床文件的 [servo.X] 中给出振动轴的 resonance_hz；“toolpace identify” 可从跟踪数据中找到它</translation>
         </message>
         <message>
             <source>record a program that moves it</source>

@@ -403,6 +403,10 @@ constexpr std::array kSentences = {
                       "write t=NAME,x=NAME, … with names or numbers of columns; a unit may follow: x=3[um]; commanded "
                       "positions are commanded_x"),
     QT_TRANSLATE_NOOP("remedies", "record a program that moves it"),
+    QT_TRANSLATE_NOOP(
+        "remedies",
+        "give resonance_hz of the axis that shakes in [servo.X] of the machine file; 'toolpace identify' finds "
+        "it in a trace"),
     QT_TRANSLATE_NOOP("remedies", "check that the trace is of these setpoints, of the slide, and not filtered")};
 
 }  // namespace

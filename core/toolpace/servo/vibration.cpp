@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/base/axis_unit.h"
 #include "toolpace/sample/motion.h"
 #include "toolpace/servo/mode.h"
 
@@ -150,6 +151,15 @@ Result<Vibration> vibration(const Path& path, const MotionPlan& plan, const std:
     monitor.report(static_cast<double>(i) / static_cast<double>(breaks.size()));
   }
   return shaker.finish(plan.cycle_time());
+}
+
+std::optional<double> largest_residual(const Vibration& vibration) {
+  std::optional<double> largest;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (!vibration[axis]) continue;
+    largest = std::max(largest.value_or(0.0), vibration[axis]->residual / axis_unit(axis).size);
+  }
+  return largest;
 }
 
 }  // namespace toolpace

@@ -33,4 +33,7 @@ using Vibration = std::array<std::optional<AxisVibration>, kAxisCount>;
 Result<Vibration> vibration(const Path& path, const MotionPlan& plan, const std::vector<double>& node_time,
                             const ServoMachine& servo, const Monitor& monitor = {});
 
+/// The largest residual of any axis, in what people read its axis in [mm, deg]; nothing where no axis has a resonance.
+std::optional<double> largest_residual(const Vibration& vibration);
+
 }  // namespace toolpace

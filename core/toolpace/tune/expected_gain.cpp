@@ -5,11 +5,12 @@
 #include <numbers>
 
 namespace toolpace {
-namespace {
 
 double probability_below(double ceiling, const Guess& guess) {
   return 0.5 * std::erfc((guess.mean - ceiling) / (guess.deviation * std::numbers::sqrt2));
 }
+
+namespace {
 
 /// Expectation of how far a guess lies below a ceiling, 0 where it does not.
 double expected_below(double ceiling, const Guess& guess) {
@@ -42,22 +43,26 @@ double LogFront::expected_gain(const Guess& time, const Guess& error) const {
   return gain + (expected_below(reference.time, time) - below_before) * expected_below(ceiling, error);
 }
 
-double expected_saving(const Guess& time, const Guess& error, double fastest, double limit) {
-  const double within = probability_below(limit, error);
+double expected_saving(const Guess& time, double within, double fastest) {
   return std::isfinite(fastest) ? within * expected_below(fastest, time) : within;
 }
 
 double Expectation::gain(std::size_t candidate, bool for_limit) const {
-  const Guess t = time.at_candidate(candidate), e = error.at_candidate(candidate);
-  return for_limit ? expected_saving(t, e, fastest, limit) : known.expected_gain(t, e);
+  const Guess t = time.at_candidate(candidate);
+  if (!for_limit) return known.expected_gain(t, flaws[weighed].guess.at_candidate(candidate));
+  double within = 1;
+  for (const Limited& f : flaws) within *= probability_below(f.limit, f.guess.at_candidate(candidate));
+  return expected_saving(t, within, fastest);
 }
 
 void Expectation::believe(std::size_t candidate) {
-  const LogPoint guessed = {time.at_candidate(candidate).mean, error.at_candidate(candidate).mean};
-  known.add(guessed);
-  if (guessed.error <= limit) fastest = std::min(fastest, guessed.time);
+  const double guessed = time.at_candidate(candidate).mean;
+  known.add({guessed, flaws[weighed].guess.at_candidate(candidate).mean});
+  const bool keeps = std::all_of(flaws.begin(), flaws.end(),
+                                 [&](const Limited& f) { return f.guess.at_candidate(candidate).mean <= f.limit; });
+  if (keeps) fastest = std::min(fastest, guessed);
   time.believe(candidate);
-  error.believe(candidate);
+  for (Limited& f : flaws) f.guess.believe(candidate);
 }
 
 }  // namespace toolpace

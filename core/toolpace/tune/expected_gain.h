@@ -7,7 +7,7 @@
 
 namespace toolpace {
 
-/// Logarithms of a cycle time and a contour error.
+/// Logarithms of a cycle time and of a flaw: contour error or vibration.
 struct LogPoint {
   double time, error;
 };
@@ -27,15 +27,25 @@ struct LogFront {
   double expected_gain(const Guess& time, const Guess& error) const;
 };
 
-/// Time (its logarithm) that is saved against `fastest` within `limit` on the error, as it may be expected: with nothing within it so
-/// far (infinite `fastest`), the probability that this is.
-double expected_saving(const Guess& time, const Guess& error, double fastest, double limit);
+/// Time (its logarithm) that is saved against `fastest`, as it may be expected, where it is within limits with some probability: with
+/// nothing within them so far (infinite `fastest`), that probability.
+double expected_saving(const Guess& time, double within, double fastest);
+
+/// That a guess is no higher.
+double probability_below(double ceiling, const Guess& guess);
 
 /// What is known and guessed of all candidates, as a batch of them is chosen one by one.
 struct Expectation {
-  Surrogate time, error;  ///< of the logarithms
+  /// What is guessed of a flaw, and how large it may be.
+  struct Limited {
+    Surrogate guess;
+    double limit;
+  };
+  Surrogate time;  ///< of the logarithms, as all else here
+  std::vector<Limited> flaws;
+  std::size_t weighed;  ///< the flaw that `known` is the front of
   LogFront known;
-  double limit, fastest;  ///< logarithms: on the error; the least time within it so far
+  double fastest;  ///< the least time within all limits so far
 
   double gain(std::size_t candidate, bool for_limit) const;
   /// As if a candidate had been tried and were as guessed.

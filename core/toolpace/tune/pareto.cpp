@@ -29,14 +29,21 @@ std::vector<std::size_t> pareto_front(std::span<const Objectives> points) {
   return front;
 }
 
+std::vector<std::size_t> pareto_front(std::span<const Objectives> points, Flaw flaw) {
+  std::vector<Objectives> flat;
+  for (const Objectives& p : points) flat.push_back({p.cycle_time, size_of(flaw, p), {}});
+  return pareto_front(flat);
+}
+
 std::size_t knee_of(std::span<const Objectives> front) {
-  const Objectives& fastest = front.front();
-  const Objectives& slowest = front.back();
+  const std::vector<std::size_t> line = pareto_front(front, Flaw::contour);
+  const Objectives& fastest = front[line.front()];
+  const Objectives& slowest = front[line.back()];
   const double time = slowest.cycle_time - fastest.cycle_time, error = fastest.contour - slowest.contour;
-  if (!(time > 0) || !(error > 0)) return 0;
-  std::size_t knee = 0;
+  if (!(time > 0) || !(error > 0)) return line.front();
+  std::size_t knee = line.front();
   double deepest = 0;
-  for (std::size_t i = 0; i < front.size(); ++i) {
+  for (const std::size_t i : line) {
     const double depth =
         1 - (front[i].cycle_time - fastest.cycle_time) / time - (front[i].contour - slowest.contour) / error;
     if (depth <= deepest) continue;
@@ -47,14 +54,13 @@ std::size_t knee_of(std::span<const Objectives> front) {
 }
 
 double hypervolume(std::span<const Objectives> points, const Objectives& reference) {
-  std::vector<Objectives> flat;  // time and error alone
-  for (const Objectives& p : points) flat.push_back({p.cycle_time, p.contour, {}});
   double area = 0, ceiling = reference.contour;
-  for (const std::size_t i : pareto_front(flat)) {
-    if (flat[i].cycle_time >= reference.cycle_time) break;
-    if (flat[i].contour >= ceiling) continue;
-    area += (reference.cycle_time - flat[i].cycle_time) * (ceiling - flat[i].contour);
-    ceiling = flat[i].contour;
+  for (const std::size_t i : pareto_front(points, Flaw::contour)) {
+    const Objectives& p = points[i];
+    if (p.cycle_time >= reference.cycle_time) break;
+    if (p.contour >= ceiling) continue;
+    area += (reference.cycle_time - p.cycle_time) * (ceiling - p.contour);
+    ceiling = p.contour;
   }
   return area;
 }

@@ -27,31 +27,21 @@ double radical_inverse(std::size_t index, std::size_t base) {
   return value;
 }
 
-struct Logarithms {
-  std::vector<double> time, error;
-};
+double log_time(const Tried& t) { return std::log(std::max(t.objectives.cycle_time, kFloor)); }
+double log_flaw(double size) { return std::log(size + kFloor); }
 
-Logarithms logarithms_of(const std::vector<Tried>& tried) {
-  Logarithms logs;
-  for (const Tried& t : tried) {
-    logs.time.push_back(std::log(std::max(t.objectives.cycle_time, kFloor)));
-    logs.error.push_back(std::log(t.objectives.contour + kFloor));
-  }
-  return logs;
-}
-
-std::vector<std::size_t> front_of(const std::vector<Tried>& tried) {
+std::vector<std::size_t> front_of(const std::vector<Tried>& tried, Flaw flaw) {
   std::vector<Objectives> objectives;
-  for (const Tried& t : tried) objectives.push_back({t.objectives.cycle_time, t.objectives.contour, {}});
-  return pareto_front(objectives);
+  for (const Tried& t : tried) objectives.push_back(t.objectives);
+  return pareto_front(objectives, flaw);
 }
 
 /// What is best known where it matters: front after front is peeled off.
-std::vector<Tried> most_telling(std::vector<Tried> tried) {
+std::vector<Tried> most_telling(std::vector<Tried> tried, Flaw flaw) {
   if (tried.size() <= kMostKnown) return tried;
   std::vector<Tried> telling;
   while (telling.size() < kMostKnown && !tried.empty()) {
-    auto front = front_of(tried);
+    auto front = front_of(tried, flaw);
     for (const std::size_t i : front) telling.push_back(tried[i]);
     std::sort(front.rbegin(), front.rend());
     for (const std::size_t i : front) tried.erase(tried.begin() + static_cast<std::ptrdiff_t>(i));
@@ -59,10 +49,11 @@ std::vector<Tried> most_telling(std::vector<Tried> tried) {
   return telling;
 }
 
-double fastest_within(const Logarithms& logs, double limit) {
+/// The logarithm of the least time.
+double fastest_within(const std::vector<Tried>& tried, const FlawLimits& limits) {
   double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < logs.time.size(); ++i) {
-    if (logs.error[i] <= limit) best = std::min(best, logs.time[i]);
+  for (const Tried& t : tried) {
+    if (limits.keeps(t.objectives)) best = std::min(best, log_time(t));
   }
   return best;
 }
@@ -143,15 +134,16 @@ Position Search::turned(const Position& from) {
   return space_.canonical(p);
 }
 
-Search::Pool Search::pool_around(const std::vector<Tried>& tried, const std::vector<std::size_t>& front, double limit) {
+Search::Pool Search::pool_around(const std::vector<Tried>& tried, const std::vector<std::size_t>& front,
+                                 const FlawLimits& limits) {
   std::set<Position> places;
   const auto add = [&](const Position& p) {
     if (!seen_.contains(p)) places.insert(p);
   };
   for (std::size_t i = 0; i < kSpreadPool; ++i) add(spread(++spread_));
-  // The front's time rises as its error falls: the first one within the limit is the best there.
+  // The front's time rises: the first one within the limits is the best there, as far as one flaw tells.
   std::size_t best = 0;
-  while (best + 1 < front.size() && std::log(tried[front[best]].objectives.contour + kFloor) > limit) ++best;
+  while (best + 1 < front.size() && !limits.keeps(tried[front[best]].objectives)) ++best;
   for (std::size_t i = 0; i < kLocalPool; ++i) {
     const std::size_t nth = i % kLimitEvery == 0 ? best : random_below(front.size());
     add(turned(tried[front[nth]].at));
@@ -166,12 +158,16 @@ Search::Pool Search::pool_around(const std::vector<Tried>& tried, const std::vec
 std::vector<Position> Search::next(const std::vector<Tried>& all, std::size_t count) {
   std::vector<Position> list;
   if (all.empty()) return list;
-  const std::vector<Tried> tried = most_telling(all);
-  const std::vector<std::size_t> front = front_of(tried);
-  const double limit = std::log(contour_.value_or(all.front().objectives.contour) + kFloor);
-  Pool pool = pool_around(tried, front, limit);
-  Expectation expected = expect(tried, front, pool, limit);
-  const std::size_t limit_every = contour_ ? kGivenLimitEvery : kLimitEvery;
+  const Objectives& present = all.front().objectives;
+  const bool both = present.vibration.has_value();
+  const Flaw weighed = both && batches_ % 2 == 1 ? Flaw::vibration : Flaw::contour;
+  const FlawLimits limits = {contour_.value_or(present.contour),
+                             both ? vibration_.value_or(*present.vibration) : kUnlimited};
+  const std::vector<Tried> tried = most_telling(all, weighed);
+  const std::vector<std::size_t> front = front_of(tried, weighed);
+  Pool pool = pool_around(tried, front, limits);
+  Expectation expected = expect(tried, front, pool, weighed, limits);
+  const std::size_t limit_every = contour_ || vibration_ ? kGivenLimitEvery : kLimitEvery;
   for (std::size_t n = 0; n < count; ++n) {
     const bool for_limit = n % limit_every == limit_every - 1;
     double most = -1;
@@ -192,20 +188,28 @@ std::vector<Position> Search::next(const std::vector<Tried>& all, std::size_t co
 }
 
 Expectation Search::expect(const std::vector<Tried>& tried, const std::vector<std::size_t>& front, const Pool& pool,
-                           double limit) {
+                           Flaw weighed, const FlawLimits& limits) {
   std::vector<Features> at, candidates;
   for (const Tried& t : tried) at.push_back(features_of(space_, t.at));
   for (const Position& p : pool.at) candidates.push_back(features_of(space_, p));
-  const Logarithms logs = logarithms_of(tried);
-  if (batches_++ % kRefitEvery == 0) {
-    time_lengths_ = Surrogate::fit(at, logs.time, time_lengths_);
-    error_lengths_ = Surrogate::fit(at, logs.error, error_lengths_);
+  const bool refits = batches_++ % kRefitEvery == 0;
+  const auto surrogate = [&](const std::vector<double>& values, Surrogate::Lengths& lengths) {
+    if (refits) lengths = Surrogate::fit(at, values, lengths);
+    return Surrogate(at, values, lengths, candidates);
+  };
+  std::vector<double> times;
+  for (const Tried& t : tried) times.push_back(log_time(t));
+  Expectation e{
+      surrogate(times, time_lengths_), {}, static_cast<std::size_t>(weighed), {}, fastest_within(tried, limits)};
+  for (const Flaw flaw : {Flaw::contour, Flaw::vibration}) {
+    if (flaw == Flaw::vibration && !tried.front().objectives.vibration) continue;
+    std::vector<double> sizes;
+    for (const Tried& t : tried) sizes.push_back(log_flaw(size_of(flaw, t.objectives)));
+    e.flaws.push_back({surrogate(sizes, flaw_lengths_[static_cast<std::size_t>(flaw)]), log_flaw(limits.of(flaw))});
   }
-  LogFront known;
-  for (const std::size_t i : front) known.add({logs.time[i], logs.error[i]});
-  known.reference = {known.points.front().time + std::log(kWidest), known.points.front().error + kMargin};
-  return {Surrogate(at, logs.time, time_lengths_, candidates), Surrogate(at, logs.error, error_lengths_, candidates),
-          std::move(known), limit, fastest_within(logs, limit)};
+  for (const std::size_t i : front) e.known.add({times[i], log_flaw(size_of(weighed, tried[i].objectives))});
+  e.known.reference = {e.known.points.front().time + std::log(kWidest), e.known.points.front().error + kMargin};
+  return e;
 }
 
 }  // namespace toolpace

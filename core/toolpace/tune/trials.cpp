@@ -6,6 +6,7 @@
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/replan.h"
 #include "toolpace/pipeline/strategy.h"
+#include "toolpace/servo/vibration.h"
 
 namespace toolpace {
 namespace {
@@ -50,9 +51,12 @@ Result<Judged> Trials::run(std::shared_ptr<const Job> job, const WorthFollowing&
   const auto before = nearest_to(*job);
   auto outcome = before ? replan(std::move(job), *before, monitor) : toolpace::run(std::move(job), monitor);
   if (!outcome) return tl::unexpected(outcome.error());
-  const double time = outcome->summary.cycle_time;
-  const double most = worth ? worth(time) : kUnlimited;
-  double worst = 0;
+  const auto shaken =
+      vibration(*outcome->path, outcome->plan, outcome->node_time, outcome->job->machine.servo, {monitor.stop, {}});
+  if (!shaken) return tl::unexpected(shaken.error());
+  Objectives judged{outcome->summary.cycle_time, 0, largest_residual(*shaken)};
+  const double most = worth ? worth(judged) : kUnlimited;
+  double& worst = judged.contour;
   const auto watch = [&](const Setpoints&, const ServoTrace& trace, std::size_t rows) -> Result<void> {
     const auto begin = trace.contour_error.begin();
     worst = std::max(worst, *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(rows)));
@@ -62,8 +66,8 @@ Result<Judged> Trials::run(std::shared_ptr<const Job> job, const WorthFollowing&
   const auto followed = follow(*outcome, watch, monitor);
   if (!followed && followed.error().code != kGivenUp) return tl::unexpected(followed.error());
   keep(std::move(*outcome));
-  if (!followed) return Judged{{time, worst, {}}, true};
-  return Judged{{time, followed->max_contour_error, {}}, false};
+  if (followed) worst = followed->max_contour_error;
+  return Judged{judged, !followed};
 }
 
 }  // namespace toolpace

@@ -17,8 +17,9 @@ struct Judged {
   bool is_bound = false;  ///< the drives were not followed to the end: the contour error is larger than this
 };
 
-/// The largest contour error that is still of interest at a cycle time [s → mm].
-using WorthFollowing = std::function<double(double cycle_time)>;
+/// The largest contour error that is still of interest beside what is known of a plan before it is followed: its time and vibration.
+/// [mm]
+using WorthFollowing = std::function<double(const Objectives& known)>;
 
 /// Makes plans from several threads. What they share (a path, its limits) is taken over from one to another; results do not depend
 /// on which.

@@ -28,15 +28,32 @@ struct Log {
 
   /// What a plan may still show that is as slow as this. Of what is known now: not of plans that run beside it.
   WorthFollowing worth_following() const {
-    return [known = tried](double time) {
+    return [known = tried](const Objectives& plan) {
       double least = kUnlimited;
       for (const Tried& t : known) {
-        if (t.objectives.cycle_time <= time) least = std::min(least, t.objectives.contour);
+        const bool beats = t.objectives.cycle_time <= plan.cycle_time &&
+                           t.objectives.vibration.value_or(0.0) <= plan.vibration.value_or(0.0);
+        if (beats) least = std::min(least, t.objectives.contour);
       }
       return least * kTooFarOff;
     };
   }
 };
+
+bool has_resonance(const ServoMachine& servo) {
+  return std::any_of(servo.begin(), servo.end(), [](const ServoAxis& a) { return a.resonance > 0; });
+}
+
+Error no_resonance() {
+  return {
+      ErrorKind::usage,
+      "tune-no-resonance",
+      "vibration is to be limited, but no axis of the machine has a resonance",
+      "give resonance_hz of the axis that shakes in [servo.X] of the machine file; 'toolpace identify' finds it in a "
+      "trace",
+      {},
+      {}};
+}
 
 struct Attempt {
   Result<Judged> made;
@@ -67,7 +84,9 @@ Tuning tuning_of(const TuningSpace& space, const Log& log, const TuneOptions& op
   tuning.plans = log.plans;
   const auto tuned = [&](const Tried& t) { return Tuned{space.job_at(t.at), t.objectives}; };
   tuning.present = tuned(log.tried.front());
-  tuning.contour_limit = options.contour.value_or(tuning.present.objectives.contour);
+  const Objectives& present = tuning.present.objectives;
+  tuning.limits.contour = options.contour.value_or(present.contour);
+  if (present.vibration) tuning.limits.vibration = options.vibration.value_or(*present.vibration);
   std::vector<Tried> whole;
   std::vector<Objectives> objectives;
   for (std::size_t i = 0; i < log.tried.size(); ++i) {
@@ -82,7 +101,7 @@ Tuning tuning_of(const TuningSpace& space, const Log& log, const TuneOptions& op
   }
   tuning.knee = knee_of(front);
   for (std::size_t i = 0; i < front.size() && !tuning.best; ++i) {
-    if (front[i].contour <= tuning.contour_limit) tuning.best = i;
+    if (tuning.limits.keeps(front[i])) tuning.best = i;
   }
   return tuning;
 }
@@ -103,7 +122,8 @@ Monitor share_of(const Monitor& monitor, std::size_t done, std::size_t batch, st
 Result<Tuning> tune(const std::shared_ptr<const Job>& job, const TuneOptions& options, const Monitor& monitor) {
   const TuningSpace space(job, options.turned);
   const std::size_t threads = threads_for(*job);
-  Search search(space, options.contour);
+  if (options.vibration && !has_resonance(job->machine.servo)) return tl::unexpected(no_resonance());
+  Search search(space, options.contour, options.vibration);
   Trials trials;
   Log log;
   // The job alone first: what it shares with others is then there, and so is an error of it.

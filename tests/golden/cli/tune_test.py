@@ -53,6 +53,27 @@ class Tune(CommandLineTest):
                 if a is not b:
                     self.assertFalse(a["cycle_time_s"] <= b["cycle_time_s"] and a["contour_um"] <= b["contour_um"], (a, b))
 
+    def test_vibration_counts_where_an_axis_has_a_resonance(self):
+        self.file("m.toml", MACHINE + "[servo.X]\nresonance_hz = 28.0\nresonance_damping = 0.03\n")
+        present = self.tune("--plans", 1)["present"]
+        told = self.tune("--plans", 48, "--vibration-um", present["vibration_um"] / 4, "--contour-um", 2 * present["contour_um"])
+        self.assertLessEqual(told["best"]["vibration_um"], told["vibration_limit_um"])
+        self.assertEqual(told["vibration_limit_um"], present["vibration_um"] / 4)
+        for point in told["front"] + [told["present"], told["best"]]:
+            flags = [word for flag, value in point["settings"].items() for word in (flag, value)]
+            plan = self.run_toolpace("plan", "a.ngc", "--machine", "m.toml", *flags, "--json").json()
+            self.assertEqual(plan["vibration"]["X"]["residual_um"], point["vibration_um"], flags)
+            self.confirm(point)
+        for a in told["front"]:
+            for b in told["front"]:
+                if a is not b:
+                    self.assertFalse(all(a[k] <= b[k] for k in ("cycle_time_s", "contour_um", "vibration_um")), (a, b))
+
+    def test_a_limit_on_vibration_needs_a_resonance(self):
+        run = self.run_toolpace("tune", "a.ngc", "--machine", "m.toml", "--vibration-um", 5)
+        self.assertEqual(run.code, BAD_USAGE)
+        self.assertIn("no axis of the machine has a resonance", run.err)
+
     def test_the_best_keeps_the_limit_and_goes_into_the_machine_file(self):
         limit = self.tune("--plans", 1)["present"]["contour_um"] / 2
         told = self.tune("--plans", 40, "--contour-um", limit, "-o", "best.toml")

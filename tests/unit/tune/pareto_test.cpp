@@ -26,6 +26,20 @@ TEST(Knee, LiesFarthestBelowTheLineBetweenBothEnds) {
   EXPECT_EQ(knee_of(std::vector<Objectives>{{1, 1, {}}}), 0u);
 }
 
+TEST(Knee, OfAFrontWithVibrationLeavesOutWhatIsThereForThatAlone) {
+  const std::vector<Objectives> front = {{0, 10, 9.0}, {1, 30, 1.0}, {2, 3, 9.0},
+                                         {5, 2, 9.0},  {10, 0, 9.0}, {20, 40, 0.0}};
+  EXPECT_EQ(knee_of(front), 2u);
+}
+
+TEST(FlawLimits, AreKeptByWhatIsNotKnown) {
+  const FlawLimits limits = {2, 3};
+  EXPECT_TRUE(limits.keeps({1, 2, 3.0}));
+  EXPECT_TRUE(limits.keeps({1, 2, {}}));
+  EXPECT_FALSE(limits.keeps({1, 2, 3.5}));
+  EXPECT_FALSE(limits.keeps({1, 2.5, {}}));
+}
+
 // By hand: (1, 3) covers 3 × 1, (2, 1) two more rows of 2 × 2; (3, 2) is inside, (5, 0) outside.
 TEST(Hypervolume, IsTheAreaUpToTheReference) {
   const std::vector<Objectives> points = {{3, 2, {}}, {2, 1, {}}, {1, 3, {}}, {5, 0, {}}};
@@ -56,8 +70,9 @@ TEST(ExpectedGain, GrowsWithDoubt) {
 
 // By hand: half of a normal distribution lies below its mean; the mean of what lies below is σ/√(2π).
 TEST(ExpectedSaving, IsWhatLiesBelowTheFastestWithinTheLimit) {
-  EXPECT_NEAR(expected_saving({5, 2}, {1, 1}, 5, 1), 0.5 * 2 * 0.3989422804014327, 1e-12);
-  EXPECT_NEAR(expected_saving({5, 2}, {1, 1}, std::numeric_limits<double>::infinity(), 1), 0.5, 1e-12);
+  EXPECT_NEAR(expected_saving({5, 2}, probability_below(1, {1, 1}), 5), 0.5 * 2 * 0.3989422804014327, 1e-12);
+  EXPECT_NEAR(expected_saving({5, 2}, probability_below(1, {1, 1}), std::numeric_limits<double>::infinity()), 0.5,
+              1e-12);
 }
 
 TEST(Surrogate, KnowsWhatItWasToldAndDoubtsTheRest) {
