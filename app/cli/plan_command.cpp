@@ -17,6 +17,7 @@
 #include "report.h"
 #include "servo_json.h"
 #include "setpoint_pass.h"
+#include "shaper_flag.h"
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/base/descriptor.h"
 #include "toolpace/bound/lower_bound.h"
@@ -26,6 +27,7 @@
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/follow.h"
 #include "toolpace/pipeline/prove.h"
+#include "toolpace/pipeline/sampled.h"
 #include "toolpace/sample/program_pulses.h"
 #include "toolpace/servo/vibration.h"
 #include "verification.h"
@@ -40,6 +42,7 @@ struct PlanFlags {
   bool axis_derivatives = false, decimal_comma = false, tip = false;
   bool json = false, bound = false, verify = false, servo = false;
   std::optional<double> timer_hz;
+  ShaperFlag shaper;
 };
 
 /// The file that --setpoints names, opened before anything is planned: what cannot be written is known at once.
@@ -152,8 +155,10 @@ void print_summary(const Outcome& outcome, std::optional<double> bound, const Se
     fmt::print("  not used     {}: it changes nothing in this plan\n", flag);
   }
   fmt::print("  path         {} blocks, {:.3f} mm\n", s.blocks, s.path_length);
-  fmt::print("  cycle time   {:.4f} s  (feed {:.4f}, rapid {:.4f}, dwell {:.4f})\n", s.cycle_time, s.feed_time,
-             s.rapid_time, s.dwell_time);
+  const double shaping_time = setpoints_duration(outcome) - s.cycle_time;
+  fmt::print("  cycle time   {:.4f} s  (feed {:.4f}, rapid {:.4f}, dwell {:.4f}{})\n", s.cycle_time + shaping_time,
+             s.feed_time, s.rapid_time, s.dwell_time,
+             shaping_time > 0 ? fmt::format(", shaper {:.4f}", shaping_time) : "");
   if (bound) {
     const CornerOptions& corner = outcome.job->options.corner;
     const bool through_tube = corner.rule == CornerRule::smooth && !corner.step;
@@ -198,7 +203,9 @@ Json plan_json(const Outcome& outcome, const SetpointPass& pass, const std::opti
   json["axes"] = axes_json(pass.peaks);
   json["setpoints"] = pass.rows;
   // Off the path only verification, which follows it, can tell.
-  json["max_chord_error_mm"] = outcome.plan.splines.empty() ? Json(pass.chord_error) : Json(nullptr);
+  const bool is_on_path = outcome.plan.splines.empty() && outcome.job->options.shaper == ShaperKind::none;
+  json["max_chord_error_mm"] = is_on_path ? Json(pass.chord_error) : Json(nullptr);
+  add_shaper(json, outcome);
   add_verification(json, proof);
   return json;
 }
@@ -206,8 +213,14 @@ Json plan_json(const Outcome& outcome, const SetpointPass& pass, const std::opti
 Done run_plan(const PlanFlags& flags) {
   const auto begin = std::chrono::steady_clock::now();
   const bool to_stdout = is_standard_output(flags.setpoints);
-  const auto setup = flags.job.setup();
+  auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
+  if (auto shaped = flags.shaper.apply_to(*setup); !shaped) return tl::unexpected(shaped.error());
+  if (setup->options.shaper != ShaperKind::none && is_pulse_file(flags.setpoints)) {
+    return tl::unexpected(usage_error("shaper-pulses",
+                                      "step pulses are those of the plan: --shaper does not shape them",
+                                      "write setpoints, or leave out --shaper"));
+  }
   auto target = open_target(flags, setup->kinematics);
   if (!target) return tl::unexpected(target.error());
   const auto outcome = plan_program(flags.reading, *setup);
@@ -240,7 +253,7 @@ Done run_plan(const PlanFlags& flags) {
     if (bound) json["bound_s"] = *bound;
     json["ignored"] = flags.job.ignored_in(*outcome);
     const auto shaken = vibration(*outcome->path, outcome->plan, outcome->node_time, outcome->job->machine.servo,
-                                  terminal_monitor("vibration"));
+                                  impulses_of(*outcome), terminal_monitor("vibration"));
     end_progress();
     if (!shaken) return tl::unexpected(shaken.error());
     json["vibration"] = vibration_json(*shaken);
@@ -276,6 +289,7 @@ void add_plan_command(CommandLine& line) {
   command.toggle("--axis-derivatives", flags->axis_derivatives, "Add speed, acceleration and jerk of each axis");
   command.toggle("--tip", flags->tip, "Add where the tool's tip is in the workpiece, by [kinematics] of the machine");
   command.toggle("--decimal-comma", flags->decimal_comma, "Decimal commas in .semicolon.csv");
+  flags->shaper.add_to(command);
   command.number("--timer-hz HZ", flags->timer_hz, "Clock of the pulse timer, for .pulses.csv");
   flags->job.add_to(command);
   flags->reading.add_to(command);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "toolpace/pipeline/prove.h"
-#include "toolpace/sample/sampler.h"
+#include "toolpace/pipeline/sampled.h"
 #include "toolpace/sample/uniform_rows.h"
 
 namespace toolpace::cli {
@@ -47,18 +47,23 @@ Result<void> write(Sampler& sampler, SetpointWriter& writer, const Outcome& outc
   return writer.finish();
 }
 
+/// Rows that tell nothing new.
+std::vector<UniformRows> uniform_rows_of(const Sampler& sampler, const Outcome& outcome) {
+  if (sampler.is_shaped()) return {};
+  return uniform_rows(*outcome.path, outcome.plan, outcome.job->machine.period);
+}
+
 }  // namespace
 
 Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, SetpointWriter* writer, bool measures,
                                          const Monitor& monitor) {
   SetpointPass pass;
-  const double period = outcome.job->machine.period;
-  Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, period);
+  Sampler sampler = sampler_of(outcome);
   pass.rows = sampler.rows();
   if (!writer && !measures) return pass;
-  sampler.measure_chords();
+  if (!sampler.is_shaped()) sampler.measure_chords();
   const auto done = writer ? write(sampler, *writer, outcome, pass, monitor)
-                           : measure(sampler, uniform_rows(*outcome.path, outcome.plan, period), pass, monitor);
+                           : measure(sampler, uniform_rows_of(sampler, outcome), pass, monitor);
   if (!done) return tl::unexpected(done.error());
   pass.chord_error = sampler.largest_chord_error();
   return pass;

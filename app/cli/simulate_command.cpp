@@ -11,6 +11,7 @@
 #include "planned_program.h"
 #include "report.h"
 #include "servo_json.h"
+#include "shaper_flag.h"
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/base/descriptor.h"
 #include "toolpace/base/file_name.h"
@@ -28,6 +29,7 @@ struct SimulateFlags {
   JobFlags job;
   std::optional<double> kv, velocity_feed_forward, acceleration_feed_forward;
   std::string trace;
+  ShaperFlag shaper;
   bool json = false;
 };
 
@@ -114,14 +116,15 @@ Result<Setup> setup_of(const SimulateFlags& flags) {
   for (const auto& done :
        {set_all(*setup, "--kv-1-s", flags.kv, "kv_1_s"),
         set_all(*setup, "--velocity-feed-forward", flags.velocity_feed_forward, "velocity_feed_forward"),
-        set_all(*setup, "--acceleration-feed-forward", flags.acceleration_feed_forward, "acceleration_feed_forward")}) {
+        set_all(*setup, "--acceleration-feed-forward", flags.acceleration_feed_forward, "acceleration_feed_forward"),
+        flags.shaper.apply_to(*setup)}) {
     if (!done) return tl::unexpected(done.error());
   }
   return setup;
 }
 
 void print(const Outcome& outcome, const ServoSummary& s) {
-  fmt::print("{}\n  cycle time      {:.4f} s\n", outcome.job->program_name, outcome.summary.cycle_time);
+  fmt::print("{}\n  cycle time      {:.4f} s\n", outcome.job->program_name, setpoints_duration(outcome));
   fmt::print("  contour error   {:.6f} mm at most, at {:.3f} s, line {}; {:.6f} mm RMS\n", s.max_contour_error,
              s.worst_time, s.worst_line, s.rms_contour_error);
   fmt::print("  lag             {:.6f} mm at most; {:.6f} mm RMS\n", s.max_lag, s.rms_lag);
@@ -140,7 +143,7 @@ Done run_simulate(const SimulateFlags& flags) {
   if (!summary) return tl::unexpected(summary.error());
   if (flags.json) {
     print_json({{"program", flags.reading.program},
-                {"cycle_time_s", outcome->summary.cycle_time},
+                {"cycle_time_s", setpoints_duration(*outcome)},
                 {"period_ms", setup->machine.period * 1e3},
                 {"servo", servo_json(*summary, setup->machine)}});
   } else if (!is_standard_output(flags.trace)) {
@@ -186,6 +189,7 @@ void add_simulate_command(CommandLine& line) {
   drives.number("--velocity-feed-forward SHARE", flags->velocity_feed_forward, "Share of the speed fed forward, 0 … 1");
   drives.number("--acceleration-feed-forward SHARE", flags->acceleration_feed_forward,
                 "Share of the drive's lag made up, 0 … 1");
+  flags->shaper.add_to(command);
   flags->job.add_to(command);
   flags->reading.add_to(command);
   command.footer(

@@ -12,7 +12,7 @@
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/base/input_file.h"
 #include "toolpace/io/setpoint_format.h"
-#include "toolpace/sample/sampler.h"
+#include "toolpace/pipeline/sampled.h"
 
 namespace toolpace::cli {
 namespace {
@@ -40,7 +40,7 @@ tl::expected<CommandedRows, Failure> planned_rows(const ReadingFlags& reading, c
   const auto outcome = plan_program(reading, setup);
   if (!outcome) return tl::unexpected(outcome.error());
   const Monitor monitor = terminal_monitor("setpoints");
-  Sampler sampler(*outcome->path, outcome->plan, outcome->job->program->moves, setup.machine.period);
+  Sampler sampler = sampler_of(*outcome);
   CommandedRows commanded;
   for (Setpoints chunk; sampler.next(chunk);) {
     if (monitor.is_cancelled()) return tl::unexpected<Failure>(cancelled_error());

@@ -15,7 +15,7 @@
 #include "theme/control_name.h"
 #include "toolpace/base/axes.h"
 #include "toolpace/io/setpoint_writer.h"
-#include "toolpace/sample/sampler.h"
+#include "toolpace/pipeline/sampled.h"
 
 namespace toolpace::studio {
 namespace {
@@ -31,7 +31,6 @@ QString suffix_of(const SetpointFormat& format) {
   return QString::fromUtf8(format.suffix.data(), static_cast<qsizetype>(format.suffix.size()));
 }
 
-Sampler sampler_of(const Outcome& o) { return {*o.path, o.plan, o.job->program->moves, o.job->machine.period}; }
 
 /// Bytes of the first rows as a file.
 std::optional<double> size_of(const Outcome& outcome, const QString& file, const ui::ExportOptions& options,

@@ -4,7 +4,7 @@
 
 #include "toolpace/base/metric.h"
 #include "toolpace/sample/motion.h"
-#include "toolpace/sample/sampler.h"
+#include "toolpace/pipeline/sampled.h"
 
 namespace toolpace::ui {
 namespace {
@@ -57,7 +57,7 @@ ContourErrors contour_errors(const Outcome& outcome, const ErrorTrace& trace) {
 
 double chord_error(const Outcome& outcome, const Monitor& monitor) {
   if (!outcome.plan.splines.empty()) return chord_error_in_time(outcome, monitor);
-  Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
+  Sampler sampler = sampler_of(outcome);
   sampler.measure_chords();
   for (Setpoints chunk; !monitor.is_cancelled() && sampler.next(chunk);) {
   }

@@ -5,7 +5,7 @@
 #include "toolpace/path/blend_path.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/prove.h"
-#include "toolpace/sample/sampler.h"
+#include "toolpace/pipeline/sampled.h"
 #include "toolpace/verify/path_follower.h"
 
 namespace toolpace::ui {
@@ -100,7 +100,7 @@ std::shared_ptr<const TubeTrace> make_tube_trace(const Outcome& outcome, const M
   const double reach = kReach * std::max(judged_tolerance(job.program->moves, job.options.corner), 1e-6);
   TubeFollower follower(*programmed, outcome, reach);
   auto trace = std::make_shared<TubeTrace>();
-  Sampler sampler(*outcome.path, outcome.plan, job.program->moves, job.machine.period);
+  Sampler sampler = sampler_of(outcome);
   bool follows = true;
   for (Setpoints chunk; follows && sampler.next(chunk);) {
     if (monitor.is_cancelled()) return nullptr;

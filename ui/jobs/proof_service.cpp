@@ -6,7 +6,7 @@
 #include "models/units.h"
 #include "toolpace/bound/lower_bound.h"
 #include "toolpace/pipeline/prove.h"
-#include "toolpace/sample/sampler.h"
+#include "toolpace/pipeline/sampled.h"
 
 namespace toolpace::ui {
 namespace {
@@ -33,7 +33,7 @@ Eigen::Vector3f offset_of(const ServoTrace& trace, const Setpoints& commanded, s
 Result<void> simulate(const Outcome& outcome, ErrorTrace& errors, const Monitor& monitor) {
   auto simulation = ServoSimulation::create(outcome.job->machine.servo, outcome.job->machine.period);
   if (!simulation) return tl::unexpected(simulation.error());
-  Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
+  Sampler sampler = sampler_of(outcome);
   ServoTrace trace;
   Setpoints chunk;
   while (sampler.next(chunk)) {

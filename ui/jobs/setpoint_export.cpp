@@ -3,7 +3,7 @@
 #include "toolpace/io/program_pulse_writer.h"
 #include "toolpace/io/setpoint_writer.h"
 #include "toolpace/pipeline/prove.h"
-#include "toolpace/sample/sampler.h"
+#include "toolpace/pipeline/sampled.h"
 
 namespace toolpace::ui {
 namespace {
@@ -32,7 +32,7 @@ Result<std::size_t> write_setpoints(const Outcome& outcome, const QString& file,
   format.program_name = outcome.job->program_name;
   auto writer = open_setpoint_writer(name, format);
   if (!writer) return tl::unexpected(writer.error());
-  Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
+  Sampler sampler = sampler_of(outcome);
   Setpoints chunk;
   std::size_t rows = 0;
   while (sampler.next(chunk)) {

@@ -1,6 +1,6 @@
 #include "toolpace/pipeline/follow.h"
 
-#include "toolpace/sample/sampler.h"
+#include "toolpace/pipeline/sampled.h"
 
 namespace toolpace {
 namespace {
@@ -56,7 +56,7 @@ Result<ServoSummary> follow(const Outcome& outcome, const FollowedRows& take, co
   const Job& job = *outcome.job;
   auto simulation = ServoSimulation::create(job.machine.servo, job.machine.period);
   if (!simulation) return tl::unexpected(simulation.error());
-  Sampler sampler(*outcome.path, outcome.plan, job.program->moves, job.machine.period);
+  Sampler sampler = sampler_of(outcome);
   Waiting waiting;
   for (Setpoints chunk; sampler.next(chunk, kRowsAtATime);) {
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());

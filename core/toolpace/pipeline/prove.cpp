@@ -7,7 +7,7 @@
 #include "toolpace/law/law_table.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job_rules.h"
-#include "toolpace/sample/sampler.h"
+#include "toolpace/pipeline/sampled.h"
 
 namespace toolpace {
 namespace {
@@ -42,8 +42,7 @@ class SampledSetpoints final : public SetpointFile {
   }
 
   void rewind() override {
-    const Job& job = *outcome_.job;
-    sampler_.emplace(*outcome_.path, outcome_.plan, job.program->moves, job.machine.period);
+    sampler_.emplace(sampler_of(outcome_));
     read_ = 0;
   }
 
@@ -65,9 +64,14 @@ Result<VerifyReport> judge(SetpointFile& file, const Outcome& outcome, bool meas
   const Moves& moves = job.program->moves;
   const auto path = build_path(moves, job.machine.tool_change);  // as programmed: the outcome's may be smoothed
   if (!path) return tl::unexpected(path.error());
-  ProgrammedPath program{*path, moves, judged_tolerance(moves, job.options.corner)};
-  for (const std::uint32_t row : path->move) {
-    program.segment_tolerance.push_back(corner_tolerance(moves, row, job.options.corner) + kExact);
+  const CornerOptions& corner = job.options.corner;
+  ProgrammedPath program{*path, moves, judged_tolerance(moves, corner)};
+  if (job.options.shaper == ShaperKind::none) {
+    for (const std::uint32_t row : path->move) {
+      program.segment_tolerance.push_back(corner_tolerance(moves, row, corner) + kExact);
+    }
+  } else {  // it rounds all corners, and curves: how far it may is what the job's tolerance says
+    program.tolerance = std::max(*program.tolerance, corner.tolerance + kExact);
   }
   return verify(file, judged_machine(job.machine, outcome.ran), &program, {job.options.corner, measures, monitor});
 }

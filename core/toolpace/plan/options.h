@@ -12,6 +12,9 @@ namespace toolpace {
 
 enum class Ramps : std::uint8_t { block, span };
 
+/// How setpoints are shaped (sample/shaper.h).
+enum class ShaperKind : std::uint8_t { none, zv, zvd, mzv, ei, two_hump };
+
 struct PlanOptions {
   LawKind law = LawKind::quintic;
   double t_acc = 0.05;                        ///< [s] five-phase-time
@@ -22,6 +25,8 @@ struct PlanOptions {
   double feed_override = 1.0;          ///< 0 … 2
   double rapid_override = 1.0;         ///< 0 … 1
   std::optional<double> hold_at = {};  ///< [s] feed hold
+  /// For the resonances of the machine's drives. Changes the setpoints, not the plan.
+  ShaperKind shaper = ShaperKind::none;
 };
 
 }  // namespace toolpace

@@ -67,7 +67,10 @@ AxisMotion evaluate(const TimeSpline& spline, double time) {
 }
 
 Rates along(const TimeSpline& spline, const AxisMotion& motion) {
-  const Metric metric = Metric::along(is_rotary(static_cast<std::size_t>(spline.axis[0])));
+  return along(Metric::along(is_rotary(static_cast<std::size_t>(spline.axis[0]))), motion);
+}
+
+Rates along(const Metric& metric, const AxisMotion& motion) {
   const double speed = metric.norm(motion.speed);
   if (!(speed > 0)) return {0.0, metric.norm(motion.acceleration), metric.norm(motion.jerk)};
   return {speed, metric.dot(motion.acceleration, motion.speed) / speed, metric.dot(motion.jerk, motion.speed) / speed};

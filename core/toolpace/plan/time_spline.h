@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "toolpace/base/axes.h"
+#include "toolpace/base/metric.h"
 #include "toolpace/law/phase_bounds.h"
 
 namespace toolpace {
@@ -33,7 +34,8 @@ struct Rates {
   double acceleration;  ///< the part of the acceleration vector in the direction of motion; at rest the whole
   double jerk;          ///< the same of the jerk vector
 };
-/// @param motion  of this spline
+Rates along(const Metric& metric, const AxisMotion& motion);
+/// @param motion  of this spline, which tells the metric
 Rates along(const TimeSpline& spline, const AxisMotion& motion);
 
 /// Exact least and greatest values of one axis between two times after the spline's begin, 0 ≤ from ≤ to ≤ duration [mm, rad].

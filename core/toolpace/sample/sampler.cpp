@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/plan/time_spline.h"
+
 namespace toolpace {
 namespace {
 
@@ -23,26 +25,40 @@ void resize(Setpoints& chunk, std::size_t count, bool rotary) {
   chunk.line.resize(count);
 }
 
+AxisMotion at_rest(const AxisVector& position) {
+  return {position, AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
+}
+
 }  // namespace
 
 std::size_t row_count(double duration, double period) {
   return 1 + static_cast<std::size_t>(std::max(0.0, std::ceil(duration / period - kPeriodRounding)));
 }
 
-Sampler::Sampler(const Path& path, const MotionPlan& plan, const Moves& moves, double period)
+Sampler::Sampler(const Path& path, const MotionPlan& plan, const Moves& moves, double period, const Impulses& impulses)
     : path_(path),
       moves_(moves),
       motion_(path, plan),
       period_(period),
-      rows_(row_count(plan.cycle_time(), period)),
-      rotary_(moves_rotary(path)) {}
+      rows_(row_count(plan.cycle_time() + duration_of(impulses), period)),
+      rotary_(moves_rotary(path)) {
+  if (impulses.size() < 2) return;
+  for (const Impulse& i : impulses) echoes_.push_back({i, Motion(path, plan)});
+  delay_ = mean_delay(impulses);
+}
 
 bool Sampler::next(Setpoints& chunk, std::size_t limit) {
   const std::size_t count = std::min(limit, rows_ - next_row_);
   chunk.first_row = next_row_;
   chunk.period = period_;
   resize(chunk, count, rotary_);
-  for (std::size_t i = 0; i < count; ++i) write_row(chunk, next_row_ + i, i);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_shaped()) {
+      write_shaped_row(chunk, next_row_ + i, i);
+    } else {
+      write_row(chunk, next_row_ + i, i);
+    }
+  }
   next_row_ += count;
   return count > 0;
 }
@@ -61,6 +77,36 @@ void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
   chunk.acceleration[at] = state.acceleration;
   chunk.jerk[at] = state.jerk;
   chunk.line[at] = path_.size() > 0 ? moves_.line[motion_.move()] : 0;
+}
+
+void Sampler::write_shaped_row(Setpoints& chunk, std::size_t row, std::size_t at) {
+  const bool is_last = row + 1 == rows_;
+  const double time = static_cast<double>(row) * period_;
+  const AxisMotion mean = is_last ? at_rest(motion_.at(motion_.duration()).position()) : mean_at(time);
+  const std::size_t axes = rotary_ ? kAxisCount : 3;
+  for (std::size_t k = 0; k < axes; ++k) chunk.position[k][at] = mean.position[static_cast<Eigen::Index>(k)];
+  const Rates rates = along(Metric::along(mean.speed.head<3>().isZero(0.0)), mean);
+  chunk.speed[at] = rates.speed;
+  chunk.acceleration[at] = rates.acceleration;
+  chunk.jerk[at] = rates.jerk;
+  motion_.at(is_last ? motion_.duration() : time - delay_);
+  chunk.line[at] = path_.size() > 0 ? moves_.line[motion_.move()] : 0;
+}
+
+AxisMotion Sampler::mean_at(double time) {
+  AxisMotion mean = at_rest(echoes_.front().motion.at(time).position());
+  const AxisVector first = mean.position;
+  for (Echo& e : echoes_) {
+    const double then = time - e.impulse.time;
+    // Of differences, so that equal positions stay equal.
+    mean.position += e.impulse.share * (e.motion.at(then).position() - first);
+    if (!(then > 0) || !(then < e.motion.duration())) continue;
+    const AxisMotion there = e.motion.axes();
+    mean.speed += e.impulse.share * there.speed;
+    mean.acceleration += e.impulse.share * there.acceleration;
+    mean.jerk += e.impulse.share * there.jerk;
+  }
+  return mean;
 }
 
 }  // namespace toolpace

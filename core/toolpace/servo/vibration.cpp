@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/sample/motion.h"
@@ -27,130 +28,241 @@ std::vector<double> breaks_of(const MotionPlan& plan, const std::vector<double>&
   return all;
 }
 
-class Shaker {
+/// Of one axis in a piece of motion.
+struct AxisPiece {
+  double speed_before, speed_behind;  // of the drive, at its ends
+  AccelerationPolynomial acceleration;
+};
+
+/// A piece of the planned motion in which every axis moves smoothly.
+struct Piece {
+  double begin, end;  // [s] of the plan
+  std::uint32_t move;
+  bool rests, stands_behind;    // in all of it; at its end
+  std::vector<AxisPiece> axes;  // of those that were asked for
+};
+
+/// The pieces of a motion, in order.
+class Pieces {
  public:
-  Shaker(const Path& path, const MotionPlan& plan, const ServoMachine& servo)
-      : path_(path), plan_(plan), motion_(path, plan) {
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-      if (!(servo[axis].resonance > 0)) continue;
-      modes_.push_back(
-          {static_cast<Eigen::Index>(axis), Mode(servo[axis].resonance, servo[axis].resonance_damping), {}});
-      modes_.back().found.resonance = servo[axis].resonance;
-      modes_.back().found.damping = servo[axis].resonance_damping;
-    }
-  }
-  bool has_modes() const { return !modes_.empty(); }
+  Pieces(const Path& path, const MotionPlan& plan, const std::vector<double>& breaks,
+         const std::vector<Eigen::Index>& axes)
+      : path_(path), plan_(plan), breaks_(breaks), axes_(axes), motion_(path, plan) {}
 
-  /// From one break to the next.
-  void run(double begin, double end) {
-    const double middle = (begin + end) / 2;
-    const std::size_t segment = motion_.at(middle).segment();
-    const std::uint32_t move = motion_.move();
-    const bool is_straight = motion_.leaves_path() || path_.kind[segment] == SegmentKind::line;
-    const bool is_polynomial =
-        motion_.leaves_path() || (is_straight && plan_.phases[motion_.phase()].shape == PhaseShape::constant_jerk);
-    const AxisMotion first = motion_.at(begin, segment).axes();
-    for (Axis& a : modes_) a.mode.step(first.speed[a.axis] - a.speed);
-    if (is_polynomial) {
-      const AxisMotion here = motion_.at(middle, segment).axes();
-      for (Axis& a : modes_) {
-        const double jerk = here.jerk[a.axis];
-        a.run({here.acceleration[a.axis] - jerk * (end - begin) / 2, jerk}, end - begin, move);
-      }
-    } else {
-      const double pieces = is_straight ? 1 : pieces_on(segment, begin, end, middle);
-      for (double k = 0; k < pieces; ++k)
-        run_piece(begin + (end - begin) * k / pieces, begin + (end - begin) * (k + 1) / pieces, segment, move);
+  /// @return false behind the last one
+  bool next(Piece& piece) {
+    if (part_ == parts_) {
+      while (at_ < breaks_.size() && !(breaks_[at_] - end_ > kShortest)) ++at_;
+      if (at_ == breaks_.size()) return false;
+      enter(end_, breaks_[at_]);
     }
-    const AxisMotion last = motion_.at(end, segment).axes();
-    const bool stands = std::abs(motion_.along().speed) < kStands;
-    for (Axis& a : modes_) {
-      a.speed = last.speed[a.axis];
-      if (stands) a.stop(end, move);
-    }
+    const double width = end_ - begin_;
+    piece.begin = begin_ + width * part_ / parts_;
+    ++part_;
+    piece.end = part_ == parts_ ? end_ : begin_ + width * part_ / parts_;
+    piece.move = move_;
+    fill(piece);
+    return true;
   }
 
-  Vibration finish(double end) {
-    Vibration all;
-    for (Axis& a : modes_) {
-      a.mode.step(-a.speed);
-      a.stop(end, a.last_move);
-      all[static_cast<std::size_t>(a.axis)] = a.found;
-    }
-    return all;
-  }
+  /// Of the breaks, that lie behind.
+  double done() const { return static_cast<double>(at_) / static_cast<double>(breaks_.size()); }
 
  private:
-  struct Axis {
-    Eigen::Index axis;
-    Mode mode;
-    AxisVibration found;
-    double speed = 0;  ///< of the drive, at the end of what was run
-    std::uint32_t last_move = 0;
-
-    void run(const AccelerationPolynomial& acceleration, double duration, std::uint32_t move) {
-      mode.run(acceleration, duration);
-      last_move = move;
-      if (mode.peak() <= found.peak) return;
-      found.peak = mode.peak();
-      found.peak_time = mode.peak_time();
-      found.peak_move = move;
-    }
-    void stop(double time, std::uint32_t move) {
-      const double amplitude = mode.amplitude();
-      if (amplitude <= found.residual) return;
-      found.residual = amplitude;
-      found.residual_time = time;
-      found.residual_move = move;
-    }
-  };
+  /// From one break to the next.
+  void enter(double begin, double end) {
+    begin_ = begin, end_ = end;
+    const double middle = (begin + end) / 2;
+    segment_ = motion_.at(middle).segment();
+    move_ = motion_.move();
+    rests_ = !(motion_.along().speed > 0);
+    const bool is_straight = motion_.leaves_path() || path_.kind[segment_] == SegmentKind::line;
+    is_polynomial_ =
+        motion_.leaves_path() || (is_straight && plan_.phases[motion_.phase()].shape == PhaseShape::constant_jerk);
+    part_ = 0;
+    parts_ = is_straight ? 1 : parts_on(begin, end, middle);
+  }
 
   /// By how far the path turns in between.
-  double pieces_on(std::size_t segment, double begin, double end, double middle) {
-    const double way = motion_.at(end, segment).on_segment() - motion_.at(begin, segment).on_segment();
+  double parts_on(double begin, double end, double middle) {
+    const double way = motion_.at(end, segment_).on_segment() - motion_.at(begin, segment_).on_segment();
     double curvature = 0;
     for (const double t : {begin, middle, end}) {
-      const Frame frame = frame_at(path_, segment, motion_.at(t, segment).on_segment());
+      const Frame frame = frame_at(path_, segment_, motion_.at(t, segment_).on_segment());
       curvature = std::max(curvature, frame.second.head<3>().norm());
     }
     return std::clamp(std::ceil(std::abs(way) * curvature / kTurn), 1.0, kMostPieces);
   }
 
-  void run_piece(double begin, double end, std::size_t segment, std::uint32_t move) {
-    std::array<AxisVector, kAccelerationTerms> accelerations;
-    for (std::size_t i = 0; i < accelerations.size(); ++i) {
-      accelerations[i] = motion_.at(begin + (end - begin) * acceleration_places()[i], segment).axes().acceleration;
+  void fill(Piece& piece) {
+    const double duration = piece.end - piece.begin;
+    piece.axes.resize(axes_.size());
+    const AxisMotion first = motion_.at(piece.begin, segment_).axes();
+    for (std::size_t i = 0; i < axes_.size(); ++i) piece.axes[i].speed_before = first.speed[axes_[i]];
+    if (is_polynomial_) {
+      const AxisMotion here = motion_.at((piece.begin + piece.end) / 2, segment_).axes();
+      for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const double jerk = here.jerk[axes_[i]];
+        piece.axes[i].acceleration = {here.acceleration[axes_[i]] - jerk * duration / 2, jerk};
+      }
+    } else {
+      std::array<AxisVector, kAccelerationTerms> there;
+      for (std::size_t k = 0; k < there.size(); ++k)
+        there[k] = motion_.at(piece.begin + duration * acceleration_places()[k], segment_).axes().acceleration;
+      for (std::size_t i = 0; i < axes_.size(); ++i) {
+        std::array<double, kAccelerationTerms> values;
+        for (std::size_t k = 0; k < values.size(); ++k) values[k] = there[k][axes_[i]];
+        piece.axes[i].acceleration = acceleration_through(values, duration);
+      }
     }
-    for (Axis& a : modes_) {
-      std::array<double, kAccelerationTerms> values;
-      for (std::size_t i = 0; i < values.size(); ++i) values[i] = accelerations[i][a.axis];
-      a.run(acceleration_through(values, end - begin), end - begin, move);
-    }
+    const AxisMotion last = motion_.at(piece.end, segment_).axes();
+    for (std::size_t i = 0; i < axes_.size(); ++i) piece.axes[i].speed_behind = last.speed[axes_[i]];
+    piece.stands_behind = part_ == parts_ && std::abs(motion_.along().speed) < kStands;
+    piece.rests = rests_ && piece.stands_behind;
   }
 
   const Path& path_;
   const MotionPlan& plan_;
+  const std::vector<double>& breaks_;
+  const std::vector<Eigen::Index>& axes_;
   Motion motion_;
-  std::vector<Axis> modes_;
+  std::size_t at_ = 0, segment_ = 0;
+  double begin_ = 0, end_ = 0, part_ = 0, parts_ = 0;
+  std::uint32_t move_ = 0;
+  bool is_polynomial_ = false, rests_ = false;
+};
+
+/// A mode of an axis, and what was found of it.
+struct Shaken {
+  Mode mode;
+  AxisVibration found;
+
+  void run(const AccelerationPolynomial& acceleration, double duration, std::uint32_t move) {
+    mode.run(acceleration, duration);
+    if (mode.peak() <= found.peak) return;
+    found.peak = mode.peak();
+    found.peak_time = mode.peak_time();
+    found.peak_move = move;
+  }
+  void stop(double time, std::uint32_t move) {
+    const double amplitude = mode.amplitude();
+    if (amplitude <= found.residual) return;
+    found.residual = amplitude;
+    found.residual_time = time;
+    found.residual_move = move;
+  }
+};
+
+/// The polynomial by a later begin.
+AccelerationPolynomial shifted(AccelerationPolynomial c, double by) {
+  if (by == 0) return c;
+  for (std::size_t k = 0; k + 1 < c.size(); ++k) {
+    for (std::size_t i = c.size() - 1; i-- > k;) c[i] += by * c[i + 1];
+  }
+  return c;
+}
+
+/// The motion at one impulse: the plan's, later.
+struct Echo {
+  Impulse impulse;
+  Pieces pieces;
+  Piece piece = {};
+  enum class State : std::uint8_t { waits, runs, is_over } state = State::waits;
+
+  /// When something changes.
+  double next() const { return impulse.time + (state == State::runs ? piece.end : 0.0); }
+  bool stands() const { return state != State::runs || piece.rests; }
+};
+
+/// Modes under a motion that is the mean of its echoes.
+class Shaker {
+ public:
+  Shaker(std::vector<Echo> echoes, std::vector<Shaken>& modes) : echoes_(std::move(echoes)), modes_(modes) {}
+
+  /// To the next time at which something changes. @return false when all is over
+  bool run() {
+    double next = kUnlimited;
+    for (const Echo& e : echoes_) {
+      if (e.state != Echo::State::is_over) next = std::min(next, e.next());
+    }
+    if (!(next < kUnlimited)) return false;
+    if (next - time_ > 0) run_to(next);
+    const bool stands = std::all_of(echoes_.begin(), echoes_.end(), [&](const Echo& e) {
+      return e.stands() || (ends_now(e) && e.piece.stands_behind);
+    });
+    if (stands && time_ > 0) stop();
+    for (Echo& e : echoes_) {
+      if (e.state != Echo::State::is_over && ends_now(e)) go_on(e);
+    }
+    return true;
+  }
+  void stop() {
+    for (Shaken& m : modes_) m.stop(time_, move_);
+  }
+  double done() const { return echoes_.back().pieces.done(); }
+
+ private:
+  bool ends_now(const Echo& e) const { return e.next() - time_ <= kShortest; }
+
+  void run_to(double next) {
+    for (std::size_t i = 0; i < modes_.size(); ++i) {
+      AccelerationPolynomial sum = {};
+      for (const Echo& e : echoes_) {
+        if (e.state != Echo::State::runs) continue;
+        const auto there = shifted(e.piece.axes[i].acceleration, time_ - e.impulse.time - e.piece.begin);
+        for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += e.impulse.share * there[k];
+      }
+      modes_[i].run(sum, next - time_, move_);
+    }
+    time_ = next;
+  }
+
+  void go_on(Echo& e) {
+    std::vector<double> before(modes_.size(), 0.0);
+    if (e.state == Echo::State::runs) {
+      for (std::size_t i = 0; i < modes_.size(); ++i) before[i] = e.piece.axes[i].speed_behind;
+    }
+    e.state = e.pieces.next(e.piece) ? Echo::State::runs : Echo::State::is_over;
+    const bool runs = e.state == Echo::State::runs;
+    if (runs && &e == &echoes_.front()) move_ = e.piece.move;
+    for (std::size_t i = 0; i < modes_.size(); ++i)
+      modes_[i].mode.step(e.impulse.share * ((runs ? e.piece.axes[i].speed_before : 0.0) - before[i]));
+  }
+
+  std::vector<Echo> echoes_;
+  std::vector<Shaken>& modes_;
+  double time_ = 0;
+  std::uint32_t move_ = 0;
 };
 
 }  // namespace
 
 Result<Vibration> vibration(const Path& path, const MotionPlan& plan, const std::vector<double>& node_time,
-                            const ServoMachine& servo, const Monitor& monitor) {
-  Shaker shaker(path, plan, servo);
-  if (!shaker.has_modes() || plan.phases.empty()) return shaker.finish(0);
-  const std::vector<double> breaks = breaks_of(plan, node_time);
-  double begin = 0;
-  for (std::size_t i = 0; i < breaks.size(); ++i) {
-    if (!(breaks[i] - begin > kShortest)) continue;
-    shaker.run(begin, breaks[i]);
-    begin = breaks[i];
-    if (i % kReportEvery != 0) continue;
-    if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
-    monitor.report(static_cast<double>(i) / static_cast<double>(breaks.size()));
+                            const ServoMachine& servo, const Impulses& impulses, const Monitor& monitor) {
+  std::vector<Eigen::Index> axes;
+  std::vector<Shaken> modes;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (!(servo[axis].resonance > 0)) continue;
+    axes.push_back(static_cast<Eigen::Index>(axis));
+    modes.push_back({Mode(servo[axis].resonance, servo[axis].resonance_damping), {}});
+    modes.back().found.resonance = servo[axis].resonance;
+    modes.back().found.damping = servo[axis].resonance_damping;
   }
-  return shaker.finish(plan.cycle_time());
+  if (!modes.empty() && !plan.phases.empty()) {
+    const std::vector<double> breaks = breaks_of(plan, node_time);
+    std::vector<Echo> echoes;
+    for (const Impulse& impulse : impulses) echoes.push_back({impulse, Pieces(path, plan, breaks, axes)});
+    Shaker shaker(std::move(echoes), modes);
+    for (std::size_t i = 1; shaker.run(); ++i) {
+      if (i % kReportEvery != 0) continue;
+      if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+      monitor.report(shaker.done());
+    }
+    shaker.stop();
+  }
+  Vibration all;
+  for (std::size_t i = 0; i < modes.size(); ++i) all[static_cast<std::size_t>(axes[i])] = modes[i].found;
+  return all;
 }
 
 std::optional<double> largest_residual(const Vibration& vibration) {

@@ -1,5 +1,5 @@
 #pragma once
-/// How the axes of a machine vibrate under a plan.
+/// How the axes of a machine vibrate under a plan, shaped or not.
 
 #include <array>
 #include <optional>
@@ -8,6 +8,7 @@
 #include "toolpace/base/monitor.h"
 #include "toolpace/base/result.h"
 #include "toolpace/plan/motion_plan.h"
+#include "toolpace/sample/shaper.h"
 #include "toolpace/servo/servo_simulation.h"
 
 namespace toolpace {
@@ -29,9 +30,10 @@ using Vibration = std::array<std::optional<AxisVibration>, kAxisCount>;
 /// radian, by polynomials of the fifth degree, to 1e-9 of them. Steps of speed at corners count.
 ///
 /// @param node_time  [s] arrival at each node of the path
+/// @param impulses   that shape the motion: times are then those of the shaped one, moves those of its first echo
 /// @return nothing for axes without a resonance. Errors: cancelled
 Result<Vibration> vibration(const Path& path, const MotionPlan& plan, const std::vector<double>& node_time,
-                            const ServoMachine& servo, const Monitor& monitor = {});
+                            const ServoMachine& servo, const Impulses& impulses, const Monitor& monitor = {});
 
 /// The largest residual of any axis, in what people read its axis in [mm, deg]; nothing where no axis has a resonance.
 std::optional<double> largest_residual(const Vibration& vibration);

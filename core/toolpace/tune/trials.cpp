@@ -5,6 +5,7 @@
 #include "toolpace/pipeline/follow.h"
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/replan.h"
+#include "toolpace/pipeline/sampled.h"
 #include "toolpace/pipeline/strategy.h"
 #include "toolpace/servo/vibration.h"
 
@@ -51,8 +52,8 @@ Result<Judged> Trials::run(std::shared_ptr<const Job> job, const WorthFollowing&
   const auto before = nearest_to(*job);
   auto outcome = before ? replan(std::move(job), *before, monitor) : toolpace::run(std::move(job), monitor);
   if (!outcome) return tl::unexpected(outcome.error());
-  const auto shaken =
-      vibration(*outcome->path, outcome->plan, outcome->node_time, outcome->job->machine.servo, {monitor.stop, {}});
+  const auto shaken = vibration(*outcome->path, outcome->plan, outcome->node_time, outcome->job->machine.servo,
+                                impulses_of(*outcome), {monitor.stop, {}});
   if (!shaken) return tl::unexpected(shaken.error());
   Objectives judged{outcome->summary.cycle_time, 0, largest_residual(*shaken)};
   const double most = worth ? worth(judged) : kUnlimited;

@@ -17,6 +17,8 @@ kv_1_s = 63
 velocity_feed_forward = 0.5
 """
 
+PATH = "[path]\nmax_speed_mm_s = 100\nmax_acceleration_mm_s2 = 2000\nmax_jerk_mm_s3 = 1e5\n"
+
 
 class Trace(CommandLineTest):
     def setUp(self):
@@ -123,6 +125,35 @@ class Trace(CommandLineTest):
         self.assertLess(calm["X"]["residual_um"], 0.02 * hard["X"]["residual_um"])
         self.assertGreater(calm["X"]["peak_um"], 1)
         self.assertEqual(self.run_toolpace("plan", "one.ngc", "--json").json()["vibration"], {})
+
+    def test_a_shaper_takes_the_vibration_out_and_keeps_every_limit(self):
+        self.file("two.ngc", "G21 G90 G94\nG1 X30 Y5 F3000\nG2 X40 Y5 I5 J0\nG4 P0.2\nG1 X2\nM2\n")
+        self.file("r.toml", PATH + "[servo.Y]\nresonance_hz = 30\nresonance_damping = 0.01\n")
+        plan = ("plan", "two.ngc", "--machine", "r.toml", "--corner", "stop", "--tolerance-mm", 0.5, "--setpoints", "s.csv", "--verify", "--json")
+        hard = self.run_toolpace(*plan).json()
+        for kind in ("zv", "zvd", "mzv", "ei", "2hump"):
+            run = self.run_toolpace(*plan, "--shaper", kind)
+            self.assertEqual(run.code, FINE, run.err)
+            told = run.json()
+            self.assertEqual(told["violations"], 0)
+            self.assertLess(told["vibration"]["Y"]["residual_um"], 0.06 * hard["vibration"]["Y"]["residual_um"], kind)
+            self.assertEqual(told["shaper"]["kind"], kind)
+            self.assertAlmostEqual(told["cycle_time_s"], hard["cycle_time_s"] + told["shaper"]["time_s"], places=12)
+            self.assertAlmostEqual(sum(told["time_by_limit_s"].values()), told["cycle_time_s"], places=6)
+            self.assertEqual(told["setpoints"], len((self.folder / "s.csv").read_text().splitlines()) - 1)
+        shaped = self.run_toolpace("simulate", "two.ngc", "--machine", "r.toml", "--corner", "stop", "--shaper", "zv", "--json").json()
+        still = self.run_toolpace("simulate", "two.ngc", "--machine", "r.toml", "--corner", "stop", "--json").json()
+        self.assertLess(shaped["servo"]["settling_time_s"], still["servo"]["settling_time_s"])
+
+    def test_a_shaper_stops_where_corners_would_be_steps_and_says_what_it_cannot_do(self):
+        self.file("r.toml", PATH + "[servo.Y]\nresonance_hz = 30\n")
+        run = self.run_toolpace("plan", "a.ngc", "--machine", "r.toml", "--shaper", "zv", "--json")
+        self.assertIn("shaper-stops", run.err)
+        self.assertEqual(run.json()["ran"]["corner"], "stop")
+        self.expect_failure(self.run_toolpace("plan", "a.ngc", "--shaper", "zv"), BAD_USAGE, "no axis of the machine has a resonance")
+        self.expect_failure(self.run_toolpace("plan", "a.ngc", "--machine", "r.toml", "--shaper", "zw"), BAD_USAGE, "2hump")
+        self.expect_failure(self.run_toolpace("plan", "a.ngc", "--machine", "r.toml", "--shaper", "zv", "--timer-hz", "1e6",
+                                              "--setpoints", "s.pulses.csv"), BAD_USAGE, "step pulses")
 
 
 if __name__ == "__main__":
