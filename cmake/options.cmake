@@ -1,4 +1,5 @@
 option(TOOLPACE_BUILD_STUDIO "Build the Qt 6 workbench" ON)
+option(TOOLPACE_BUILD_PYTHON "Build the Python module, where pybind11 is" ON)
 option(TOOLPACE_BUILD_TESTS "Build the tests" ON)
 option(TOOLPACE_BUILD_BENCH "Build the benchmarks" OFF)
 option(TOOLPACE_BUILD_EXAMPLES "Build the example programs" ON)

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "usage_error.h"
+#include "version.h"
 
 namespace toolpace::cli {
 namespace {
@@ -44,7 +45,17 @@ void put_below(CLI::Option* option, const std::string& title) {
 
 }  // namespace
 
-void Flags::add(const std::string& flag, const std::string& text, const char* what, Need need, Take take) {
+void Flags::note(const std::string& flag, const char* kind, const std::string& text, Need need) {
+  const auto [names, unit] = name_and_unit(flag);
+  const std::size_t comma = names.find(',');
+  const bool has_letter = comma != std::string::npos;
+  taken_->flags.push_back({has_letter ? names.substr(comma + 1) : names, has_letter ? names.substr(0, comma) : "", unit, kind,
+                           title_, text, need == Need::required});
+}
+
+void Flags::add(const std::string& flag, const char* kind, const std::string& text, const char* what, Need need,
+                Take take) {
+  note(flag, kind, text, need);
   const auto [name, unit] = name_and_unit(flag);
   const auto read = [name = name, what, take = std::move(take)](const std::string& word) {
     if (take(word)) return;
@@ -57,7 +68,7 @@ void Flags::add(const std::string& flag, const std::string& text, const char* wh
 }
 
 void Flags::number(const std::string& flag, std::optional<double>& target, const std::string& text) {
-  add(flag, text, kNumber, Need::optional, [&target](const std::string& word) {
+  add(flag, "number", text, kNumber, Need::optional, [&target](const std::string& word) {
     double value = 0;
     if (!read_whole(word, value)) return false;
     target = value;
@@ -66,49 +77,57 @@ void Flags::number(const std::string& flag, std::optional<double>& target, const
 }
 
 void Flags::number(const std::string& flag, double& target, const std::string& text, Need need) {
-  add(flag, text, kNumber, need, [&target](const std::string& word) { return read_whole(word, target); });
+  add(flag, "number", text, kNumber, need, [&target](const std::string& word) { return read_whole(word, target); });
 }
 
 void Flags::count(const std::string& flag, std::uint64_t& target, const std::string& text, Need need) {
-  add(flag, text, "a whole number from 0 to 1000000000000000", need,
+  add(flag, "count", text, "a whole number from 0 to 1000000000000000", need,
       [&target](const std::string& word) { return read_whole(word, target) && target <= kMostCounted; });
 }
 
-void Flags::word(const std::string& flag, std::string& target, const std::string& text, Need need) {
-  add(flag, text, "a name", need, [&target](const std::string& word) {
+void Flags::add_word(const std::string& flag, const char* kind, std::string& target, const std::string& text,
+                     Need need) {
+  add(flag, kind, text, "a name", need, [&target](const std::string& word) {
     target = word;
     return !word.empty();
   });
 }
 
+void Flags::word(const std::string& flag, std::string& target, const std::string& text, Need need) {
+  add_word(flag, "word", target, text, need);
+}
+
 void Flags::input(const std::string& flag, std::string& target, const std::string& what, const std::string& text,
                   Need need) {
-  files_->reads(what, target);
-  word(flag, target, text, need);
+  taken_->files.reads(what, target);
+  add_word(flag, "input", target, text, need);
 }
 
 void Flags::output(const std::string& flag, std::string& target, const std::string& text) {
   const std::string name = name_and_unit(flag).first;
-  files_->writes(name.substr(name.find("--")), target);
-  word(flag, target, text);
+  taken_->files.writes(name.substr(name.find("--")), target);
+  add_word(flag, "output", target, text, Need::optional);
 }
 
 void Flags::words(const std::string& flag, std::vector<std::string>& target, const std::string& text) {
+  note(flag, "words", text, Need::optional);
   const auto [name, unit] = name_and_unit(flag);
   put_below(app_->add_option(name, target, text)->type_name(unit)->allow_extra_args(false), title_);
 }
 
 void Flags::toggle(const std::string& flag, bool& target, const std::string& text) {
+  note(flag, "toggle", text, Need::optional);
   put_below(app_->add_flag(flag, target, text), title_);
 }
 
 void Command::argument(const std::string& name, std::string& target, const std::string& what, const std::string& text) {
-  files_->reads(what, target);
+  note(name, "argument", text, Need::required);
+  taken_->files.reads(what, target);
   app_->add_option(name, target, text)->type_name("")->required();
 }
 
 void Command::json(bool& target, const std::string& text) {
-  files_->prints_json(target);
+  taken_->files.prints_json(target);
   toggle("--json", target, text);
 }
 
@@ -117,7 +136,10 @@ void Command::footer(const std::string& text) { app_->footer(text); }
 CommandLine::CommandLine()
     : app_(std::make_unique<CLI::App>("Plans the motion of CNC machines: NC programs in, proven setpoints out.",
                                       "toolpace")) {
-  app_->set_version_flag("--version", "toolpace " TOOLPACE_VERSION, "Print the version and exit");
+  app_->set_version_flag("--version", std::string("toolpace ") + version(), "Print the version and exit");
+  app_->add_flag_callback(
+      "--grammar", [this] { throw CLI::CallForVersion(grammar().text(), 0); },
+      "Print all commands and flags as JSON and exit");
   app_->set_help_flag("-h,--help", "Print this help and exit");
   app_->get_formatter()->column_width(kFlagColumns);
   app_->get_formatter()->label("SUBCOMMAND", "COMMAND");
@@ -134,9 +156,33 @@ CommandLine::~CommandLine() = default;
 
 Command CommandLine::add(const std::string& name, const std::string& summary, Action action) {
   CLI::App* command = app_->add_subcommand(name, summary);
-  Entry& entry = *entries_.emplace_back(std::make_unique<Entry>(Entry{std::move(action), {}}));
+  Entry& entry = *entries_.emplace_back(std::make_unique<Entry>(Entry{name, summary, std::move(action), {}, command}));
   command->callback([this, &entry] { chosen_ = &entry; });
-  return Command(*command, entry.files);
+  return Command(*command, entry.taken);
+}
+
+Json CommandLine::grammar() const {
+  Json commands = Json::array();
+  for (const auto& entry : entries_) {
+    Json flags = Json::array();
+    for (const FlagRow& row : entry->taken.flags) {
+      flags.push_back({{"name", row.name},
+                       {"letter", row.letter},
+                       {"unit", row.unit},
+                       {"kind", row.kind},
+                       {"title", row.title},
+                       {"text", row.text},
+                       {"required", row.is_required}});
+    }
+    commands.push_back({{"name", entry->name},
+                        {"summary", entry->summary},
+                        {"footer", entry->app->get_footer()},
+                        {"flags", std::move(flags)}});
+  }
+  return {{"version", version()},
+          {"summary", app_->get_description()},
+          {"footer", app_->get_footer()},
+          {"commands", std::move(commands)}};
 }
 
 Result<Action> CommandLine::parse(int argc, const char* const* argv) {
@@ -151,7 +197,7 @@ Result<Action> CommandLine::parse(int argc, const char* const* argv) {
     app_->exit(e);  // help or version
     return Action([] { return Done(kFine); });
   }
-  if (auto apart = chosen_->files.check(); !apart) return tl::unexpected(std::move(apart.error()));
+  if (auto apart = chosen_->taken.files.check(); !apart) return tl::unexpected(std::move(apart.error()));
   return chosen_->action;
 }
 

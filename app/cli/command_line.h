@@ -12,6 +12,7 @@
 
 #include "failure.h"
 #include "file_use.h"
+#include "json.h"
 
 namespace CLI {
 class App;
@@ -20,6 +21,23 @@ class App;
 namespace toolpace::cli {
 
 using Action = std::function<Done()>;
+
+/// One flag or argument, as help, shells and other languages have to know it.
+struct FlagRow {
+  std::string name;    ///< "--vmax"; an argument's has no dashes: "PROGRAM"
+  std::string letter;  ///< "-o", or empty
+  std::string unit;    ///< what --help shows for its value: "MM/S"; empty for toggles and arguments
+  const char* kind;    ///< number, count, word, words, toggle, input, output, argument
+  std::string title;   ///< under which --help lists it; empty = without
+  std::string text;
+  bool is_required;
+};
+
+/// What one command takes: its flags, and the files that they name.
+struct Taken {
+  std::vector<FlagRow> flags;
+  FileUse files;
+};
 
 enum class Need : bool { optional, required };
 
@@ -32,8 +50,8 @@ enum class Need : bool { optional, required };
 class Flags {
  public:
   /// @param title  empty = where flags stand without a title of their own
-  explicit Flags(CLI::App& app, FileUse& files, std::string title = {})
-      : app_(&app), files_(&files), title_(std::move(title)) {}
+  explicit Flags(CLI::App& app, Taken& taken, std::string title = {})
+      : app_(&app), taken_(&taken), title_(std::move(title)) {}
 
   /// A number, such as 3000, 1e6 or inf.
   void number(const std::string& flag, std::optional<double>& target, const std::string& text);
@@ -59,12 +77,16 @@ class Flags {
   void toggle(const std::string& flag, bool& target, const std::string& text);
 
  protected:
+  /// Takes down a flag that a kind of its own adds.
+  void note(const std::string& flag, const char* kind, const std::string& text, Need need);
+
   CLI::App* app_;
-  FileUse* files_;
+  Taken* taken_;
 
  private:
   using Take = std::function<bool(const std::string& text)>;
-  void add(const std::string& flag, const std::string& text, const char* what, Need need, Take take);
+  void add(const std::string& flag, const char* kind, const std::string& text, const char* what, Need need, Take take);
+  void add_word(const std::string& flag, const char* kind, std::string& target, const std::string& text, Need need);
 
   std::string title_;
 };
@@ -74,7 +96,7 @@ class Command : public Flags {
  public:
   using Flags::Flags;
 
-  Flags titled(std::string title) const { return Flags(*app_, *files_, std::move(title)); }
+  Flags titled(std::string title) const { return Flags(*app_, *taken_, std::move(title)); }
 
   /// The name of a file that is read, without a flag, always needed.
   /// @param what  the file as messages name it: "the program"
@@ -84,7 +106,7 @@ class Command : public Flags {
   void json(bool& target, const std::string& text);
 
   /// The files of all its flags, for as long as the command line lives.
-  const FileUse& files() const { return *files_; }
+  const FileUse& files() const { return taken_->files; }
 
   /// What --help says below the flags.
   void footer(const std::string& text);
@@ -103,10 +125,17 @@ class CommandLine {
   /// do. Errors: usage: with the nearest thing that would have been right; outputs that are inputs (FileUse).
   Result<Action> parse(int argc, const char* const* argv);
 
+  /// All that can be typed: {"version", "summary", "footer", "commands": [{"name", "summary", "footer", "flags": [{"name",
+  /// "letter", "unit", "kind", "title", "text", "required"}]}]}. From it come the completion of shells, the manual's pages and
+  /// the functions of the Python module.
+  Json grammar() const;
+
  private:
   struct Entry {
+    std::string name, summary;
     Action action;
-    FileUse files;
+    Taken taken;
+    const CLI::App* app;
   };
   std::unique_ptr<CLI::App> app_;
   std::vector<std::unique_ptr<Entry>> entries_;

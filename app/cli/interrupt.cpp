@@ -11,6 +11,8 @@
 #include <string>
 #include <thread>
 
+#include "console.h"
+
 namespace toolpace::cli {
 namespace {
 
@@ -76,6 +78,7 @@ void catch_interrupts() {
 bool is_interrupted() { return stop_source().stop_requested(); }
 
 Monitor terminal_monitor(const char* what) {
+  if (Console* other = console()) return other->monitor(what);
   Monitor monitor{stop_source().get_token(), {}};
   if (isatty(STDERR_FILENO)) {
     monitor.progress = [what, last = std::make_shared<int>(-1)](double fraction) {
@@ -90,6 +93,7 @@ Monitor terminal_monitor(const char* what) {
 }
 
 void end_progress() {
+  if (console()) return;
   if (progress_shown) std::fputs("\r\033[K", stderr);
   progress_shown = false;
 }

@@ -14,7 +14,8 @@ void catch_interrupts();
 /// Whether the process was asked to stop.
 bool is_interrupted();
 
-/// Stops on Ctrl-C; shows progress on stderr where that is a terminal.
+/// Stops on Ctrl-C; shows progress on stderr where that is a terminal. Where a console has its place (console.h), that
+/// one's.
 /// @param what  shown beside the percentage, such as "planning"
 Monitor terminal_monitor(const char* what);
 

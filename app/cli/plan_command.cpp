@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "console.h"
 #include "interrupt.h"
 #include "job_flags.h"
 #include "outcome_json.h"
@@ -223,7 +224,7 @@ Done run_plan(const PlanFlags& flags) {
   }
   auto target = open_target(flags, setup->kinematics);
   if (!target) return tl::unexpected(target.error());
-  const auto outcome = plan_program(flags.reading, *setup);
+  auto outcome = plan_program(flags.reading, *setup);
   if (!outcome) return tl::unexpected(outcome.error());
   std::optional<double> bound;
   if (flags.bound) {
@@ -270,6 +271,7 @@ Done run_plan(const PlanFlags& flags) {
     if (!to_stdout) print_summary(*outcome, bound, *pass, flags);
     if (proof) print_proof(to_stdout ? stderr : stdout, *proof);
   }
+  if (console()) console()->planned(std::move(*outcome));
   return proof && !proof->passes() ? kLimitBroken : kFine;
 }
 

@@ -7,7 +7,8 @@
 
 namespace toolpace::cli {
 
-/// Reads and plans the program; prints its diagnostics and warnings to stderr. A refused program is a Failure.
+/// Reads and plans the program, or plans it again from what the console kept; prints its diagnostics and warnings to stderr. A
+/// refused program is a Failure.
 tl::expected<Outcome, Failure> plan_program(const ReadingFlags& reading, const Setup& setup);
 
 }  // namespace toolpace::cli

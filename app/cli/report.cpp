@@ -2,12 +2,14 @@
 
 #include <cstdio>
 
+#include "console.h"
 #include "interrupt.h"
 #include "toolpace/base/error_text.h"
 
 namespace toolpace::cli {
 
 void tell(const std::string& text) {
+  if (Console* other = console()) return other->tell(text);
   if (is_interrupted() && std::ferror(stderr) != 0) return;  // it waited for a reader, and is not to wait again
   std::fputs(text.c_str(), stderr);
 }
@@ -64,6 +66,7 @@ Json to_json(const Diagnostics& diagnostics) {
 }
 
 void print_json(const Json& json) {
+  if (Console* other = console()) return other->answer(json);
   // Not by fmt::print, which throws: main tells what goes wrong with standard output.
   const std::string text = json.text() + '\n';
   std::fwrite(text.data(), 1, text.size(), stdout);

@@ -7,7 +7,7 @@
 
 namespace toolpace::cli {
 
-/// Prints to stderr. Where that cannot be written, there is nobody to tell.
+/// Prints to stderr, or tells the console (console.h). Where that cannot be written, there is nobody to tell.
 void tell(const std::string& text);
 
 ExitCode exit_code(ErrorKind kind);
@@ -25,7 +25,7 @@ Json to_json(const Failure& failure);
 /// [{severity, code, file, line, column, message, excerpt, remedy}, …]
 Json to_json(const Diagnostics& diagnostics);
 
-/// Prints one JSON value to stdout.
+/// Prints one JSON value to stdout, or hands it to the console.
 void print_json(const Json& json);
 
 }  // namespace toolpace::cli

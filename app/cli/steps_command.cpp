@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "commands.h"
+#include "console.h"
 #include "flag_names.h"
 #include "interrupt.h"
+#include "report.h"
 #include "toolpace/io/pulse_writer.h"
 #include "toolpace/sample/pulse_table.h"
 
@@ -22,8 +24,25 @@ struct StepsFlags {
   StepperMove move;
   double tacc_ms = 0.0, tdec_ms = 0.0;
   std::string format = "csv";
-  std::string output = "-";
+  std::string output;
+  bool json = false;
 };
+
+Result<void> write_table(const std::string& target, const StepsFlags& flags, const PulseTable& table) {
+  const PulseFormat format = flags.format == "c" ? PulseFormat::c_header : PulseFormat::csv;
+  auto written = write_pulses(target, table, format, terminal_monitor("writing"));
+  end_progress();
+  return written;
+}
+
+Json steps_json(const PulseTable& table) {
+  return {{"steps", table.move().steps},
+          {"reaches_speed", table.reaches_speed()},
+          {"peak_speed_step_s", table.peak_speed()},
+          {"t_total_s", table.total_time()},
+          {"timer_hz", table.move().timer_hz},
+          {"ticks", table.total_ticks()}};
+}
 
 Done run_steps(const StepsFlags& flags) {
   if (flags.format != "csv" && flags.format != "c") {
@@ -49,10 +68,12 @@ Done run_steps(const StepsFlags& flags) {
     }
     return tl::unexpected(std::move(error));
   }
-  const PulseFormat format = flags.format == "c" ? PulseFormat::c_header : PulseFormat::csv;
-  const auto written = write_pulses(flags.output, *table, format, terminal_monitor("writing"));
-  end_progress();
-  if (!written) return tl::unexpected(written.error());
+  if (const std::string target = flags.output.empty() && !flags.json ? "-" : flags.output; !target.empty()) {
+    const auto written = write_table(target, flags, *table);
+    if (!written) return tl::unexpected(written.error());
+  }
+  if (flags.json) print_json(steps_json(*table));
+  if (console()) console()->pulsed(*table);
   return kFine;
 }
 
@@ -69,7 +90,8 @@ void add_steps_command(CommandLine& line) {
   command.number("--timer-hz HZ", flags->move.timer_hz, "Clock of the timer", Need::required);
   command.word("--format NAME", flags->format,
                "csv (default): rows pulse,ticks; c: a header with an array of uint32_t");
-  command.output("-o,--output FILE", flags->output, "File to write; default - = standard output");
+  command.output("-o,--output FILE", flags->output, "File to write; - = standard output, also without -o and --json");
+  command.json(flags->json, "Print one JSON object: the move as it is run, without its pulses");
   command.footer(
       "Each interval is the number of timer ticks before that pulse, after which the motor has made one more step. No "
       "pulse\n"

@@ -11,6 +11,7 @@
 
 #include "theme/picture_file.h"
 #include "toolpace/base/error_text.h"
+#include "version.h"
 
 namespace toolpace::studio {
 namespace {
@@ -128,7 +129,7 @@ Result<Request> parse_command_line(const QStringList& arguments) {
   }
   Request request;
   if (parser.isSet("help")) request.answer = help_of(parser);
-  if (parser.isSet("version")) request.answer = "toolpace-studio " TOOLPACE_VERSION "\n";
+  if (parser.isSet("version")) request.answer = QString("toolpace-studio %1\n").arg(toolpace::version());
   return request.answer.isEmpty() ? read_options(parser) : request;
 }
 

@@ -11,6 +11,7 @@
 #include "main_window.h"
 #include "memory_policy.h"
 #include "screenshot.h"
+#include "version.h"
 
 namespace {
 
@@ -64,7 +65,7 @@ int run(QApplication& application, const Request& request) {
 int main(int argc, char** argv) {
   keep_memory_between_plans();
   QCoreApplication::setApplicationName("toolpace-studio");
-  QCoreApplication::setApplicationVersion(TOOLPACE_VERSION);
+  QCoreApplication::setApplicationVersion(toolpace::version());
   const auto request = parse_command_line(arguments_of(argc, argv));
   if (!request) return report(request.error());
   if (!request->answer.isEmpty()) return std::fputs(qPrintable(request->answer), stdout) < 0 ? kFileTrouble : kFine;

@@ -14,6 +14,7 @@
 #include "panels/reading_page.h"
 #include "panels/transport_bar.h"
 #include "panels/tuning_panel.h"
+#include "version.h"
 
 namespace toolpace::studio {
 namespace {
@@ -103,7 +104,7 @@ void MainWindow::showKeys() {
 
 void MainWindow::showAbout() {
   QMessageBox box(QMessageBox::NoIcon, tr("About Toolpace"),
-                  "<b>Toolpace " TOOLPACE_VERSION "</b><p>" + tr("Plans the motion of CNC machines.") +
+                  "<b>Toolpace " + QString(toolpace::version()) + "</b><p>" + tr("Plans the motion of CNC machines.") +
                       "</p><p>GPL-3.0-or-later</p>",
                   QMessageBox::Close, this);
   box.setObjectName("aboutBox");

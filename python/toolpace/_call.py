@@ -1,0 +1,145 @@
+"""From a Python call to the words of a command line, and back."""
+
+import difflib
+import functools
+import inspect
+import json
+import os
+import tempfile
+
+from . import _core
+from .errors import UsageError, error_of
+from .results import Plan, Pulses, Result
+
+_OWN = {"--json"}  # always on
+
+
+def name_of(flag):
+    """The keyword of a flag: --corner-step-mm-s -> corner_step_mm_s."""
+    return flag["name"].lstrip("-").replace("-", "_").lower()
+
+
+@functools.lru_cache(maxsize=None)
+def commands():
+    """{name: command} of the grammar, each with its flags by keyword."""
+    found = {}
+    for command in json.loads(_core.grammar())["commands"]:
+        flags = {name_of(flag): flag for flag in command["flags"] if flag["name"] not in _OWN}
+        found[command["name"]] = {**command, "flags": flags, "has_json": len(flags) < len(command["flags"])}
+    return found
+
+
+def usage_error(code, message, remedy):
+    return UsageError({"error": {"code": code, "message": message, "remedy": remedy, "file": None, "line": 0, "column": 0,
+                                 "attainable": None}, "exit_code": 2, "diagnostics": []})
+
+
+def _text(name, value):
+    """A value as it would be typed. Numbers read back to the same double."""
+    if isinstance(value, bool):
+        raise usage_error("flag-value", f"{name} is {value}, but it takes a value", "give a number, a name or None")
+    if isinstance(value, (str, bytes, os.PathLike)):
+        return os.fsencode(value)
+    if hasattr(value, "__index__"):
+        return str(int(value)).encode()
+    if hasattr(value, "__float__"):
+        return repr(float(value)).encode()
+    raise usage_error("flag-value", f"{name} is a {type(value).__name__}", "give a number, a name or None")
+
+
+def words_of(command, values):
+    """The command line of a call; what is None is left out."""
+    words, arguments = [command["name"].encode()], []
+    if command["has_json"]:
+        words.append(b"--json")
+    for name, value in values.items():
+        flag = command["flags"][name]
+        if value is None or (flag["kind"] == "toggle" and not value):
+            continue
+        if flag["kind"] == "argument":
+            arguments.append(_text(name, value))
+        elif flag["kind"] == "toggle":
+            words.append(flag["name"].encode())
+        elif flag["kind"] == "words" and not isinstance(value, (str, bytes, os.PathLike)):
+            words += [flag["name"].encode() + b"=" + _text(name, part) for part in value]
+        else:
+            words.append(flag["name"].encode() + b"=" + _text(name, value))
+    return words + [b"--"] + arguments if arguments else words
+
+
+def call(command, values, before=None, progress=None):
+    ran = _core.run(words_of(command, values), before, progress)
+    summary = json.loads(ran.json) if ran.json else {}
+    if ran.has_failed:
+        raise error_of(summary)
+    told = ran.told.decode("utf-8", "replace")
+    if command["name"] == "plan":
+        return Plan(summary, ran.exit_code, told, ran.plan, values)
+    if command["name"] == "steps":
+        return Pulses(summary, ran.exit_code, told, ran.pulses)
+    return Result(summary, ran.exit_code, told)
+
+
+def signature_of(command):
+    kinds = inspect.Parameter
+    arguments, flags = [], []
+    for name, flag in command["flags"].items():
+        if flag["kind"] == "argument":
+            arguments.append(kinds(name, kinds.POSITIONAL_OR_KEYWORD))
+        else:
+            default = kinds.empty if flag["required"] else False if flag["kind"] == "toggle" else None
+            flags.append(kinds(name, kinds.KEYWORD_ONLY, default=default))
+    return inspect.Signature(arguments + flags + [kinds("progress", kinds.KEYWORD_ONLY, default=None)])
+
+
+def document(command):
+    """The text of help(): what --help prints, with the names that Python takes."""
+    lines, title = [command["summary"] + ".", ""], None
+    for name, flag in command["flags"].items():
+        if flag["title"] != title and flag["title"]:
+            lines += ["", flag["title"] + ":"]
+        title = flag["title"]
+        lines.append(f"  {name}{' [' + flag['unit'] + ']' if flag['unit'] else ''}: {' '.join(flag['text'].split())}")
+    lines += ["  progress: called now and then with (what is being done, fraction of it)", "", f"As: toolpace {command['name']} --help"]
+    return "\n".join(lines)
+
+
+def _as_files(command, values, folder):
+    """Arrays in the place of setpoint files become files for the time of the call: rows as Plan.setpoints has them."""
+    name = "setpoints"
+    if command["flags"].get(name, {}).get("kind") == "argument" and hasattr(values.get(name), "__array__"):
+        import numpy
+        file = os.path.join(folder, "setpoints.npy")
+        numpy.save(file, numpy.ascontiguousarray(values[name], dtype=float))
+        values[name] = file
+
+
+def make_function(command):
+    signature = signature_of(command)
+
+    def function(*arguments, **keywords):
+        bound = _bind(command, signature, arguments, keywords)
+        progress = bound.pop("progress", None)
+        with tempfile.TemporaryDirectory(prefix="toolpace-") as folder:
+            _as_files(command, bound, folder)
+            return call(command, bound, progress=progress)
+
+    function.__name__ = function.__qualname__ = command["name"]
+    function.__module__ = "toolpace"
+    function.__doc__ = document(command)
+    function.__signature__ = signature
+    return function
+
+
+def _bind(command, signature, arguments, keywords):
+    for name in keywords:
+        if name not in signature.parameters:
+            raise unknown(command, name)
+    return dict(signature.bind(*arguments, **keywords).arguments)
+
+
+def unknown(command, name):
+    """The error of a keyword that does not exist, with the nearest one that does."""
+    near = difflib.get_close_matches(name, command["flags"], 1, 0.5)
+    remedy = f"did you mean {near[0]}?" if near else f"help(toolpace.{command['name']}) lists what it takes"
+    return usage_error("flag-unknown", f"{command['name']}() takes no {name}", remedy)
