@@ -80,7 +80,8 @@ Ran run_command(const std::vector<std::string>& words, std::shared_ptr<const Out
     ran.exit_code = done ? *done : cli::exit_code(done.error().error.kind);
     if (!done) ran.json = cli::to_json(done.error()).text();
   };
-  run_beside(work, [&] { return look(listener.progress()); }, stop);
+  run_beside(
+      work, [&] { return look(listener.progress()); }, stop);
   return ran;
 }
 

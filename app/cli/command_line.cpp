@@ -49,8 +49,8 @@ void Flags::note(const std::string& flag, const char* kind, const std::string& t
   const auto [names, unit] = name_and_unit(flag);
   const std::size_t comma = names.find(',');
   const bool has_letter = comma != std::string::npos;
-  taken_->flags.push_back({has_letter ? names.substr(comma + 1) : names, has_letter ? names.substr(0, comma) : "", unit, kind,
-                           title_, text, need == Need::required});
+  taken_->flags.push_back({has_letter ? names.substr(comma + 1) : names, has_letter ? names.substr(0, comma) : "", unit,
+                           kind, title_, text, need == Need::required});
 }
 
 void Flags::add(const std::string& flag, const char* kind, const std::string& text, const char* what, Need need,

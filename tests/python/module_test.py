@@ -108,7 +108,9 @@ class SameBytes(ModuleTest):
         self.assert_same(toolpace.tune(pocket, machine=MILL, vary="law,ramps", plans=6), "tune", pocket, "--machine", MILL, "--vary",
                          "law,ramps", "--plans", 6)
         self.assert_same(toolpace.compare(pocket, "t.csv", machine=MILL), "compare", pocket, "t.csv", "--machine", MILL)
-        self.assert_same(toolpace.identify(pocket, "t.csv", machine=MILL), "identify", pocket, "t.csv", "--machine", MILL)
+        blocks = EXAMPLES / "blocks20.ngc"
+        self.run_toolpace("simulate", blocks, "--trace", "t.csv")
+        self.assert_same(toolpace.identify(blocks, "t.csv"), "identify", blocks, "t.csv")
         toolpace.rewrite(EXAMPLES / "rosette.ngc", output="a.ngc")
         self.run_toolpace("rewrite", EXAMPLES / "rosette.ngc", "-o", "b.ngc")
         self.assertEqual(pathlib.Path("a.ngc").read_bytes(), pathlib.Path("b.ngc").read_bytes())

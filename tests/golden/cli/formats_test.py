@@ -57,7 +57,8 @@ class Formats(CommandLineTest):
         self.file("m.toml", "[path]\nmax_speed_mm_s = 100\nmax_acceleration_mm_s2 = 3000\nmax_jerk_mm_s3 = 1e6\n")
         self.run_toolpace("plan", "a.ngc", "--setpoints", "a.csv")
         for name, arguments in (("move", ["--law", "trapezoid", "--length", 1, "--feed", 1, "--am", 1]),
-                                ("verify", ["a.csv", "--machine", "m.toml"]), ("blocks", ["a.ngc"]), ("simulate", ["a.ngc"])):
+                                ("verify", ["a.csv", "--machine", "m.toml"]), ("blocks", ["a.ngc"]), ("simulate", ["a.ngc"]),
+                                ("steps", "--steps 9 --speed 99 --tacc-ms 9 --tdec-ms 9 --timer-hz 1e6".split())):
             part = re.search(rf"`{name} --json`:(.*?)(?:\n\n|`\w+ --json`:|\Z)", TEXT, re.S).group(1)
             self.assertLessEqual(set(self.run_toolpace(name, *arguments, "--json").json()), set(names(part)), name)
 
