@@ -1,5 +1,6 @@
 """The scripts of examples/python run, and print what they promise."""
 
+import doctest
 import os
 import re
 import subprocess
@@ -57,6 +58,16 @@ class Scripts(CommandLineTest):
     @classmethod
     def tearDownClass(cls):
         assert cls.tried == {name for name in os.listdir(SCRIPTS) if name.endswith(".py")}, "a script is not tried"
+
+
+class Handbook(CommandLineTest):
+    def test_what_the_handbook_types_is_answered_so(self):
+        here = os.getcwd()
+        self.addCleanup(os.chdir, here)
+        os.chdir(SOURCE_DIR)
+        failed, tried = doctest.testfile(str(SOURCE_DIR / "docs/handbook/engineer.md"), module_relative=False)
+        self.assertEqual(failed, 0)
+        self.assertGreater(tried, 5)
 
 
 if __name__ == "__main__":

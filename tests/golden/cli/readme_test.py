@@ -1,31 +1,22 @@
 """The README's commands run, and no plan is slower than the README says."""
 
 import re
-import shlex
 import unittest
 
-from command_line import FINE, SOURCE_DIR, CommandLineTest
+from command_line import FINE, SOURCE_DIR
+from documents import DocumentTest
 
 README = (SOURCE_DIR / "README.md").read_text()
 
 
-class Readme(CommandLineTest):
-    def setUp(self):
-        super().setUp()
-        for folder in ("examples", "resources"):
-            (self.folder / folder).symlink_to(SOURCE_DIR / folder)
-
+class Readme(DocumentTest):
     def cycle_time(self, *arguments):
         run = self.run_toolpace("plan", *arguments, "--bound", "--json")
         self.assertEqual(run.code, FINE, run.err)
         return run.json()["cycle_time_s"], run.json()["bound_s"]
 
     def test_every_command_runs(self):
-        commands = re.findall(r"^    toolpace (.*)$", README, re.M)
-        self.assertGreaterEqual(len(commands), 7)
-        for command in commands:
-            run = self.run_toolpace(*shlex.split(command, comments=True))
-            self.assertEqual(run.code, FINE, f"{command}: {run.err}")
+        self.assertGreaterEqual(self.run_commands_of(README), 7)
 
     def test_plans_are_as_fast_as_the_table_says(self):
         butterfly = ["examples/nc/butterfly.ngc", "--am", "294.2", "--jm", "3e4", "--corner-step-mm-s"]
