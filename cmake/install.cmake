@@ -20,16 +20,21 @@ install(FILES ${PROJECT_BINARY_DIR}/toolpaceConfig.cmake ${PROJECT_BINARY_DIR}/t
 
 install(TARGETS toolpace_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
 if(TARGET toolpace_studio)
-  install(TARGETS toolpace_studio RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+  install(TARGETS toolpace_studio RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT studio)
   install(FILES ${PROJECT_SOURCE_DIR}/resources/desktop/io.github.toolpace.Toolpace.desktop
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT programs)
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT studio)
   install(FILES ${PROJECT_SOURCE_DIR}/resources/desktop/io.github.toolpace.Toolpace.metainfo.xml
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT programs)
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT studio)
   install(FILES ${PROJECT_SOURCE_DIR}/resources/desktop/io.github.toolpace.Toolpace.svg
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT programs)
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT studio)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/machines DESTINATION ${CMAKE_INSTALL_DATADIR}/toolpace COMPONENT programs)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/nc DESTINATION ${CMAKE_INSTALL_DATADIR}/toolpace COMPONENT programs)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT programs)
-install(FILES ${PROJECT_SOURCE_DIR}/docs/FORMATS.md ${PROJECT_SOURCE_DIR}/docs/SOURCES.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
-        COMPONENT programs)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/python DESTINATION ${CMAKE_INSTALL_DATADIR}/toolpace COMPONENT python)
+foreach(package toolpace=programs toolpace-studio=studio libtoolpace-dev=development python3-toolpace=python toolpace-doc=doc)
+  string(REPLACE "=" ";" package ${package})
+  list(GET package 0 name)
+  list(GET package 1 component)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME copyright COMPONENT ${component})
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)

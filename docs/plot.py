@@ -1,17 +1,17 @@
 """Curves as SVG, without a library."""
 
+import math
+
 COLOURS = ["#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377"]
 WIDTH, MARGIN = 760, 64
 
 
-def nice_ticks(low, high, count=4):
-    step = 10 ** len(str(int((high - low) / count))) / 10 if high - low > count else 1.0
-    while (high - low) / step > 2 * count:
-        step *= 2 if str(step).strip("0.").startswith("1") else 2.5
-    while (high - low) / step < count:
-        step /= 2
-    first = -int(-low // step)
-    return [k * step for k in range(first, int(high // step) + 1)]
+def nice_ticks(low, high, count=5):
+    """Multiples of 1, 2 or 5 times a power of ten, about `count` of them."""
+    rough = (high - low) / count
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = next(power * m for m in (1, 2, 5, 10) if power * m >= rough)
+    return [round(k * step, 12) for k in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
 
 
 def panel(title, curves, top, height, equal=False):
