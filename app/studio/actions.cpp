@@ -42,7 +42,8 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   delete_lines = add("deleteLinesAction", "", {QKeySequence("Ctrl+Shift+K")});
   addPlan();
   addView();
-  show_keys = add("keysAction", "", {QKeySequence(Qt::Key_F1)});
+  show_handbook = add("handbookAction", "", {QKeySequence(Qt::Key_F1)});
+  show_keys = add("keysAction", "", {QKeySequence("Shift+F1")});
   about = add("aboutAction", "");
   retranslate();
 }
@@ -181,6 +182,7 @@ void Actions::retranslate() {
   english->setText("English");
   chinese->setText("简体中文");
   reset_layout->setText(tr("&Reset the layout"));
+  show_handbook->setText(tr("&Handbook"));
   show_keys->setText(tr("&Keys"));
   about->setText(tr("&About Toolpace"));
   for (auto* action : all_) {

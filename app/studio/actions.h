@@ -31,7 +31,7 @@ class Actions : public QObject {
   QAction *pin, *unpin, *swap, *sweep, *what_if, *hold, *no_hold;
   QAction *dark, *touch, *inch, *per_minute, *hold_heights, *fit_cutting, *line_times, *rapids, *print, *english,
       *chinese, *reset_layout;
-  QAction *show_keys, *about;
+  QAction *show_handbook, *show_keys, *about;
 
  private:
   QAction* add(const char* name, const char* icon, const QList<QKeySequence>& keys = {});

@@ -201,6 +201,7 @@ class MainWindow : public QMainWindow {
   // main_window_help.cpp
   void goToProblem();
   void goToSlowest();
+  void showHandbook();
   void showKeys();
   void showAbout();
   // main_window.cpp

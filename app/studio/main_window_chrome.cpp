@@ -100,7 +100,7 @@ void MainWindow::buildMenus() {
     panels_menu_->addAction(docks_[name]->toggleViewAction());
   }
   help_menu_ = menu("helpMenu");
-  help_menu_->addActions({a.show_keys, a.about});
+  help_menu_->addActions({a.show_handbook, a.show_keys, a.about});
 }
 
 void MainWindow::buildToolBar() {

@@ -1,11 +1,14 @@
 /// What is wrong and what is slow, one after the other; keys, and what this is.
 
 #include <QCoreApplication>
+#include <QDesktopServices>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QRegularExpression>
+#include <QUrl>
 
+#include "handbook.h"
 #include "main_window.h"
 #include "models/presets.h"
 #include "panels/nc_panel.h"
@@ -88,6 +91,18 @@ void MainWindow::goToSlowest() {
   const std::uint32_t line = timeline->worst_lines()[next_slow_++ % timeline->worst_lines().size()];
   nc_->view().setCurrentLine(static_cast<int>(line));
   workspace_.setCursorTime(timeline->lines()[line].begin);
+}
+
+void MainWindow::showHandbook() {
+  const QString page = handbook_page(QCoreApplication::applicationDirPath(), preferences_.language);
+  if (!page.isEmpty() && QDesktopServices::openUrl(QUrl::fromLocalFile(page))) return;
+  const QString text =
+      page.isEmpty()
+          ? tr("The handbook is not here. The package toolpace-doc brings it, and scripts/handbook makes it.")
+          : tr("No browser opened the handbook. It is the page\n%1").arg(page);
+  QMessageBox box(QMessageBox::NoIcon, tr("Handbook"), text, QMessageBox::Close, this);
+  box.setObjectName("handbookBox");
+  box.exec();
 }
 
 void MainWindow::showKeys() {

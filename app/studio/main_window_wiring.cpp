@@ -196,6 +196,7 @@ void MainWindow::connectActions() {
   on(a.english, [this] { setLanguage("en"); });
   on(a.chinese, [this] { setLanguage("zh_CN"); });
   on(a.reset_layout, [this] { resetLayout(); });
+  on(a.show_handbook, [this] { showHandbook(); });
   on(a.show_keys, [this] { showKeys(); });
   on(a.about, [this] { showAbout(); });
 }

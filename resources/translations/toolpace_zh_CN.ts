@@ -3248,6 +3248,10 @@
             <translation>重置布局(&amp;R)</translation>
         </message>
         <message>
+            <source>&amp;Handbook</source>
+            <translation>手册(&amp;H)</translation>
+        </message>
+        <message>
             <source>&amp;Keys</source>
             <translation>快捷键(&amp;K)</translation>
         </message>
@@ -3513,6 +3517,20 @@
         <message>
             <source>Save a picture</source>
             <translation>保存图片</translation>
+        </message>
+        <message>
+            <source>The handbook is not here. The package toolpace-doc brings it, and scripts/handbook makes it.</source>
+            <translation>这里没有手册。软件包 toolpace-doc 带有手册,scripts/handbook 也可以生成。</translation>
+        </message>
+        <message>
+            <source>No browser opened the handbook. It is the page
+%1</source>
+            <translation>没有浏览器打开手册。它的页面是
+%1</translation>
+        </message>
+        <message>
+            <source>Handbook</source>
+            <translation>手册</translation>
         </message>
         <message>
             <source>Keys</source>
