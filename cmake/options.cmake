@@ -29,6 +29,8 @@ endif()
 add_library(toolpace_warnings INTERFACE)
 target_compile_options(toolpace_warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
                        $<$<BOOL:${TOOLPACE_WERROR}>:-Werror>
+                       # GCC's -Wconversion leaves signs alone in C++.
+                       $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>
                        # GCC 12 sees overlap, overflow and lack of a value in std::string where there is none (its bugs 105651, 105329,
                        # 105762, 105562).
                        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds;-Wno-maybe-uninitialized>)

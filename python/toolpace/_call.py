@@ -39,12 +39,24 @@ def _text(name, value):
     if isinstance(value, bool):
         raise usage_error("flag-value", f"{name} is {value}, but it takes a value", "give a number, a name or None")
     if isinstance(value, (str, bytes, os.PathLike)):
-        return os.fsencode(value)
+        text = os.fsencode(value)
+        if b"\0" in text:
+            raise usage_error("flag-value", f"{name} holds a null character, which no name does", "leave it out")
+        return text
     if hasattr(value, "__index__"):
         return str(int(value)).encode()
     if hasattr(value, "__float__"):
         return repr(float(value)).encode()
     raise usage_error("flag-value", f"{name} is a {type(value).__name__}", "give a number, a name or None")
+
+
+def _word(name, flag, value):
+    """The same; the streams of the terminal are not Python's."""
+    text = _text(name, value)
+    if text == b"-" and flag["kind"] in ("argument", "input", "output"):
+        raise usage_error("no-standard-streams", f"{name} is -, standard input or output, which Python may have for itself",
+                          "give the name of a file")
+    return text
 
 
 def words_of(command, values):
@@ -57,13 +69,13 @@ def words_of(command, values):
         if value is None or (flag["kind"] == "toggle" and not value):
             continue
         if flag["kind"] == "argument":
-            arguments.append(_text(name, value))
+            arguments.append(_word(name, flag, value))
         elif flag["kind"] == "toggle":
             words.append(flag["name"].encode())
         elif flag["kind"] == "words" and not isinstance(value, (str, bytes, os.PathLike)):
             words += [flag["name"].encode() + b"=" + _text(name, part) for part in value]
         else:
-            words.append(flag["name"].encode() + b"=" + _text(name, value))
+            words.append(flag["name"].encode() + b"=" + _word(name, flag, value))
     return words + [b"--"] + arguments if arguments else words
 
 

@@ -153,6 +153,11 @@ class Errors(ModuleTest):
             with self.subTest(keywords), self.assertRaises(toolpace.UsageError) as caught:
                 toolpace.plan(program, **keywords)
             self.assertEqual(caught.exception.code, code)
+        for code, arguments, keywords in (("no-standard-streams", ["-"], {}), ("no-standard-streams", [program], {"setpoints": "-"}),
+                                          ("flag-value", ["a\0.ngc"], {})):
+            with self.subTest(keywords), self.assertRaises(toolpace.UsageError) as caught:
+                toolpace.plan(*arguments, **keywords)
+            self.assertEqual(caught.exception.code, code)
         with self.assertRaises(toolpace.UsageError) as caught:
             toolpace.plan(program, laws="quintic")
         self.assertEqual(caught.exception.remedy, "did you mean law?")
