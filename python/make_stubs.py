@@ -23,6 +23,7 @@ from .errors import UsageError as UsageError
 Path = str | bytes | PathLike[str]
 Progress = Callable[[str, float], Any]
 __version__: str
+__commit__: str
 
 class Result:
     summary: dict[str, Any]

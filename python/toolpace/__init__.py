@@ -19,7 +19,8 @@ from ._replan import replan
 from .errors import Error, FileError, InputError, UsageError
 from .results import Plan, Pulses, Result
 
-__version__ = _version()
+__version__, _, __commit__ = _version().partition(" ")
+__commit__ = __commit__.strip("()")  # empty where it was not built in a checkout
 
 for _name, _command in _commands().items():
     globals()[_name] = _make_function(_command)

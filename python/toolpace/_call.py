@@ -1,11 +1,14 @@
 """From a Python call to the words of a command line, and back."""
 
+import contextlib
 import difflib
 import functools
 import inspect
 import json
 import os
 import tempfile
+
+import numpy
 
 from . import _core
 from .errors import UsageError, error_of
@@ -116,11 +119,11 @@ def document(command):
     return "\n".join(lines)
 
 
-def _as_files(command, values, folder):
+def _as_files(command, values, stack):
     """Arrays in the place of setpoint files become files for the time of the call: rows as Plan.setpoints has them."""
     name = "setpoints"
     if command["flags"].get(name, {}).get("kind") == "argument" and hasattr(values.get(name), "__array__"):
-        import numpy
+        folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="toolpace-"))
         file = os.path.join(folder, "setpoints.npy")
         numpy.save(file, numpy.ascontiguousarray(values[name], dtype=float))
         values[name] = file
@@ -132,8 +135,8 @@ def make_function(command):
     def function(*arguments, **keywords):
         bound = _bind(command, signature, arguments, keywords)
         progress = bound.pop("progress", None)
-        with tempfile.TemporaryDirectory(prefix="toolpace-") as folder:
-            _as_files(command, bound, folder)
+        with contextlib.ExitStack() as stack:
+            _as_files(command, bound, stack)
             return call(command, bound, progress=progress)
 
     function.__name__ = function.__qualname__ = command["name"]
