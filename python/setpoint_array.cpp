@@ -2,12 +2,12 @@
 
 #include "toolpace/io/npy_format.h"
 #include "toolpace/io/setpoint_table.h"
-#include "toolpace/sample/sampler.h"
+#include "toolpace/pipeline/sampled.h"
 
 namespace toolpace::python {
 
 Result<SetpointArray> setpoint_array(const Outcome& outcome, const Monitor& monitor) {
-  Sampler sampler(*outcome.path, outcome.plan, outcome.job->program->moves, outcome.job->machine.period);
+  Sampler sampler = sampler_of(outcome);
   SetpointTable table(false);
   SetpointArray array;
   array.lines.reserve(sampler.rows());

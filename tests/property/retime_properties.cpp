@@ -37,7 +37,7 @@ toolpace::Setup random_setup(Random& random) {
 }
 
 TEST(SetpointsOfRetimedPrograms, KeepTheLimitsOfEveryAxis) {
-  SetpointTally tally(14);
+  SetpointTally tally(8);
   std::size_t faster = 0, programs = 0;
   for (std::uint64_t seed = 1; tally.wants_more(); ++seed, ++programs) {
     Random random(seed);

@@ -13,7 +13,7 @@ namespace {
 
 std::shared_ptr<const Reading> program() {
   std::string text = "G21 G90 F3000\nG0 X5\nG4 P0.2\n";
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 20; ++i) {
     text += "G1 X" + std::to_string(30 * std::cos(i * 0.2)) + " Y" + std::to_string(20 * std::sin(i * 0.37)) + "\n";
   }
   text += "G2 X0 Y0 R60\nT1 M6\nG1 X40\nM2\n";

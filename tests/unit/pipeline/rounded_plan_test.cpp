@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "case_count.h"
 #include "frechet.h"
 #include "planned_program.h"
 #include "polylines.h"
@@ -80,7 +81,7 @@ void expect_sound(const Outcome& outcome) {
 
 TEST(RoundedPlan, KeepsTheLimitsOfEveryAxisAndTheToleranceOnAnyTurns) {
   for (const double turn : {0.01, 0.08, 0.3, 1.0, 2.0, 3.14}) {
-    for (unsigned seed = 1; seed <= 4; ++seed) {
+    for (unsigned seed = 1; seed <= test::case_count(2); ++seed) {
       SCOPED_TRACE(::testing::Message() << "turn " << turn << " seed " << seed);
       expect_sound(testing::planned(chords(150, turn, seed), rounding()));
     }
@@ -90,7 +91,7 @@ TEST(RoundedPlan, KeepsTheLimitsOfEveryAxisAndTheToleranceOnAnyTurns) {
 // The servo rule lets the speed step at corners, jerk aside; blends that hold it come close.
 TEST(RoundedPlan, IsAboutAsFastAsTheServoRuleThatHoldsNoJerk) {
   for (const double turn : {0.08, 3.14}) {
-    for (unsigned seed = 11; seed <= 13; ++seed) {
+    for (unsigned seed = 11; seed <= 10 + test::case_count(1); ++seed) {
       SCOPED_TRACE(::testing::Message() << "turn " << turn << " seed " << seed);
       const testing::Program program = chords(400, turn, seed);
       const double blend = testing::planned(program, rounding()).summary.cycle_time;
@@ -101,7 +102,7 @@ TEST(RoundedPlan, IsAboutAsFastAsTheServoRuleThatHoldsNoJerk) {
 }
 
 TEST(RoundedPlan, KeepsTheLimitsOfAxesAndPathThroughArcs) {
-  for (unsigned seed = 31; seed <= 36; ++seed) {
+  for (unsigned seed = 31; seed <= 30 + test::case_count(3); ++seed) {
     std::mt19937 engine(seed);
     const auto random = [&engine] { return static_cast<double>(engine()) / 4294967296.0; };
     testing::Program program;
@@ -135,7 +136,7 @@ TEST(RoundedPlan, KeepsTheLimitsOfAxesAndPathThroughArcs) {
 // Within a tenth or so of the thorough search.
 TEST(RoundedPlan, IsNotMuchSlowerThanTheBestThroughTheTube) {
   for (const double turn : {0.05, 0.3, 1.0, 3.14}) {
-    for (unsigned seed = 51; seed <= 53; ++seed) {
+    for (unsigned seed = 51; seed <= 50 + test::case_count(1); ++seed) {
       SCOPED_TRACE(::testing::Message() << "turn " << turn << " seed " << seed);
       const testing::Program program = chords(100, turn, seed);
       const double blend = testing::planned(program, rounding()).summary.cycle_time;
@@ -165,7 +166,7 @@ TEST(RoundedPlan, IsTheSameForBlendsOfTheProgram) {
 
 TEST(RoundedPlan, IsNoSlowerInATubeTwiceAsWide) {
   for (const double turn : {0.1, 1.0}) {
-    for (unsigned seed = 61; seed <= 64; ++seed) {
+    for (unsigned seed = 61; seed <= 60 + test::case_count(2); ++seed) {
       const testing::Program program = chords(40, turn, seed);
       double before = kUnlimited;
       for (double tolerance = 0.005; tolerance < 0.1; tolerance *= 2) {
@@ -192,7 +193,7 @@ TEST(RoundedPlan, DoesNotSpreadTheFeedOfASlowBlock) {
 }
 
 TEST(RoundedPlan, IsNoFasterThanItsBound) {
-  for (unsigned seed = 21; seed <= 24; ++seed) {
+  for (unsigned seed = 21; seed <= 20 + test::case_count(2); ++seed) {
     auto job = std::make_shared<Job>();
     job->program = chords(100, 0.5, seed).reading();
     const toolpace::Setup setup = rounding();
