@@ -1,4 +1,7 @@
 # The library with its headers and CMake package, the programs, and what a desktop needs to show the workbench.
+if(SKBUILD)  # a wheel holds the Python module alone
+  return()
+endif()
 include(CMakePackageConfigHelpers)
 set(TOOLPACE_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/toolpace)
 

@@ -6,8 +6,10 @@ import inspect
 import json
 import os
 import pathlib
+import re
 import signal
 import threading
+import tomllib
 import unittest
 
 import numpy
@@ -262,6 +264,23 @@ class Described(ModuleTest):
             told = functions[name]
             self.assertEqual({a.arg for a in told.args + told.kwonlyargs}, set(inspect.signature(thing).parameters))
         self.assertTrue((pathlib.Path(toolpace.__file__).parent / "py.typed").exists())
+
+    def test_what_pip_is_told_is_there(self):
+        told = tomllib.loads((SOURCE_DIR / "pyproject.toml").read_text())
+        build, project = told["tool"]["scikit-build"], told["project"]
+        version = build["metadata"]["version"]
+        found = re.search(version["regex"], (SOURCE_DIR / version["input"]).read_text())
+        self.assertEqual(found["value"], toolpace.__version__)
+        lists = (SOURCE_DIR / "python/CMakeLists.txt").read_text()
+        for target in build["build"]["targets"]:
+            self.assertRegex(lists, rf"(?:pybind11_add_module|add_custom_target)\({target} ")
+        for component in build["install"]["components"]:
+            self.assertIn(f"COMPONENT {component}", lists)
+        for file in (project["readme"], project["license"]["file"]):
+            self.assertTrue((SOURCE_DIR / file).exists())
+        options = (SOURCE_DIR / "cmake/options.cmake").read_text()
+        for option in build["cmake"]["define"]:
+            self.assertIn(f"option({option} ", options)
 
 
 if __name__ == "__main__":
