@@ -19,6 +19,8 @@ class Handbook(DocumentTest):
     def test_every_command_runs(self):
         run = 0
         for page in PAGES:
+            if page.name == "machinist-zh.md":  # the same commands as in English, see below
+                continue
             with self.subTest(page=page.name):
                 run += self.run_commands_of(page.read_text())
         self.assertGreater(run, 30)
