@@ -13,7 +13,7 @@ tl::expected<Outcome, Failure> plan_program(const ReadingFlags& flags, const Set
   if (before) {
     job->program = before->job->program;
   } else {
-    auto reading = flags.read_accepted();
+    auto reading = flags.on(setup).read_accepted();
     if (!reading) return tl::unexpected(std::move(reading.error()));
     job->program = std::make_shared<const Reading>(std::move(*reading));
   }

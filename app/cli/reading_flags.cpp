@@ -8,6 +8,7 @@
 #include "interrupt.h"
 #include "report.h"
 #include "toolpace/base/file_error.h"
+#include "toolpace/limits/travel.h"
 
 namespace toolpace::cli {
 namespace {
@@ -66,6 +67,8 @@ void ReadingFlags::add_options_to(Command& command) {
   flags.word(
       "--integers HOW", integers,
       "Coordinates without a point of Fanuc's kind: lengths, increments or auto (default), as the text suggests");
+  flags.toggle("--tcp", about_tip,
+               "X Y Z tell where the tool's tip is in the workpiece, all along; needs --machine with [kinematics]");
   flags.toggle("--strict", strict, "Treat every warning as an error");
   flags.toggle("--block-delete", block_delete, "Skip lines that start with '/'");
   flags.input("--tools FILE", tools, "the tool table", "Tool table, as LinuxCNC writes it");
@@ -83,8 +86,18 @@ void ReadingFlags::add_options_to(Command& command) {
   add_bound("--max-call-depth N", limits.call_depth, "Most calls within each other");
 }
 
+ReadingFlags ReadingFlags::on(const Setup& setup) const {
+  ReadingFlags flags = *this;
+  flags.kinematics = setup.kinematics;
+  flags.travel = rotary_travel(setup.machine);
+  return flags;
+}
+
 ReadOptions ReadingFlags::options() const {
   ReadOptions options;
+  options.kinematics = kinematics;
+  options.travel = travel;
+  options.about_tip = about_tip;
   options.dialect = dialect_named(dialect).value_or(Dialect::automatic);
   options.arc_tolerance = arc_tolerance;
   options.integers = integers_named(integers).value_or(IntegerWords::automatic);

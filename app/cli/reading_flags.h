@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command_line.h"
+#include "toolpace/machine/setup.h"
 #include "toolpace/nc/reader.h"
 
 namespace toolpace::cli {
@@ -20,11 +21,17 @@ struct ReadingFlags {
   std::vector<std::string> sub_paths, work_offsets;
   std::optional<double> arc_tolerance;  ///< [mm]
   ReadLimits limits = {};
+  bool about_tip = false;
+  Kinematics kinematics = {};  ///< not a flag: see on()
+  RotaryTravel travel = RotaryTravel::unbounded();
 
   /// Adds PROGRAM and the reading flags to a command.
   void add_to(Command& command);
   /// Adds the reading flags alone.
   void add_options_to(Command& command);
+
+  /// The same flags on a machine, whose rotary axes carry what programs about the tool's tip tell.
+  ReadingFlags on(const Setup& setup) const;
 
   /// @pre the flags have been checked
   ReadOptions options() const;

@@ -176,7 +176,7 @@ Done run_tune(const TuneFlags& flags) {
     if (!opened) return tl::unexpected(opened.error());
     file.emplace(std::move(*opened));
   }
-  auto reading = flags.reading.read_accepted();
+  auto reading = flags.reading.on(*setup).read_accepted();
   if (!reading) return tl::unexpected(std::move(reading.error()));
   Diagnostics warnings = reading->diagnostics;
   warnings.insert(warnings.end(), setup->warnings.begin(), setup->warnings.end());

@@ -76,7 +76,7 @@ tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
     return tl::unexpected<Failure>(std::move(found.error()));
   };
   if (flags.reading.program.empty()) return prove(nullptr);
-  const auto reading = flags.reading.read_accepted();
+  const auto reading = flags.reading.on(*setup).read_accepted();
   if (!reading) return tl::unexpected(reading.error());
   const auto path = build_path(reading->moves, machine.tool_change);
   if (!path) return tl::unexpected<Failure>(path.error());

@@ -25,6 +25,7 @@ constexpr std::array<CauseStyle, kCauseCount> kStyles = {{
     {QT_TRANSLATE_NOOP("Cause", "stop"), 0xff30363d, 0xffe2e6ea},
     {QT_TRANSLATE_NOOP("Cause", "dwell"), 0xff882255, 0xffc0608f},
     {QT_TRANSLATE_NOOP("Cause", "limit of the program"), 0xff5a4fcf, 0xffa79bff},
+    {QT_TRANSLATE_NOOP("Cause", "near the pole of the rotary axes"), 0xffb3261e, 0xffff8a80},
 }};
 
 }  // namespace

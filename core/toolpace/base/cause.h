@@ -19,9 +19,10 @@ enum class Cause : std::uint8_t {
   lookahead,
   stop,
   dwell,
-  program_limit  ///< a speed or an acceleration that the program lowers: M203, M204, SET_VELOCITY_LIMIT, …
+  program_limit,  ///< a speed or an acceleration that the program lowers: M203, M204, SET_VELOCITY_LIMIT, …
+  singularity     ///< the axes, near the pole of two rotary ones: a small change of the tool's direction is a large turn there
 };
-inline constexpr std::size_t kCauseCount = 13;
+inline constexpr std::size_t kCauseCount = 14;
 
 /// "feed", "axis_speed", …: the keys of time_by_limit_s.
 std::string_view cause_name(Cause cause);

@@ -8,6 +8,7 @@
 #include "toolpace/bound/tube_bound.h"
 #include "toolpace/limits/ceilings.h"
 #include "toolpace/limits/curve_bounds.h"
+#include "toolpace/path/axis_curve.h"
 #include "toolpace/path/blend_path.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job_rules.h"
@@ -45,16 +46,22 @@ double least_curvature(const Path& path, std::size_t segment) {
 
 class Opener {
  public:
-  explicit Opener(const Outcome& outcome) : outcome_(outcome), path_(*outcome.path), open_(outcome.limits) {}
+  explicit Opener(const Outcome& outcome)
+      : outcome_(outcome), path_(*outcome.path), curve_(path_), open_(outcome.limits) {}
 
   SpeedLimits run() {
     for (std::size_t i = 0; i < path_.size(); ++i) {
-      if (path_.kind[i] != SegmentKind::line) open_curve(i);
+      if (!curve_.is_path(i)) {
+        open_tip(i);
+      } else if (path_.kind[i] != SegmentKind::line) {
+        open_curve(i);
+      }
     }
     for (std::size_t i = 1; i < path_.size(); ++i) {
       const Cause cause = outcome_.limits.node_cause[i];
       if (cause == Cause::corner || cause == Cause::stop || open_.node_cap[i] == 0) continue;
-      open_.node_cap[i] = std::min(open_.block_cap[i - 1], open_.block_cap[i]);
+      open_.node_cap[i] = std::min({open_.block_cap[i - 1], open_.block_cap[i], axes_cap(i - 1, path_.length[i - 1]),
+                                    axes_cap(i, 0.0)});
     }
     return std::move(open_);
   }
@@ -83,8 +90,42 @@ class Opener {
     open_.ramp[i] = static_cast<std::uint32_t>(open_.dynamics.size() - 1);
   }
 
+  /// About the tool's tip: inside it the path's own limits, and what the axes must do at its ends (axes_cap()).
+  void open_tip(std::size_t i) {
+    const Machine machine = under(outcome_.job->machine, outcome_.commands->ceiling_of(i));
+    const PathLimits& p = machine.path;
+    open_.block_cap[i] = std::max(open_.block_cap[i], (*outcome_.commands)[i].speed);
+    const double time = outcome_.limits.dynamics_of(i).up.time, end_time = outcome_.limits.dynamics_of(i).down.time;
+    open_.dynamics.push_back({{p.acceleration, p.jerk, time}, {p.deceleration, p.jerk_deceleration, end_time}});
+    open_.dynamics_cause.push_back(Cause::acceleration);
+    open_.ramp[i] = static_cast<std::uint32_t>(open_.dynamics.size() - 1);
+  }
+
+  /// The speed along the path beyond which no change of it keeps all axes inside their limits at a place about the tip: with q' and
+  /// q'' by its length, |q'_k|·v ≤ V_k, and for some a |q'_k·a + q''_k·v²| ≤ A_k for all axes k. Of two axes, with slopes x = q'
+  /// and turns y = q'', the bands in the plane of a and v² meet up to v² = (A₁|x₂| + A₂|x₁|) / |y₁x₂ − y₂x₁|.
+  double axes_cap(std::size_t i, double s) const {
+    if (curve_.is_path(i)) return kUnlimited;
+    const Machine& machine = outcome_.job->machine;
+    const Frame f = curve_.frame_at(i, s);
+    double speed = kUnlimited, square = kUnlimited;
+    for (std::size_t k = 0; k < kAxisCount; ++k) {
+      const auto one = static_cast<Eigen::Index>(k);
+      const double x = f.first[one], y = f.second[one], most = machine.axes[k].acceleration;
+      if (x != 0) speed = std::min(speed, machine.axes[k].speed / std::abs(x));
+      for (std::size_t l = 0; l < k; ++l) {
+        const auto other = static_cast<Eigen::Index>(l);
+        const double apart = std::abs(y * f.first[other] - f.second[other] * x);
+        const double room = most * std::abs(f.first[other]) + machine.axes[l].acceleration * std::abs(x);
+        if (apart > 0 && room > 0) square = std::min(square, room / apart);
+      }
+    }
+    return std::min(speed, std::sqrt(square)) * (1 + kSameRadius);
+  }
+
   const Outcome& outcome_;
   const Path& path_;
+  AxisCurve curve_;
   SpeedLimits open_;
 };
 
@@ -118,9 +159,12 @@ Result<double> lower_bound(const Outcome& outcome, const Monitor& monitor) {
   if (!leaves_path) return bound_along_path(outcome, monitor) + outcome.summary.dwell_time;
   const auto programmed = build_path(job.program->moves, job.machine.tool_change, monitor);
   if (!programmed) return tl::unexpected(programmed.error());
+  // Limits of X, Y and Z say nothing of how fast a tip may go that rotary axes carry.
+  const bool is_about_axes = programmed->tellings.empty();
   const double tolerance = judged_tolerance(job.program->moves, job.options.corner);
   const Commands commands = command(*programmed, job);
-  const Machine machine = under(job.machine, highest_ceiling(commands, 0, commands.size()));
+  Machine machine = under(job.machine, highest_ceiling(commands, 0, commands.size()));
+  if (!is_about_axes) std::fill_n(machine.axes.begin(), 3, AxisLimits{});
   return tube_bound(*programmed, commands, machine, tolerance) + outcome.summary.dwell_time;
 }
 

@@ -167,7 +167,7 @@ class TimedStretch {
 }  // namespace
 
 bool has_timing_bound(const Outcome& outcome, std::size_t begin, std::size_t end) {
-  if (!law_row(outcome.job->options.law).bounds_jerk) return false;
+  if (!law_row(outcome.job->options.law).bounds_jerk || !outcome.path->tellings.empty()) return false;
   bool is_curved = false;
   for (std::size_t i = begin; i < end; ++i) {
     is_curved |= outcome.path->kind[i] != SegmentKind::line;

@@ -61,7 +61,10 @@ class TubeBound {
     auto pause = path_.pauses.begin();
     for (std::size_t i = 0; i < path_.size(); ++i) {
       for (; pause != path_.pauses.end() && pause->node < i; ++pause) continue;
-      if (pause != path_.pauses.end() && pause->node == i) end_section(xyz(path_.node[i]));
+      if (pause != path_.pauses.end() && pause->node == i) {
+        end_section(xyz(i > 0 ? path_.end_of(i - 1) : path_.node[i]));
+        if (!path_.tellings.empty()) start_section(xyz(path_.node[i]));
+      }
       walk(i);
     }
     end_section(xyz(path_.node.back()));
@@ -87,7 +90,7 @@ class TubeBound {
         cap_ = std::max(cap_, top_speed(segment));
       }
     }
-    take(xyz(path_.node[segment + 1]));
+    take(xyz(path_.end_of(segment)));
   }
 
   /// Chooses the point, if it is far enough from the one before.

@@ -1,6 +1,7 @@
 #include "toolpace/kinematics/chain.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace toolpace {
@@ -92,6 +93,10 @@ Derivatives<AxisVector> at_rest(const AxisVector& axes) {
 
 }  // namespace
 
+bool Chain::swings_tool() const {
+  return std::any_of(joints.begin(), joints.end(), [](const RotaryJoint& j) { return j.side == Side::head; });
+}
+
 ToolPose forward(const Chain& chain, const AxisVector& axes) {
   ToolPose pose{tip_along(chain, at_rest(axes))[0], Vector3d::UnitZ()};
   const auto angle = [&](const RotaryJoint& j) { return axes[static_cast<Eigen::Index>(j.axis)]; };
@@ -106,6 +111,13 @@ ToolPose forward(const Chain& chain, const AxisVector& axes) {
 
 AxisVector axes_at(const Chain& chain, const Vector3d& tip, const AxisVector& rotary) {
   return axes_along(chain, {tip, Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()}, at_rest(rotary))[0];
+}
+
+AxisVector told_about(const Chain& to, const Chain& from, const AxisVector& place) {
+  if (to == from) return place;
+  AxisVector told = from.is_identity() ? place : axes_at(from, place.head<3>(), place);
+  if (!to.is_identity()) told.head<3>() = forward(to, told).tip;
+  return told;
 }
 
 Derivatives<AxisVector> axes_along(const Chain& chain, const Derivatives<Vector3d>& tip,

@@ -25,6 +25,7 @@ struct RotaryJoint {
   Eigen::Vector3d direction;  ///< of unit length; a positive angle turns what the joint carries about it, right-handed
   /// Of the joint at all angles 0 [mm]: of a table in machine coordinates, of a head from the spindle's nose.
   Eigen::Vector3d point;
+  bool operator==(const RotaryJoint&) const = default;
 };
 
 /// Values of a chain, from the machine's base outwards: of two heads (or tables) the first one carries the second.
@@ -33,6 +34,15 @@ struct Chain {
   double tool_length = 0.0;         ///< [mm] from the spindle's nose to the tip, ≥ 0
 
   bool is_identity() const { return joints.empty(); }
+  /// Whether a joint carries the spindle: only then the tool's length matters.
+  bool swings_tool() const;
+  bool operator==(const Chain&) const = default;
+};
+
+/// [kinematics] of a machine: how its rotary axes carry workpiece and tool.
+struct Kinematics {
+  Chain chain;
+  bool tells_tool_length = false;
 };
 
 /// Where the tool is, seen from the workpiece.
@@ -46,6 +56,10 @@ ToolPose forward(const Chain& chain, const AxisVector& axes);
 /// The linear axes that put the tip at `tip` while the rotary ones stand at those of `rotary`, whose X Y Z are not read.
 /// @return all axes [mm, rad]. Exact but for rounding, about 1e-15 of the largest coordinate.
 AxisVector axes_at(const Chain& chain, const Eigen::Vector3d& tip, const AxisVector& rotary);
+
+/// A place that is told about the tip of one chain, tip [mm] and rotary axes [rad], told about that of another one, while no axis
+/// moves. About a chain without joints it is told by the axes themselves.
+AxisVector told_about(const Chain& to, const Chain& from, const AxisVector& place);
 
 /// A point and its first three derivatives by one parameter.
 template <class Vector>

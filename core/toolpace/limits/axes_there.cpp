@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpace/path/axis_curve.h"
+
 namespace toolpace {
 namespace {
 
@@ -17,8 +19,14 @@ bool is_described(const AxisLimits& axis) {
 
 /// A curve that comes back to its start moves both axes of its plane all the same.
 bool moves_axis(const Path& path, std::size_t segment, Eigen::Index axis) {
+  const AxisCurve curve(path);
+  if (!curve.is_path(segment)) {
+    return std::abs(curve.end_of(segment)[axis] - curve.begin_of(segment)[axis]) > kNoMotion ||
+           (axis < 3 && std::abs(curve.point_at(segment, path.length[segment] / 3)[axis] -
+                                 curve.begin_of(segment)[axis]) > kNoMotion);
+  }
   const double from = path.node[segment][axis];
-  if (path.node[segment + 1][axis] != from) return true;
+  if (path.end_of(segment)[axis] != from) return true;
   if (path.kind[segment] == SegmentKind::line || axis >= 3) return false;
   return std::abs(point_at(path, segment, path.length[segment] / 3)[axis] - from) > kNoMotion;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "toolpace/limits/peak_search.h"
+#include "toolpace/limits/tip_bounds.h"
 #include "toolpace/path/curve_sampler.h"
 
 namespace toolpace {
@@ -12,12 +14,6 @@ namespace {
 
 // Pieces of splines are short; at sharp corners curvature changes fast, beside the middle.
 constexpr int kSplineStretches = 1, kBlendStretches = 4;
-constexpr int kMostHalvings = 6;          // of a stretch: enough but where the curve has a cusp
-constexpr double kRise = 0.05;            // between samples, that is added rather than looked for
-constexpr double kMinorRise = 0.01;       // as a part of the axis that has most
-constexpr double kNoTurn = 1e-9;          // change of direction over a segment that is rounding
-constexpr double kCuspRise = 0.1;         // added where halving does not settle it
-constexpr double kSampledMargin = 1.004;  // for derivatives that change faster than second differences tell
 
 /// The largest component along an axis, over an arc of that sweep, of a vector that turns with it and keeps its part along
 /// the arc's normal.
@@ -86,92 +82,6 @@ CurveBounds arc_bounds(const Path& path, std::size_t i) {
   return bounds;
 }
 
-/// Largest magnitudes of sampled functions. Between equal steps a function rises above the line through two samples by an
-/// eighth of its second difference at most, as far as that is constant; its change is added. Stretches in which a function
-/// may rise above its largest sample by more than a small part are halved, the others are done.
-/// @tparam rows  axes: X Y Z, or all
-template <int rows>
-class PeakSearch {
- public:
-  using Values = Eigen::Array<double, rows, 3>;  // first, second and third derivative
-
-  PeakSearch(const CurveSampler& curve, double length)
-      : curve_(curve), least_(0.0, kNoTurn / length, kNoTurn / (length * length)) {}
-
-  /// @param begin, end  of the whole curve
-  CurveBounds run(const ParameterDerivatives& begin, const ParameterDerivatives& end, int stretches) {
-    const double width = 1.0 / stretches;
-    Values from = values(begin);
-    for (int k = 0; k < stretches; ++k) {
-      const Values to = k + 1 == stretches ? values(end) : sample((k + 1) * width);
-      search({k * width, width, from, sample((k + 0.5) * width), to}, kMostHalvings);
-      from = to;
-    }
-    return bounds();
-  }
-
- private:
-  struct Stretch {
-    double from, width;
-    Values begin, middle, end;
-  };
-
-  CurveBounds bounds() const {
-    CurveBounds b;
-    b.first.head<rows>() = upper_.col(0) * kSampledMargin;
-    b.second.head<rows>() = upper_.col(1) * kSampledMargin;
-    b.third.head<rows>() = upper_.col(2) * kSampledMargin;
-    b.first.head<3>() = b.first.head<3>().cwiseMin(1.0);
-    b.curvature = b.second.head<3>().norm();
-    return b;
-  }
-
-  template <int all>
-  static Values values(const CurveDerivatives<all>& d) {
-    Values v;
-    v.col(0) = d.first.template head<rows>();
-    v.col(1) = d.second.template head<rows>();
-    v.col(2) = d.third.template head<rows>();
-    return v;
-  }
-  Values sample(double share) const { return values(curve_.at_share<rows>(share)); }
-
-  void search(const Stretch& s, int halvings) {
-    const Values left = sample(s.from + s.width / 4), right = sample(s.from + 3 * s.width / 4);
-    const Values most = s.begin.abs().max(s.end.abs()).max(s.middle.abs()).max(left.abs()).max(right.abs());
-    largest_ = largest_.max(most);
-    const Values bend[] = {s.begin - 2 * left + s.middle, left - 2 * s.middle + right, s.middle - 2 * right + s.end};
-    const Values high = bend[0].max(bend[1]).max(bend[2]), low = bend[0].min(bend[1]).min(bend[2]);
-    const Values top = most + (high.max(-low) + (high - low)) / 8;
-    if ((top <= allowed()).all()) {
-      upper_ = upper_.max(top);
-    } else if (halvings == 0) {
-      upper_ = upper_.max(top.min((1 + kCuspRise) * most));
-    } else {
-      search({s.from, s.width / 2, s.begin, left, s.middle}, halvings - 1);
-      search({s.from + s.width / 2, s.width / 2, s.middle, right, s.end}, halvings - 1);
-    }
-  }
-
-  /// What a stretch may reach without being halved.
-  Values allowed() const {
-    Values a = (1 + kRise) * largest_;
-    for (Eigen::Index order = 0; order < 3; ++order) {
-      for (Eigen::Index axis = 0; axis < rows; axis += 3) {
-        const auto most = largest_.template block<3, 1>(axis, order);
-        const double minor = std::max(kMinorRise * most.maxCoeff(), least_[order]);
-        a.template block<3, 1>(axis, order) = a.template block<3, 1>(axis, order).max(most + minor);
-      }
-    }
-    return a;
-  }
-
-  const CurveSampler& curve_;
-  Eigen::Vector3d least_;
-  Values largest_ = Values::Zero();  // of the samples
-  Values upper_ = Values::Zero();    // of the stretches that are done
-};
-
 bool turns(const ParameterDerivatives& d) {
   return !d.first.tail<3>().isZero(0.0) || !d.second.tail<3>().isZero(0.0) || !d.third.tail<3>().isZero(0.0);
 }
@@ -181,16 +91,21 @@ CurveBounds sampled_bounds(const Path& path, std::size_t i) {
   const int stretches = path.kind[i] == SegmentKind::spline ? kSplineStretches : kBlendStretches;
   const ParameterDerivatives begin = curve.at_share(0.0), end = curve.at_share(1.0);
   // Rotary axes run as polynomials of degree 5 at most: if three derivatives are zero at both ends, they stand still.
-  if (!turns(begin) && !turns(end)) return PeakSearch<3>(curve, path.length[i]).run(begin, end, stretches);
-  return PeakSearch<kAxisCount>(curve, path.length[i]).run(begin, end, stretches);
+  CurveBounds b = !turns(begin) && !turns(end)
+                      ? PeakSearch<3, CurveSampler>(curve, path.length[i]).run(begin, end, stretches)
+                      : PeakSearch<kAxisCount, CurveSampler>(curve, path.length[i]).run(begin, end, stretches);
+  b.first.head<3>() = b.first.head<3>().cwiseMin(1.0);
+  b.curvature = b.second.head<3>().norm();
+  return b;
 }
 
 }  // namespace
 
 CurveBounds curve_bounds(const Path& path, std::size_t i) {
+  if (path.chain_of(i) != nullptr) return tip_bounds(path, i);
   switch (path.kind[i]) {
     case SegmentKind::line: {
-      const AxisVector u = (path.node[i + 1] - path.node[i]) / path.length[i];
+      const AxisVector u = (path.end_of(i) - path.node[i]) / path.length[i];
       CurveBounds bounds;
       bounds.first = u.cwiseAbs();
       return bounds;

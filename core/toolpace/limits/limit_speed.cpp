@@ -12,6 +12,8 @@
 #include "toolpace/limits/curve_bounds.h"
 #include "toolpace/limits/curve_budget.h"
 #include "toolpace/limits/dynamics_table.h"
+#include "toolpace/limits/tip_bounds.h"
+#include "toolpace/path/axis_curve.h"
 
 namespace toolpace {
 namespace {
@@ -57,7 +59,7 @@ struct Ceiling {
 class Limiter {
  public:
   Limiter(const Path& path, const Commands& commands, const Machine& machine, const LimitOptions& options)
-      : path_(path), commands_(commands), options_(options) {
+      : path_(path), curve_(path), commands_(commands), options_(options) {
     ceilings_.reserve(commands.ceilings.size());
     for (const MotionCeiling& c : commands.ceilings) {
       ceilings_.emplace_back(machine, c, options);
@@ -80,11 +82,10 @@ class Limiter {
     Cause cause = command.cause;
     const Ceiling& ceiling = ceilings_[command.ceiling];
     Dynamics dynamics = ceiling.along.dynamics;
-    const bool is_line = path_.kind[i] == SegmentKind::line;
-    if (!is_line || ceiling.axes_are_bounded) {
+    if (!curve_.is_straight(i) || ceiling.axes_are_bounded) {
       const CurveBudget budget = curve_budget(curve_bounds(path_, i), axes_of(i));
       const double top = budget.bends() ? budget.top_speed() : budget.speed;
-      if (top < cap) cause = top < budget.speed && !command.is_rapid ? Cause::curvature : axis_cause(ceiling, command);
+      if (top < cap) cause = cause_of_axes(i, top < budget.speed, ceiling);
       cap = std::min(cap, top);
       dynamics = within(dynamics, budget.at(cap, usual_split(AtCap::changes), AtCap::changes));
       if (budget.bends()) {
@@ -102,8 +103,8 @@ class Limiter {
   void add_node(std::size_t i) {
     const CornerOptions corner = corner_between(options_.corner, commands_[i - 1].control, commands_[i].control);
     if (is_reversal(i)) limits_.reversals.push_back(static_cast<std::uint32_t>(i));
-    const double allowed =
-        corner.rule == CornerRule::blend && is_inside_spline(path_, i) ? kUnlimited : node_speed(corner, i);
+    const bool is_inside = (corner.rule == CornerRule::blend && is_inside_spline(path_, i)) || curve_.is_cut(i);
+    const double allowed = is_inside ? kUnlimited : node_speed(corner, i);
     const double lower = std::min(limits_.block_cap[i - 1], limits_.block_cap[i]);
     const bool feed_decides = lower <= allowed;
     if (allowed < kUnlimited && !limits_.curved.empty() && limits_.curved.back() + std::size_t{1} >= i)
@@ -133,14 +134,19 @@ class Limiter {
 
  private:
   double node_speed(const CornerOptions& corner, std::size_t i) const {
-    const AxisVector arriving = end_direction(path_, i - 1), leaving = start_direction(path_, i);
+    const AxisVector arriving = curve_.end_direction(i - 1), leaving = curve_.start_direction(i);
     // Curves meet their neighbours with one direction and one curvature, whatever rounding leaves of short lines.
     const bool is_curve = path_.kind[i - 1] >= SegmentKind::spline || path_.kind[i] >= SegmentKind::spline;
-    const bool smooth = is_curve && corner.rule == CornerRule::blend && (leaving - arriving).norm() < kSmoothJoint;
-    if (smooth) return kUnlimited;
+    if (is_curve && corner.rule == CornerRule::blend && turn_of_path(i, arriving, leaving) < kSmoothJoint)
+      return kUnlimited;
     const double speed = speed_under(commands_[i - 1].ceiling, corner, arriving, leaving);
     if (commands_[i - 1].ceiling == commands_[i].ceiling) return speed;
     return std::min(speed, speed_under(commands_[i].ceiling, corner, arriving, leaving));
+  }
+
+  double turn_of_path(std::size_t i, const AxisVector& arriving, const AxisVector& leaving) const {
+    if (curve_.is_path(i - 1) && curve_.is_path(i)) return (leaving - arriving).norm();
+    return (start_direction(path_, i) - end_direction(path_, i - 1)).norm();
   }
 
   double speed_under(std::uint16_t index, const CornerOptions& corner, const AxisVector& arriving,
@@ -150,7 +156,11 @@ class Limiter {
                     corner_speed(c.limits, arriving, leaving, c.machine));
   }
 
-  static Cause axis_cause(const Ceiling& c, const Command& command) {
+  /// @param by_turning  whether what turning takes is the lower cap than the axes' top speeds
+  Cause cause_of_axes(std::size_t i, bool by_turning, const Ceiling& c) const {
+    const Command& command = commands_[i];
+    if (!curve_.is_path(i) && is_near_pole(path_, i)) return Cause::singularity;
+    if (by_turning && !command.is_rapid) return Cause::curvature;
     if (c.lowers_speed) return Cause::program_limit;
     return command.is_rapid ? command.cause : Cause::axis_speed;
   }
@@ -158,13 +168,14 @@ class Limiter {
   /// Whether every axis goes back between two lines. What is left of its direction would be a step of acceleration.
   bool is_reversal(std::size_t i) const {
     if (path_.kind[i - 1] != SegmentKind::line || path_.kind[i] != SegmentKind::line) return false;
-    if (!((path_.node[i] - path_.node[i - 1]).dot(path_.node[i + 1] - path_.node[i]) < 0)) return false;
-    return (end_direction(path_, i - 1) + start_direction(path_, i)).norm() <= kOpposite;
+    if (!curve_.is_straight(i - 1) || !curve_.is_straight(i)) return false;
+    if (!((path_.node[i] - path_.node[i - 1]).dot(path_.end_of(i) - path_.node[i]) < 0)) return false;
+    return (curve_.end_direction(i - 1) + curve_.start_direction(i)).norm() <= kOpposite;
   }
 
   const AxesLimits& axes_of(std::size_t i) const {
     const Ceiling& c = ceilings_[commands_[i].ceiling];
-    if (path_.kind[i] == SegmentKind::line) return c.machine.axes;
+    if (curve_.is_straight(i)) return c.machine.axes;
     return commands_[i].is_rapid ? c.rapid_axes : c.curve_axes;
   }
 
@@ -173,6 +184,7 @@ class Limiter {
   }
 
   const Path& path_;
+  AxisCurve curve_;
   const Commands& commands_;
   const LimitOptions& options_;
   std::vector<Ceiling> ceilings_;

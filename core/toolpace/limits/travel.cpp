@@ -9,17 +9,25 @@
 #include <numbers>
 
 #include "toolpace/base/axis_unit.h"
+#include "toolpace/path/axis_curve.h"
 
 namespace toolpace {
 namespace {
 
 // Rounding of offsets and units must not read as leaving the travel.
 constexpr double kTravelRounding = 1e-9;
+constexpr int kPlaces = 4;  // looked at on what is about the tool's tip
 
 /// Calls f with points that include every extreme of every axis on the segment.
 template <class F>
 void for_extremes(const Path& path, std::size_t i, F f) {
-  f(path.node[i + 1]);
+  const AxisCurve curve(path);
+  if (!curve.is_path(i)) {
+    const int places = curve.is_straight(i) ? 1 : kPlaces;
+    for (int k = 1; k <= places; ++k) f(curve.point_at(i, path.length[i] * k / places));
+    return;
+  }
+  f(path.end_of(i));
   if (path.kind[i] == SegmentKind::line) return;
   if (path.kind[i] != SegmentKind::arc) {
     f(point_at(path, i, path.length[i] / 2));
@@ -37,6 +45,15 @@ void for_extremes(const Path& path, std::size_t i, F f) {
 }
 
 }  // namespace
+
+RotaryTravel rotary_travel(const Machine& machine) {
+  RotaryTravel travel = RotaryTravel::unbounded();
+  for (std::size_t k = 3; k < kAxisCount; ++k) {
+    travel.low[k] = machine.axes[k].travel_min;
+    travel.high[k] = machine.axes[k].travel_max;
+  }
+  return travel;
+}
 
 std::vector<TravelExcess> find_travel_excess(const Path& path, const Machine& machine) {
   std::array<std::array<TravelExcess, 2>, kAxisCount> excess;

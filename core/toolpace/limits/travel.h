@@ -4,11 +4,15 @@
 #include <vector>
 
 #include "toolpace/base/result.h"
+#include "toolpace/kinematics/inverse.h"
 #include "toolpace/limits/machine.h"
 #include "toolpace/nc/moves.h"
 #include "toolpace/path/path.h"
 
 namespace toolpace {
+
+/// How far the machine's rotary axes turn.
+RotaryTravel rotary_travel(const Machine& machine);
 
 /// An axis beyond one end of its travel.
 struct TravelExcess {
@@ -19,7 +23,8 @@ struct TravelExcess {
   std::uint32_t worst_row = 0;  ///< the one that goes farthest
 };
 
-/// Each axis and end that is left. Lines and arcs exactly, splines by their control polygon's piece ends and middle.
+/// Each axis and end that is left. Lines and arcs exactly, splines by their control polygon's piece ends and middle;
+/// what is about the tool's tip by its axes at four places of each piece that cut_for_axes() leaves.
 std::vector<TravelExcess> find_travel_excess(const Path& path, const Machine& machine);
 
 /// One warning "travel" for each of these, at the first line, with the worst excess.

@@ -14,12 +14,6 @@
 
 namespace toolpace {
 
-/// [kinematics]: how the rotary axes carry workpiece and tool.
-struct Kinematics {
-  Chain chain;
-  bool tells_tool_length = false;
-};
-
 struct Setup {
   Machine machine;
   PlanOptions options;

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "toolpace/nc/tool_tip.h"
+
 namespace toolpace::nc {
 namespace {
 
@@ -166,7 +168,8 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
                           "give a motion code such as G0 or G1");
     }
   } else if (!claimed && block.has_any(kCentreBits) &&
-             (context.state.modal.motion == 20 || context.state.modal.motion == 30)) {
+             (context.state.modal.motion == 20 || context.state.modal.motion == 30 ||
+              (context.state.tip.by_vector && context.state.modal.motion <= 10))) {
     motion = context.state.modal.motion;
   }
   return true;
@@ -179,6 +182,8 @@ bool check_words(Context& context, const Block& block, Code motion) {
   if (unused == 0) return true;
   if (context.rules.lathe_words && motion == 10) unused &= ~(word_bit('r') | word_bit('i') | word_bit('k'));
   if (context.rules.dwells_by_axis_words && block.code(GGroup::once) == 40) unused &= ~word_bit('u');
+  const bool by_vector = context.state.tip.by_vector || block.code(GGroup::tool_length) == kTipByVector;
+  if (by_vector && (motion == 0 || motion == 10)) unused &= ~kCentreBits;
   unused &= ~(words_of_motion(motion) | words_of_settings(block));
   if (unused == 0) return true;
   if ((unused & (1u << kSpindleWord)) != 0) {

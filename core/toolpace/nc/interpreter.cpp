@@ -41,6 +41,8 @@ Interpreter::Interpreter(ProgramFiles& files, const ReadOptions& options, const 
     context_.arc.relative = 0.0;
   }
   reader_.delete_blocks(options.block_delete);
+  state_.tip.kinematics = options.kinematics;
+  state_.tip.travel = options.travel;
   if (rules.macro_statements) parameters_.use_macro_variables();
   state_.modal.motion = rules.first_motion;
   state_.modal.retract = rules.first_retract;

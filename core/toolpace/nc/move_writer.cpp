@@ -32,7 +32,7 @@ MoveMode make_mode(const Modal& modal, bool exact_path, bool synchronised) {
 
 bool MoveWriter::ModeOrder::operator()(const MoveMode& a, const MoveMode& b) const {
   const auto key = [](const MoveMode& m) {
-    return std::tuple(m.control, m.tolerance, m.naive_tolerance, m.plane, m.feed_mode, m.ceiling);
+    return std::tuple(m.control, m.tolerance, m.naive_tolerance, m.plane, m.feed_mode, m.ceiling, m.chain);
   };
   return key(a) < key(b);
 }
@@ -59,8 +59,30 @@ AxisVector machine_vector(const Offsets& offsets, const Position& work) {
   return v;
 }
 
+void MoveWriter::set_chain(const Chain& chain) {
+  auto& chains = moves_.chains;
+  const auto known = std::find(chains.begin(), chains.end(), chain);
+  const auto index = static_cast<std::size_t>(known - chains.begin());
+  if (known == chains.end()) {
+    if (chains.size() > std::numeric_limits<std::uint16_t>::max()) {
+      has_all_modes_ = full_ = true;
+      return;
+    }
+    chains.push_back(chain);
+  }
+  chain_ = static_cast<std::uint16_t>(index);
+}
+
+AxisVector MoveWriter::last_end() const {
+  const AxisVector& end = moves_.empty() ? moves_.start : moves_.end.back();
+  if (!moves_.has_tip()) return end;
+  const std::uint16_t chain = moves_.empty() ? 0 : moves_.modes[moves_.mode.back()].chain;
+  return told_about(moves_.chains[chain_], moves_.chains[chain], end);
+}
+
 void MoveWriter::set_mode(const Modal& modal, bool exact_path, bool synchronised) {
   MoveMode mode = make_mode(modal, exact_path, synchronised);
+  mode.chain = chain_;
   if (!find_ceiling(modal.holds_overrides, mode.ceiling)) {
     has_all_modes_ = full_ = true;
     return;

@@ -42,6 +42,8 @@ class MoveWriter {
   }
   std::size_t line_number() const { return line_; }
   std::size_t file() const { return file_; }
+  /// Rows to come are about the tip of this chain, once a mode is set. No axis moves.
+  void set_chain(const toolpace::Chain& chain);
   void set_mode(const Modal& modal, bool exact_path = false, bool synchronised = false);
   /// What the program lowers the machine's limits to in rows of modes that are set from now on, and in travels of printers.
   void set_ceilings(const MotionCeiling& feeding, const MotionCeiling& travelling);
@@ -72,7 +74,7 @@ class MoveWriter {
   bool begin_row();
   bool find_ceiling(bool holds_overrides, std::uint16_t& index);
   void append(MoveKind kind, const AxisVector& end, double feed, std::uint32_t detail);
-  AxisVector last_end() const { return moves_.empty() ? moves_.start : moves_.end.back(); }
+  AxisVector last_end() const;
 
   Moves& moves_;
   std::size_t most_rows_;
@@ -83,6 +85,7 @@ class MoveWriter {
   std::uint32_t line_ = 0;
   std::uint16_t file_ = 0;
   std::uint16_t mode_ = 0;
+  std::uint16_t chain_ = 0;  ///< among the moves' chains
   std::map<MoveMode, std::size_t, ModeOrder> known_modes_;
 
   // What is lowered, of feeding and of travelling moves; by that and by held overrides: where it is among the ceilings.

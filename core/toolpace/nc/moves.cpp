@@ -26,6 +26,12 @@ bool MotionCeiling::limits_corners() const {
   return corner_step.minCoeff() < kNone || corner_speed < kNone || junction_deviation < kNone;
 }
 
+AxisVector Moves::begin_of(std::size_t i) const {
+  const AxisVector& before = i == 0 ? start : end[i - 1];
+  if (!has_tip() || i == size()) return before;
+  return told_about(chains[chain_of(i)], chains[i == 0 ? 0 : chain_of(i - 1)], before);
+}
+
 MotionCeiling lower_of(const MotionCeiling& a, const MotionCeiling& b) {
   MotionCeiling c = chosen(a, b, [](double x, double y) { return std::min(x, y); });
   c.accuracy = std::max(a.accuracy, b.accuracy);

@@ -1,6 +1,10 @@
 #pragma once
 /// What a program asks the machine to do: one row a motion block, in machine coordinates, as flat arrays.
 ///
+/// Rows about the tool's tip (MoveMode::chain) tell where the tip is: X Y Z of the workpiece as it lies while the rotary axes stand
+/// at 0, beside the rotary axes themselves. Where rows of another chain follow, the machine stands still, and its place is told
+/// anew.
+///
 /// This is the interface between reading (nc/) and geometry (path/). Geometry is exact: arcs stay arcs, splines stay
 /// splines. Rows without motion (dwell, tool change, stop, end) stand in the same table because their order matters.
 
@@ -11,6 +15,7 @@
 #include <vector>
 
 #include "toolpace/base/axes.h"
+#include "toolpace/kinematics/chain.h"
 
 namespace toolpace {
 
@@ -86,6 +91,7 @@ struct MoveMode {
   std::uint8_t plane = 17;       ///< 17, 18, 19
   std::uint8_t feed_mode = 94;   ///< 93, 94, 95 or kSynchronisedFeed; feeds are converted already
   std::uint16_t ceiling = 0;     ///< index into ceilings
+  std::uint16_t chain = 0;       ///< index into chains
   bool operator==(const MoveMode&) const = default;
 };
 
@@ -96,7 +102,7 @@ inline constexpr std::uint32_t kTapReturn = 0xFFFFFFFEu;
 
 /// Row i: kind[i] moves from end[i-1] (or start) to end[i] at feed[i].
 struct Moves {
-  AxisVector start = AxisVector::Zero();  ///< machine position before the first row
+  AxisVector start = AxisVector::Zero();  ///< machine position before the first row, told by the axes
 
   std::vector<MoveKind> kind;
   std::vector<std::uint32_t> line;    ///< NC line, counted from 1, in files[file[i]]
@@ -114,11 +120,16 @@ struct Moves {
   std::vector<std::string> notes;  ///< tool number, …
   std::vector<MoveMode> modes = std::vector<MoveMode>(1);
   std::vector<MotionCeiling> ceilings = std::vector<MotionCeiling>(1);  ///< [0] lowers nothing
-  std::vector<std::string> files;                                       ///< names, [0] is the program
+  /// About whose tip rows are told; [0] has no joints: by the axes themselves.
+  std::vector<Chain> chains = std::vector<Chain>(1);
+  std::vector<std::string> files;  ///< names, [0] is the program
 
   std::size_t size() const { return kind.size(); }
   bool empty() const { return kind.empty(); }
-  const AxisVector& begin_of(std::size_t i) const { return i == 0 ? start : end[i - 1]; }
+  std::uint16_t chain_of(std::size_t i) const { return modes[mode[i]].chain; }
+  bool has_tip() const { return chains.size() > 1; }
+  /// Where row i begins, told as the row is; behind the last one, where that ends.
+  AxisVector begin_of(std::size_t i) const;
 };
 
 }  // namespace toolpace

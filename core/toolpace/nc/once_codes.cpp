@@ -4,11 +4,13 @@
 #include "toolpace/nc/motion/circular_pocket.h"
 #include "toolpace/nc/motion/hole_patterns.h"
 #include "toolpace/nc/motion/reference_point.h"
+#include "toolpace/nc/tool_tip.h"
 
 namespace toolpace::nc {
 
 bool run_once_code(Context& context, const Block& block) {
   const Code code = block.code(GGroup::once);
+  if (!refuse_under_tip(context, block)) return false;
   switch (code) {
     case 100: return run_g10(context, block);
     case 280: return go_home(context, block, kHomeG28);

@@ -228,9 +228,38 @@ bool PolylineReader::run(std::string_view text, const Monitor& monitor) {
 
 }  // namespace
 
+namespace {
+
+/// All rows are about the tip: what they tell first is told by the axes where they begin. @return false (with a fault)
+bool tell_about_tip(const ReadOptions& options, const std::string& name, Reading& reading) {
+  const Kinematics& kinematics = options.kinematics;
+  const auto refuse = [&](const char* code, const char* what, const char* remedy) {
+    reading.diagnostics.push_back({Severity::error, code, what, remedy, {name, 1, 1}, {}});
+    reading.refused = true;
+    return false;
+  };
+  if (kinematics.chain.is_identity()) {
+    return refuse("kinematics-missing", "--tcp is about the tool's tip, but how the rotary axes carry it is not known",
+                  "name a machine file with [kinematics] by --machine");
+  }
+  if (kinematics.chain.swings_tool() && !kinematics.tells_tool_length) {
+    return refuse("tool-length-missing", "--tcp needs the length of the tool, which a head swings",
+                  "add tool_mm to [kinematics]");
+  }
+  Moves& moves = reading.moves;
+  moves.chains.push_back(kinematics.chain);
+  moves.modes.front().chain = 1;
+  moves.start = told_about({}, kinematics.chain, moves.start);
+  return true;
+}
+
+}  // namespace
+
 bool read_polyline(std::string_view text, const std::string& name, const ReadOptions& options, const Monitor& monitor,
                    Reading& reading) {
-  return PolylineReader(name, options, reading).run(text, monitor);
+  if (!PolylineReader(name, options, reading).run(text, monitor)) return false;
+  if (options.about_tip) tell_about_tip(options, name, reading);
+  return true;
 }
 
 }  // namespace toolpace::nc

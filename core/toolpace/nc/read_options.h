@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "toolpace/base/axes.h"
+#include "toolpace/kinematics/inverse.h"
 #include "toolpace/nc/dialect.h"
 
 namespace toolpace {
@@ -50,6 +51,11 @@ struct ReadOptions {
       {};  ///< [mm] how far an arc may end off its radius; none = as the dialect has it
   /// Where work coordinate systems lie that the program does not set: G54 … G59.3, G54.1 P1 … [mm, deg].
   std::vector<WorkOffset> work_offsets = {};
+  /// How the machine's rotary axes carry workpiece and tool, and how far they turn: for G43.4, G43.5 and about_tip.
+  Kinematics kinematics = {};
+  RotaryTravel travel = RotaryTravel::unbounded();
+  /// The whole program tells where the tool's tip is in the workpiece, beside the rotary axes.
+  bool about_tip = false;
   ReadLimits limits = {};
 };
 

@@ -16,6 +16,7 @@
 #include "toolpace/nc/parameter_file.h"
 #include "toolpace/nc/polyline.h"
 #include "toolpace/nc/tool_table.h"
+#include "toolpace/nc/tool_tip.h"
 
 namespace toolpace {
 namespace {
@@ -93,10 +94,21 @@ nc::Fault uncertain_dialect(const nc::DialectGuess& guess) {
       0, Severity::warning};
 }
 
-Error foreign_error(const std::string& name, const nc::ForeignLanguage& language) {
-  Error error = input_error(name, "language-unsupported", fmt::format("this is {}, and no G-code", language.name),
-                            "post the program as G-code (RS-274) for LinuxCNC, Fanuc, Haas, Mach3, grbl or Marlin; "
-                            "polylines are read as CSV");
+/// Whether a program for another controller is about the tool's tip.
+bool is_about_tip(std::string_view text) {
+  constexpr std::string_view kWords[] = {"TRAORI", "M128", "TCPM"};
+  return std::any_of(std::begin(kWords), std::end(kWords),
+                     [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
+}
+
+Error foreign_error(const std::string& name, std::string_view text, const nc::ForeignLanguage& language) {
+  const char* const remedy =
+      is_about_tip(text) ? "post the program as G-code with G43.4 H or G43.5 H (Fanuc), or with the tool's tip in X Y Z "
+                           "throughout, which --tcp reads"
+                         : "post the program as G-code (RS-274) for LinuxCNC, Fanuc, Haas, Mach3, grbl or Marlin; "
+                           "polylines are read as CSV";
+  Error error =
+      input_error(name, "language-unsupported", fmt::format("this is {}, and no G-code", language.name), remedy);
   error.where.line = language.line;
   error.where.column = language.column;
   return error;
@@ -128,7 +140,7 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
                              const Monitor& monitor) {
   ReadOptions options = given;
   if (options.dialect == Dialect::automatic) {
-    if (const auto language = nc::find_foreign_language(text)) return tl::unexpected(foreign_error(name, *language));
+    if (const auto language = nc::find_foreign_language(text)) return tl::unexpected(foreign_error(name, text, *language));
   }
   Reading reading;
   nc::DialectGuess guess{options.dialect, {}};
@@ -157,6 +169,12 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
   if (!options.work_offsets.empty()) {
     nc::set_work_offsets(interpreter.context(), options.work_offsets);
     nc::adopt_parameters(interpreter.context());
+  }
+  if (options.about_tip && !nc::begin_tip_everywhere(interpreter.context())) {
+    // What else there is to say of the program is said, too.
+    for (nc::Fault& fault : interpreter.context().faults.list()) interpreter.log().add(std::move(fault), name, 1, {});
+    interpreter.context().faults.clear();
+    interpreter.context().out.stop();
   }
   if (guess.other != Dialect::automatic) interpreter.log().add(uncertain_dialect(guess), name, 1, {});
   if (integers) interpreter.log().add(std::move(*integers), name, integer_line, {});

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "toolpace/base/axes.h"
+#include "toolpace/kinematics/inverse.h"
 #include "toolpace/nc/motion/offset_geometry.h"
 #include "toolpace/nc/moves.h"
 #include "toolpace/nc/text/words.h"
@@ -188,9 +189,21 @@ struct ProgramLimits {
   bool has_own_travels() const { return travel_acceleration != ceiling.path_acceleration; }
 };
 
+/// Programs about the tool's tip (tool_tip.h).
+struct TipState {
+  Kinematics kinematics;                             ///< of the machine
+  RotaryTravel travel = RotaryTravel::unbounded();  ///< of its rotary axes
+  toolpace::Chain chain;                             ///< about whose tip the program is; without joints: about the axes
+  bool everywhere = false;                           ///< from end to end, whatever the program says
+  bool by_vector = false;                            ///< I J K of straight moves point the tool
+
+  bool is_on() const { return !chain.is_identity(); }
+};
+
 struct State {
   Modal modal;
   Offsets offsets;
+  TipState tip;
   Scaling mirror, scale;             ///< G51.1 comes first, then G51; offsets.scaling is both of them
   std::optional<Position> way_home;  ///< the point that G28 or G30 led through last
   Position position{};               ///< of the tool, in work coordinates

@@ -1,3 +1,4 @@
+#include "toolpace/nc/tool_tip.h"
 #include "toolpace/nc/tool_table.h"
 
 #include <fmt/format.h>
@@ -188,6 +189,8 @@ bool set_tool_length(Context& context, const Block& block) {
                                "a tool length change while cutter radius compensation is on", "end it with G40 first",
                                column);
   }
+  if (begins_tip(code)) return begin_tip(context, block);
+  end_tip(context);
   Position offset{};
   if (code == 431) {
     if (!block.has_any(kLinearBits | kRotaryBits) && context.rules.refuses_doubtful) {
@@ -218,8 +221,12 @@ bool set_tool_length(Context& context, const Block& block) {
       for (std::size_t i = 0; i < kAxisCount; ++i) offset[i] += state.offsets.tool_length[i];
     }
   }
-  set_length_offset(context, offset);
   state.modal.tool_length = code;
+  if (!state.tip.everywhere) {
+    set_length_offset(context, offset);
+  } else if (code != 490) {
+    take_tip_length(context, offset[2]);
+  }
   return true;
 }
 

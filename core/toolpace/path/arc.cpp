@@ -89,4 +89,21 @@ ParameterDerivatives arc_derivatives(const ArcCurve& arc, double angle) {
   return d;
 }
 
+ArcCurve part_of_arc(const ArcCurve& arc, double length, double begin, double end) {
+  const double from = begin > 0 ? angle_at(arc, length, begin) : 0,
+               to = end < length ? angle_at(arc, length, end) : arc.sweep;
+  const auto radius = [&](double angle) {
+    return arc.start_radius + (arc.end_radius - arc.start_radius) * angle / arc.sweep;
+  };
+  ArcCurve part = arc;
+  part.centre = arc.centre + (arc.rise * from / arc.sweep) * arc.normal;
+  part.radial = std::cos(from) * arc.radial + std::sin(from) * arc.lateral;
+  part.lateral = std::cos(from) * arc.lateral - std::sin(from) * arc.radial;
+  part.start_radius = radius(from);
+  part.end_radius = radius(to);
+  part.sweep = to - from;
+  part.rise = arc.rise * (to - from) / arc.sweep;
+  return part;
+}
+
 }  // namespace toolpace

@@ -28,6 +28,9 @@ double arc_length(const ArcCurve& arc);
 /// Angle at path length `s` [rad]; inverse of the length from the start. `length` = arc_length(arc).
 double angle_at(const ArcCurve& arc, double length, double s);
 
+/// Its part between two path lengths, 0 ≤ begin < end ≤ length.
+ArcCurve part_of_arc(const ArcCurve& arc, double length, double begin, double end);
+
 /// Point of the arc and derivatives by φ, X Y Z only (the other entries are zero).
 AxisVector arc_point(const ArcCurve& arc, double angle);
 ParameterDerivatives arc_derivatives(const ArcCurve& arc, double angle);

@@ -24,7 +24,8 @@ class Blender {
     out_.count.stops = trims_.stops();
     out_.path.node.push_back(path_.node.front());
     out_.path.splines = path_.splines;
-    std::size_t pause = 0;
+    out_.path.tellings = path_.tellings;
+    std::size_t pause = 0, told = 0;
     for (std::size_t i = 0; i <= path_.size(); ++i) {
       if (i % kReportEvery == 0) monitor.report(static_cast<double>(i) / static_cast<double>(path_.size() + 1));
       if (i % kReportEvery == 0 && monitor.is_cancelled()) break;
@@ -32,6 +33,8 @@ class Blender {
         out_.path.pauses.push_back(path_.pauses[pause]);
         out_.path.pauses.back().node = static_cast<std::uint32_t>(out_.path.size());
       }
+      if (told < path_.tellings.size() && path_.tellings[told].node == i)
+        out_.path.tellings[told++].node = static_cast<std::uint32_t>(out_.path.size());
       if (trims_.is_chained(i)) {
         std::size_t last = i;
         while (trims_.is_chained(last)) ++last;
@@ -177,7 +180,7 @@ class Blender {
   }
   /// Path length from the start of a line to the foot of a point on it.
   double along(std::size_t segment, const AxisVector& point) const {
-    const AxisVector chord = path_.node[segment + 1] - path_.node[segment], from = point - path_.node[segment];
+    const AxisVector chord = path_.end_of(segment) - path_.node[segment], from = point - path_.node[segment];
     return std::clamp(from.head<3>().dot(chord.head<3>()) / path_.length[segment], 0.0, path_.length[segment]);
   }
 
@@ -222,23 +225,6 @@ class Blender {
       }
       default: push(SegmentKind::line, path_.move[i], end - begin, kNoDetail, last);
     }
-  }
-
-  static ArcCurve part_of_arc(const ArcCurve& arc, double length, double begin, double end) {
-    const double from = begin > 0 ? angle_at(arc, length, begin) : 0,
-                 to = end < length ? angle_at(arc, length, end) : arc.sweep;
-    const auto radius = [&](double angle) {
-      return arc.start_radius + (arc.end_radius - arc.start_radius) * angle / arc.sweep;
-    };
-    ArcCurve part = arc;
-    part.centre = arc.centre + (arc.rise * from / arc.sweep) * arc.normal;
-    part.radial = std::cos(from) * arc.radial + std::sin(from) * arc.lateral;
-    part.lateral = std::cos(from) * arc.lateral - std::sin(from) * arc.radial;
-    part.start_radius = radius(from);
-    part.end_radius = radius(to);
-    part.sweep = to - from;
-    part.rise = arc.rise * (to - from) / arc.sweep;
-    return part;
   }
 
   const Path& path_;

@@ -18,6 +18,7 @@ class Builder {
   }
 
   void add(std::size_t row) {
+    if (moves_.has_tip() && moves_.chain_of(row) != chain_) tell_anew(row);
     switch (moves_.kind[row]) {
       case MoveKind::rapid:
       case MoveKind::feed: add_line(row); break;
@@ -41,6 +42,19 @@ class Builder {
   }
 
  private:
+  /// From this row on about another tip. Controllers stop there.
+  void tell_anew(std::size_t row) {
+    const auto node = static_cast<std::uint32_t>(path_.size());
+    auto& all = path_.tellings;
+    if (all.empty() || all.back().node != node) {
+      all.push_back({node, {}, path_.node.back()});
+      add_pause(row, 0.0);
+    }
+    path_.node.back() = told_about(moves_.chains[moves_.chain_of(row)], moves_.chains[chain_], path_.node.back());
+    chain_ = moves_.chain_of(row);
+    all.back().chain = moves_.chains[chain_];
+  }
+
   void add_segment(SegmentKind kind, std::size_t row, double length, std::uint32_t detail, const AxisVector& end) {
     path_.kind.push_back(kind);
     path_.length.push_back(length);
@@ -91,6 +105,7 @@ class Builder {
 
   const Moves& moves_;
   double tool_change_;
+  std::uint16_t chain_ = 0;  ///< of the row before
   Path path_;
 };
 

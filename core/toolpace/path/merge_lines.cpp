@@ -21,6 +21,7 @@ class Merger {
     out_.path.splines = path_.splines;
     out_.path.spline_pieces = path_.spline_pieces;
     out_.path.node.push_back(path_.node.front());
+    out_.path.tellings = path_.tellings;
     std::size_t pause = 0;
     for (std::size_t i = 0; i < path_.size();) {
       pass_pauses(i, pause);
@@ -38,6 +39,8 @@ class Merger {
       out_.path.pauses.push_back(path_.pauses[pause]);
       out_.path.pauses.back().node = static_cast<std::uint32_t>(out_.path.size());
     }
+    if (told_ < path_.tellings.size() && path_.tellings[told_].node == node)
+      out_.path.tellings[told_++].node = static_cast<std::uint32_t>(out_.path.size());
   }
 
   bool joins(std::size_t a, std::size_t b) const {
@@ -62,7 +65,7 @@ class Merger {
     p.kind.push_back(path_.kind[i]);
     p.move.push_back(path_.move[i]);
     p.detail.push_back(path_.detail[i]);
-    p.length.push_back(end == i + 1 ? path_.length[i] : kAlong.norm(path_.node[end] - path_.node[i]));
+    p.length.push_back(end == i + 1 ? path_.length[i] : kAlong.norm(path_.end_of(end - 1) - path_.node[i]));
     p.node.push_back(path_.node[end]);
     out_.error.push_back(error);
     tell_moves(i, end);
@@ -73,7 +76,7 @@ class Merger {
   void tell_moves(std::size_t begin, std::size_t end) {
     Path& p = out_.path;
     const auto segment = static_cast<std::uint32_t>(p.size() - 1);
-    const AxisVector chord = p.node[segment + 1] - p.node[segment];
+    const AxisVector chord = path_.end_of(end - 1) - p.node[segment];
     for (std::size_t k = begin + 1; k < end; ++k) {
       const double at = kAlong.dot(path_.node[k] - p.node[segment], chord) / p.length[segment];
       p.handovers.push_back({segment, path_.move[k], at});
@@ -86,7 +89,7 @@ class Merger {
   /// Largest distance of the vertices between two nodes from the line that joins them; infinite where they go back or turn.
   double deviation(std::size_t begin, std::size_t end) const {
     const AxisVector& a = path_.node[begin];
-    const AxisVector chord = path_.node[end] - a;
+    const AxisVector chord = path_.end_of(end - 1) - a;
     const double square = kAlong.squared_norm(chord);
     double most = 0, before = 0;
     for (std::size_t k = begin + 1; k < end; ++k) {
@@ -99,7 +102,7 @@ class Merger {
     }
     const double root = std::sqrt(square);
     for (const std::size_t k : {begin, end - 1}) {
-      if (kAlong.dot(path_.node[k + 1] - path_.node[k], chord) < kMostTurn * root * path_.length[k]) return kNever;
+      if (kAlong.dot(path_.end_of(k) - path_.node[k], chord) < kMostTurn * root * path_.length[k]) return kNever;
     }
     return most;
   }
@@ -109,6 +112,7 @@ class Merger {
   const Path& path_;
   const Moves& moves_;
   const Rounding& options_;
+  std::size_t told_ = 0;  ///< first of the tellings to come
   MergedLines out_;
 };
 

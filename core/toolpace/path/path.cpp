@@ -13,7 +13,7 @@ Frame arc_frame(const Path& path, std::size_t i, double s) {
   const ArcCurve& arc = path.arcs[path.detail[i]];
   const double angle = angle_at(arc, path.length[i], s);
   ParameterDerivatives d = arc_derivatives(arc, angle);
-  const AxisVector change = path.node[i + 1] - path.node[i];
+  const AxisVector change = path.end_of(i) - path.node[i];
   d.first.tail<3>() = change.tail<3>() / arc.sweep;
   Frame frame;
   frame.point = arc_point(arc, angle);
@@ -48,11 +48,23 @@ Frame blend_frame(const Path& path, std::size_t i, double s) {
 
 }  // namespace
 
+const AxisVector& Path::told_end_of(std::size_t segment) const {
+  const auto at = std::partition_point(tellings.begin(), tellings.end(),
+                                       [&](const Telling& t) { return t.node <= segment; });
+  return at != tellings.end() && at->node == segment + 1 ? at->before : node[segment + 1];
+}
+
+const Chain* Path::told_chain_of(std::size_t segment) const {
+  const auto after = std::partition_point(tellings.begin(), tellings.end(),
+                                          [&](const Telling& t) { return t.node <= segment; });
+  return after == tellings.begin() || (after - 1)->chain.is_identity() ? nullptr : &(after - 1)->chain;
+}
+
 AxisVector point_at(const Path& path, std::size_t i, double s) {
   if (s <= 0) return path.node[i];
-  if (s >= path.length[i]) return path.node[i + 1];
+  if (s >= path.length[i]) return path.end_of(i);
   if (path.kind[i] == SegmentKind::line) {
-    return path.node[i] + (s / path.length[i]) * (path.node[i + 1] - path.node[i]);
+    return path.node[i] + (s / path.length[i]) * (path.end_of(i) - path.node[i]);
   }
   return frame_at(path, i, s).point;
 }
@@ -64,13 +76,13 @@ Frame frame_at(const Path& path, std::size_t i, double s) {
     case SegmentKind::spline: frame = spline_frame(path, i, s); break;
     case SegmentKind::blend: frame = blend_frame(path, i, s); break;
     default:
-      frame.first = (path.node[i + 1] - path.node[i]) / path.length[i];
+      frame.first = (path.end_of(i) - path.node[i]) / path.length[i];
       frame.point = path.node[i] + s * frame.first;
       frame.second.setZero();
       frame.third.setZero();
   }
   if (s <= 0) frame.point = path.node[i];
-  if (s >= path.length[i]) frame.point = path.node[i + 1];
+  if (s >= path.length[i]) frame.point = path.end_of(i);
   return frame;
 }
 
@@ -133,7 +145,7 @@ std::uint32_t move_at(const Path& path, std::size_t i, double s) {
 }
 
 bool is_rotary_only(const Path& path, std::size_t i) {
-  return path.kind[i] == SegmentKind::line && path.node[i].head<3>() == path.node[i + 1].head<3>();
+  return path.kind[i] == SegmentKind::line && path.node[i].head<3>() == path.end_of(i).head<3>();
 }
 
 }  // namespace toolpace

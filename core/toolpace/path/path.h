@@ -1,6 +1,9 @@
 #pragma once
 /// The geometry of a program: a chain of segments with exact arc length, as flat arrays.
 ///
+/// It lies in the workpiece: where a program is about the tool's tip (Path::tellings), X Y Z are the tip's, and what the axes do is
+/// told by AxisCurve (axis_curve.h); elsewhere both are the same.
+///
 /// Path length is measured in mm along XYZ; on segments where only A, B, C move, in degrees, so that a path limit of
 /// 100 mm/s reads as 100 deg/s there, as controllers do it.
 
@@ -8,6 +11,7 @@
 #include <vector>
 
 #include "toolpace/base/metric.h"
+#include "toolpace/kinematics/chain.h"
 #include "toolpace/nc/moves.h"
 #include "toolpace/path/arc.h"
 #include "toolpace/path/blend.h"
@@ -51,7 +55,25 @@ struct Path {
   };
   std::vector<Handover> handovers;
 
+  /// From a node on, at which the machine rests, segments are about the tip of another chain; sorted by node, one a node.
+  struct Telling {
+    std::uint32_t node;
+    Chain chain;        ///< without joints: X Y Z are the axes themselves
+    AxisVector before;  ///< the node as it is told before
+  };
+  std::vector<Telling> tellings;  ///< empty: by the axes all along
+
   std::size_t size() const { return kind.size(); }
+
+  /// Where a segment ends, told as the segment is.
+  const AxisVector& end_of(std::size_t segment) const {
+    return tellings.empty() ? node[segment + 1] : told_end_of(segment);
+  }
+  const AxisVector& told_end_of(std::size_t segment) const;
+
+  /// About whose tip a segment is; null: about none, X Y Z are the axes themselves.
+  const Chain* chain_of(std::size_t segment) const { return tellings.empty() ? nullptr : told_chain_of(segment); }
+  const Chain* told_chain_of(std::size_t segment) const;
 };
 
 /// A point of a segment and its derivatives by path length, in axis units (mm or rad) per path unit.

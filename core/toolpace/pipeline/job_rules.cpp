@@ -11,6 +11,8 @@ bool is_through_tube(const Job& job) {
   return job.options.corner.rule == CornerRule::smooth && !job.options.corner.step;
 }
 
+bool is_about_tip(const Job& job) { return job.program && job.program->moves.has_tip(); }
+
 bool blends_everywhere(const Job& job) {
   return job.options.corner.rule == CornerRule::blend && !job.options.corner.step;
 }

@@ -9,6 +9,9 @@ namespace toolpace {
 /// Does the motion leave the path, within the tolerance tube?
 bool is_through_tube(const Job& job);
 
+/// Is any of its program about the tool's tip?
+bool is_about_tip(const Job& job);
+
 /// Are the corners of all blocks in continuous path mode rounded on the path?
 bool blends_everywhere(const Job& job);
 

@@ -9,6 +9,7 @@
 #include "toolpace/limits/travel.h"
 #include "toolpace/machine/setup.h"
 #include "toolpace/path/build_path.h"
+#include "toolpace/path/cut_for_axes.h"
 #include "toolpace/pipeline/job.h"
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/prove.h"
@@ -111,7 +112,7 @@ Result<Route> lay_out(const Job& job, bool rounds, const Monitor& monitor) {
     path = std::move(blended->path);
     blends = blended->count;
   }
-  return Route{std::make_shared<const Path>(std::move(*path)), blends};
+  return Route{std::make_shared<const Path>(cut_for_axes(std::move(*path))), blends};
 }
 
 Result<Speeds> speeds_on(const Path& path, const Job& job, const Monitor& monitor) {
@@ -261,9 +262,20 @@ Diagnostic not_proven(const Outcome& smooth, const Outcome& blended, const Resul
   return warning;
 }
 
+/// The tube is one of straight axes.
+Result<Outcome> plan_blended_about_tip(const Candidate& rival, const Monitor& monitor) {
+  auto blended = plan_job(rival.job, monitor);
+  if (!blended) return blended;
+  blended->ignored.include(rival.ignored);
+  blended->warnings.push_back(not_smoothed("a program about the tool's tip cannot be run through the tolerance tube",
+                                           "--corner blend asks for that at once"));
+  return blended;
+}
+
 Result<Outcome> run_whole(std::shared_ptr<const Job> job, const Monitor& monitor) {
   const auto rival = rival_of(*job);
   if (!rival) return plan_job(std::move(job), monitor);
+  if (is_about_tip(*job)) return plan_blended_about_tip(*rival, monitor);
   // Where the feed and not the corners decide, curves that end on the exact path can be a little faster.
   auto blended = plan_job(rival->job, part_of(monitor, 0.0, 0.1));
   auto smooth = plan_job(job, part_of(monitor, 0.1, 0.95));

@@ -119,13 +119,13 @@ bool has_curves(const Job& job) { return has_rounded_corners(job) || has_program
 bool goes_quickly_through_tube(const Job& job, std::size_t) {
   const PlanOptions& o = job.options;
   return job.refined && o.ramps == Ramps::span && sees_all(job) && !o.hold_at && !is_through_tube(job) &&
-         has_rounded_corners(job) && !law_row(o.law).uses_time;
+         !is_about_tip(job) && has_rounded_corners(job) && !law_row(o.law).uses_time;
 }
 
 bool may_be_timed_anew(const Job& job, std::size_t segments) {
   const PlanOptions& o = job.options;
   return job.refined && o.ramps == Ramps::span && sees_all(job) && !o.hold_at && segments <= kMostRetimed &&
-         has_curves(job);
+         has_curves(job) && !is_about_tip(job);
 }
 
 /// Rounded corners alone are left to the tube, which does them better and sooner, but where it is the feed that decides, and on

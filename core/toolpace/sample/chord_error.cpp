@@ -3,38 +3,55 @@
 #include <algorithm>
 
 namespace toolpace {
+namespace {
 
-void ChordErrorMeter::compare(const AxisVector& on_path, const AxisVector& begin, const AxisVector& end) {
-  constexpr Metric kApart = Metric::apart();
-  const AxisVector chord = end - begin, d = on_path - begin;
+constexpr Metric kApart = Metric::apart();
+
+double distance_to_chord(const AxisVector& point, const AxisVector& begin, const AxisVector& end) {
+  const AxisVector chord = end - begin, d = point - begin;
   const double square = kApart.squared_norm(chord);
   const double share = square > 0 ? std::clamp(kApart.dot(chord, d) / square, 0.0, 1.0) : 0.0;
-  largest_ = std::max(largest_, kApart.norm(d - share * chord));
+  return kApart.norm(d - share * chord);
 }
 
-void ChordErrorMeter::compare_curve(std::size_t segment, double begin, double end, const AxisVector& from,
-                                    const AxisVector& to) {
-  if (path_.kind[segment] != SegmentKind::line && end > begin) {
-    compare(point_at(path_, segment, (begin + end) / 2), from, to);
-  }
+}  // namespace
+
+void ChordErrorMeter::compare(const AxisVector& on_path, const AxisVector& place) {
+  const double distance =
+      middle_ ? std::min(distance_to_chord(on_path, point_, *middle_), distance_to_chord(on_path, *middle_, place))
+              : distance_to_chord(on_path, point_, place);
+  largest_ = std::max(largest_, distance);
 }
 
-void ChordErrorMeter::add(std::size_t segment, double s, const AxisVector& point) {
+void ChordErrorMeter::compare_curve(std::size_t segment, double begin, double end, const AxisVector& place) {
+  const bool is_straight = middle_ ? curve_.is_straight(segment) : path_.kind[segment] == SegmentKind::line;
+  if (!is_straight && end > begin) compare(point_at(path_, segment, (begin + end) / 2), place);
+}
+
+void ChordErrorMeter::find_middle(std::size_t segment, const AxisVector& place) {
+  middle_.reset();
+  const Chain* const chain = path_.chain_of(segment);
+  if (chain == nullptr || chain != path_.chain_of(segment_)) return;
+  middle_ = told_about(*chain, {}, (curve_.axes_of(segment_, point_) + curve_.axes_of(segment, place)) / 2);
+}
+
+void ChordErrorMeter::add(std::size_t segment, double s, const AxisVector& place) {
   if (started_) {
+    if (!path_.tellings.empty()) find_middle(segment, place);
     if (segment == segment_) {
-      compare_curve(segment, s_, s, point_, point);
-    } else {
-      compare_curve(segment_, s_, path_.length[segment_], point_, point);
+      compare_curve(segment, s_, s, place);
+    } else if (path_.chain_of(segment) == path_.chain_of(segment_)) {
+      compare_curve(segment_, s_, path_.length[segment_], place);
       for (std::size_t i = segment_ + 1; i <= segment; ++i) {
-        compare(path_.node[i], point_, point);
-        compare_curve(i, 0.0, i == segment ? s : path_.length[i], point_, point);
+        compare(path_.node[i], place);
+        compare_curve(i, 0.0, i == segment ? s : path_.length[i], place);
       }
     }
   }
   started_ = true;
   segment_ = segment;
   s_ = s;
-  point_ = point;
+  point_ = place;
 }
 
 }  // namespace toolpace

@@ -1,7 +1,9 @@
 #pragma once
 /// How far the straight lines between setpoints cut off the path.
 
-#include "toolpace/path/path.h"
+#include <optional>
+
+#include "toolpace/path/axis_curve.h"
 
 namespace toolpace {
 
@@ -9,22 +11,25 @@ namespace toolpace {
 /// the next: nodes that lie between them exactly, curves by their middle (sagitta, exact to the fourth power of the chord).
 class ChordErrorMeter {
  public:
-  explicit ChordErrorMeter(const Path& path) : path_(path) {}
+  explicit ChordErrorMeter(const Path& path) : path_(path), curve_(path) {}
 
-  /// Next setpoint: `s` along `segment`.
-  void add(std::size_t segment, double s, const AxisVector& point);
+  /// Next setpoint: `s` along `segment`, at a place as the path tells it.
+  void add(std::size_t segment, double s, const AxisVector& place);
 
   double largest() const { return largest_; }  ///< [mm, deg]
 
  private:
-  void compare(const AxisVector& on_path, const AxisVector& chord_begin, const AxisVector& chord_end);
-  void compare_curve(std::size_t segment, double begin, double end, const AxisVector& from, const AxisVector& to);
+  void compare(const AxisVector& on_path, const AxisVector& place);
+  void compare_curve(std::size_t segment, double begin, double end, const AxisVector& place);
+  void find_middle(std::size_t segment, const AxisVector& place);
 
   const Path& path_;
+  AxisCurve curve_;
   bool started_ = false;
   std::size_t segment_ = 0;
   double s_ = 0.0;
   AxisVector point_ = AxisVector::Zero();
+  std::optional<AxisVector> middle_;  ///< of the chord to the next setpoint, where the axes carry the tip
   double largest_ = 0.0;
 };
 

@@ -139,7 +139,7 @@ std::uint32_t Motion::move() {
 
 const AxisVector& Motion::direction() {
   if (line_ != segment_) {
-    direction_ = (path_.node[segment_ + 1] - path_.node[segment_]) / path_.length[segment_];
+    direction_ = (path_.end_of(segment_) - path_.node[segment_]) / path_.length[segment_];
     line_ = segment_;
   }
   return direction_;
@@ -155,9 +155,15 @@ const PieceWalker& Motion::walker() {
 }
 
 AxisVector Motion::position() {
+  const AxisVector told = place();
+  if (spline_ || path_.tellings.empty()) return told;
+  return path_.size() > 0 ? curve_.axes_of(segment_, told) : told_about({}, path_.tellings.back().chain, told);
+}
+
+AxisVector Motion::place() {
   if (spline_) return beside_.position;
   if (path_.size() == 0) return path_.node.front();
-  if (on_segment_ >= path_.length[segment_]) return path_.node[segment_ + 1];
+  if (on_segment_ >= path_.length[segment_]) return path_.end_of(segment_);
   if (path_.kind[segment_] == SegmentKind::line) return path_.node[segment_] + on_segment_ * direction();
   if (on_segment_ <= 0) return path_.node[segment_];
   if (path_.kind[segment_] == SegmentKind::spline && walker().is_exact()) return walker().point_at(on_segment_);
@@ -166,8 +172,8 @@ AxisVector Motion::position() {
 
 AxisMotion Motion::axes() {
   if (spline_) return beside_;
-  if (path_.size() == 0) return {path_.node.front(), AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
-  AxisMotion motion = chained(frame_at(path_, segment_, on_segment_), along_);
+  if (path_.size() == 0) return {position(), AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
+  AxisMotion motion = chained(curve_.frame_at(segment_, on_segment_), along_);
   motion.position = position();
   return motion;
 }
@@ -231,7 +237,7 @@ void Motion::add_on_path(const Part& part, std::size_t axis, PhaseBounds& box) {
 }
 
 void Motion::add_on_segment(const Part& part, std::size_t axis, PhaseBounds& box) {
-  if (path_.kind[segment_] == SegmentKind::line) {
+  if (path_.kind[segment_] == SegmentKind::line && curve_.is_path(segment_)) {
     const double share = direction()[static_cast<Eigen::Index>(axis)];
     return box.add(toolpace::bounds(part.phase, part.from, part.to).scaled(share));
   }
@@ -239,7 +245,7 @@ void Motion::add_on_segment(const Part& part, std::size_t axis, PhaseBounds& box
     const PhaseState state = evaluate(part.phase, part.from + (part.to - part.from) * k / (kCurveInstants - 1));
     const double s =
         std::clamp(state.distance - path_.position.between(part.phase.node, segment_), 0.0, path_.length[segment_]);
-    box.add(of_axis(chained(frame_at(path_, segment_, s), state), axis));
+    box.add(of_axis(chained(curve_.frame_at(segment_, s), state), axis));
   }
 }
 

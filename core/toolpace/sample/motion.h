@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "toolpace/law/phase_bounds.h"
-#include "toolpace/path/path.h"
+#include "toolpace/path/axis_curve.h"
 #include "toolpace/path/piece_walker.h"
 #include "toolpace/plan/motion_plan.h"
 
@@ -20,7 +20,7 @@ namespace toolpace {
 class Motion {
  public:
   /// @pre path.node is not empty
-  Motion(const Path& path, const MotionPlan& plan) : path_(path), plan_(plan) {}
+  Motion(const Path& path, const MotionPlan& plan) : path_(path), curve_(path), plan_(plan) {}
 
   /// [s]
   double duration() const { return plan_.cycle_time(); }
@@ -48,8 +48,10 @@ class Motion {
   /// Whether it runs beside the path, as a spline of the plan, and not on it.
   bool leaves_path() const { return spline_ != nullptr; }
 
-  /// [mm, rad]
+  /// Of the axes [mm, rad]
   AxisVector position();
+  /// Of what the path tells: the tip in the workpiece beside the rotary axes, or the axes themselves [mm, rad].
+  AxisVector place();
   /// Of each axis. Exact but for rounding, and for what frame_at() says of curves.
   AxisMotion axes();
 
@@ -76,6 +78,7 @@ class Motion {
   void add_on_segment(const Part& part, std::size_t axis, PhaseBounds& box);
 
   const Path& path_;
+  AxisCurve curve_;
   const MotionPlan& plan_;
   // Of the instant gone to; the indices are where the next search begins.
   double time_ = 0;

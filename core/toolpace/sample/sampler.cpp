@@ -66,10 +66,10 @@ bool Sampler::next(Setpoints& chunk, std::size_t limit) {
 void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
   const bool is_last = row + 1 == rows_;
   motion_.at(is_last ? motion_.duration() : static_cast<double>(row) * period_);
-  const AxisVector point = motion_.position();
+  const AxisVector place = motion_.place(), point = path_.tellings.empty() ? place : motion_.position();
   const PhaseState state = is_last ? PhaseState{} : motion_.along();
   if (chords_ && path_.size() > 0 && !motion_.leaves_path()) {
-    chords_->add(motion_.segment(), motion_.on_segment(), point);
+    chords_->add(motion_.segment(), motion_.on_segment(), place);
   }
   const std::size_t axes = rotary_ ? kAxisCount : 3;
   for (std::size_t k = 0; k < axes; ++k) chunk.position[k][at] = point[static_cast<Eigen::Index>(k)];

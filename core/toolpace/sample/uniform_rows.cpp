@@ -23,7 +23,7 @@ std::vector<UniformRows> uniform_rows(const Path& path, const MotionPlan& plan, 
     if (phase.speed != 0) {
       motion.at((first - kMargin + 0.5) * period);
       const std::size_t segment = motion.segment();
-      if (path.kind[segment] != SegmentKind::line || motion.leaves_path()) continue;
+      if (!AxisCurve(path).is_straight(segment) || motion.leaves_path()) continue;
       motion.at((end + kMargin - 0.5) * period);
       if (motion.segment() != segment || motion.leaves_path()) continue;
     }

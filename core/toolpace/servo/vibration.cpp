@@ -76,7 +76,7 @@ class Pieces {
     segment_ = motion_.at(middle).segment();
     move_ = motion_.move();
     rests_ = !(motion_.along().speed > 0);
-    const bool is_straight = motion_.leaves_path() || path_.kind[segment_] == SegmentKind::line;
+    const bool is_straight = motion_.leaves_path() || AxisCurve(path_).is_straight(segment_);
     is_polynomial_ =
         motion_.leaves_path() || (is_straight && plan_.phases[motion_.phase()].shape == PhaseShape::constant_jerk);
     part_ = 0;
@@ -88,7 +88,7 @@ class Pieces {
     const double way = motion_.at(end, segment_).on_segment() - motion_.at(begin, segment_).on_segment();
     double curvature = 0;
     for (const double t : {begin, middle, end}) {
-      const Frame frame = frame_at(path_, segment_, motion_.at(t, segment_).on_segment());
+      const Frame frame = AxisCurve(path_).frame_at(segment_, motion_.at(t, segment_).on_segment());
       curvature = std::max(curvature, frame.second.head<3>().norm());
     }
     return std::clamp(std::ceil(std::abs(way) * curvature / kTurn), 1.0, kMostPieces);

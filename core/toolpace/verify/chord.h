@@ -15,12 +15,11 @@ struct Chord {
   double length() const { return metric.norm(way); }
 };
 
-/// From row i − 1 to row i (local indices).
+/// From row i − 1 to row i (local indices), as the path tells them.
 inline Chord chord_to(const RowStream& stream, std::size_t i) {
-  const auto& p = stream.rows().position;
   AxisVector way;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    way[static_cast<Eigen::Index>(axis)] = p[axis].empty() ? 0.0 : p[axis][i] - p[axis][i - 1];
+    way[static_cast<Eigen::Index>(axis)] = stream.rows().told_step(axis, i);
   }
   return {way, Metric::along(way.head<3>().isZero(0.0))};
 }

@@ -47,13 +47,10 @@ void LimitCheck::take(const RowStream& stream, CornerExemption& corners) {
 }
 
 void LimitCheck::take_path_speed(const RowStream& stream) {
-  const auto& p = stream.rows().position;
-  const auto step = [&p](std::size_t axis, std::size_t i) {
-    return p[axis].empty() ? 0.0 : p[axis][i] - p[axis][i - 1];
-  };
   for (std::size_t i = stream.begin(); i < stream.end(); ++i) {
     AxisVector change;
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) change[static_cast<Eigen::Index>(axis)] = step(axis, i);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) change[static_cast<Eigen::Index>(axis)] =
+          stream.rows().told_step(axis, i);
     const double length = Metric::along(change.head<3>().isZero(0.0)).norm(change);
     way_ += length;
     const double speed = length / period_;

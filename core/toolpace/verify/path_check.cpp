@@ -6,6 +6,7 @@
 #include "toolpace/limits/corner_between.h"
 #include "toolpace/path/commanded.h"
 #include "toolpace/verify/chord.h"
+#include "toolpace/verify/own_kinematics.h"
 
 namespace toolpace {
 namespace {
@@ -25,7 +26,7 @@ bool has_rotary(const RowStream& stream) {
 AxisVector point_of(const RowStream& stream, std::size_t local) {
   AxisVector point = AxisVector::Zero();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const auto& p = stream.rows().position[axis];
+    const auto& p = stream.rows().told(axis);
     if (!p.empty()) point[static_cast<Eigen::Index>(axis)] = counted(axis, p[local]);
   }
   return point;
@@ -51,6 +52,16 @@ double distance_to_line(const AxisVector& point, const AxisVector& from, const A
   const double square = along.squaredNorm();
   const double t = square > 0 ? std::clamp(off.dot(along) / square, 0.0, 1.0) : 0.0;
   return (off - t * along).norm();
+}
+
+/// From row i − 1 to row i.
+AxisVector axes_way(const RowStream& stream, std::size_t i) {
+  AxisVector way = AxisVector::Zero();
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto& p = stream.rows().position[axis];
+    if (!p.empty()) way[static_cast<Eigen::Index>(axis)] = p[i] - p[i - 1];
+  }
+  return way;
 }
 
 void place(Check& check, const RowStream& stream, std::size_t local) {
@@ -117,6 +128,7 @@ bool PathCheck::take_row(const RowStream& stream, std::size_t local) {
     return false;
   }
   const double distance = exact_distance(to);
+  if (!path_.tellings.empty()) take_tool(stream, local);
   if (deviation_.would_take(distance, 0.0) || stream.row(local) == 0) deviation_.take(distance, 0.0, stream, local);
   if (stream.row(local) > 0) take_crossings(stream, local, to, before, std::max(distance, last_distance_) <= kOnPath);
   last_ = to;
@@ -156,6 +168,20 @@ double PathCheck::chord_error(std::size_t cell, double low, double high, const A
   const double most = sector->bulge(low, high) + std::max(last_distance_, follower_.match().distance);
   if (!chord_.would_take(most * (1 - kSame), 0.0)) return 0.0;
   return distance_to_line(vertices_.point(cell, (low + high) / 2), last_, to);
+}
+
+/// The angle between the tool and where the path has it.
+void PathCheck::take_tool(const RowStream& stream, std::size_t local) {
+  const PathMatch& match = follower_.match();
+  const PathVertex* const end = vertices_.at(match.cell + 1);
+  const Chain* const chain = end == nullptr ? nullptr : path_.chain_of(end->segment);
+  if (chain == nullptr) return;
+  AxisVector programmed = vertices_.point(match.cell, match.t), run = point_of(stream, local);
+  programmed.tail<3>() *= kRadiansPerDegree;
+  run.tail<3>() *= kRadiansPerDegree;
+  const Eigen::Vector3d a = seen_tool(*chain, programmed).tool, b = seen_tool(*chain, run).tool;
+  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+  if (tool_.would_take(angle, 0.0)) tool_.take(angle, 0.0, stream, local);
 }
 
 void PathCheck::take_crossings(const RowStream& stream, std::size_t local, const AxisVector& to,
@@ -218,12 +244,19 @@ CornerEvent PathCheck::step_at(const CornerRun& run, const Joint& joint) const {
 
 bool PathCheck::lies_on_line(std::size_t segment, const AxisVector& point) const {
   return path_.kind[segment] == SegmentKind::line &&
-         distance_to_line(point, weighted(path_.node[segment]), weighted(path_.node[segment + 1])) <= kOnPath;
+         distance_to_line(point, weighted(path_.node[segment]), weighted(path_.end_of(segment))) <= kOnPath;
+}
+
+/// What the axes do at an end of a segment.
+Frame PathCheck::axes_at_node(std::size_t segment, double s) const {
+  const Frame frame = frame_at(path_, segment, s);
+  const Chain* const chain = path_.chain_of(segment);
+  return chain == nullptr ? frame : axes_frame(*chain, frame);
 }
 
 void PathCheck::log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt) {
   const std::size_t left = node.segment, right = left + 1;
-  const Frame in = frame_at(path_, left, path_.length[left]), out = frame_at(path_, right, 0.0);
+  const Frame in = axes_at_node(left, path_.length[left]), out = axes_at_node(right, 0.0);
   const Chord before = chord_to(stream, local - 1), here = chord_to(stream, local), after = chord_to(stream, local + 1);
   CornerRun run{in.first, out.first, before.length(), after.length()};
   run.is_straight = lies_on_line(left, point_of(stream, local - 2)) && lies_on_line(right, point_of(stream, local + 1));
@@ -231,8 +264,9 @@ void PathCheck::log_corner(const RowStream& stream, std::size_t local, const Pat
   (run.before < run.after ? run.after : run.before) = longest;
   const Joint joint{left, (out.second - in.second).cwiseAbs()};
   CornerEvent event = step_at(run, joint);
-  if (!vertices_.rule(left).is_exact && before.length() > 0) run.arriving = before.way / before.length();
-  if (!vertices_.rule(right).is_exact && after.length() > 0) run.leaving = after.way / after.length();
+  if (!vertices_.rule(left).is_exact && before.length() > 0)
+    run.arriving = axes_way(stream, local - 1) / before.length();
+  if (!vertices_.rule(right).is_exact && after.length() > 0) run.leaving = axes_way(stream, local + 1) / after.length();
   const CornerEvent as_run = step_at(run, joint);
   event.speed_step = event.speed_step.cwiseMax(as_run.speed_step);
   event.acceleration_step = event.acceleration_step.cwiseMax(as_run.acceleration_step);
@@ -289,6 +323,7 @@ void PathCheck::report(VerifyReport& report, bool followed) const {
     return;
   }
   report.checks.push_back(deviation_.named(CheckKind::deviation));
+  if (!path_.tellings.empty()) report.checks.push_back(tool_.named(CheckKind::tool_angle));
   Check end = end_;
   end.broken = end.value > end.limit;
   report.checks.push_back(end);

@@ -21,6 +21,7 @@ namespace toolpace {
 /// Follows the path with the setpoints within `reach` of it and, while it does:
 /// - measures the distance of each setpoint to the exact curve that it is matched to;
 /// - measures how far the path is from the straight lines between setpoints (chord error);
+/// - measures, where the path is about the tool's tip, the angle between the tool and the programmed one;
 /// - logs each node that is passed on the path, as each next to G61 or G61.1 is, with a step of direction or curvature:
 ///   V·|Δu| and V²·|Δκ| of each axis, V at most what the corner rule lets pass where both sides are exact, elsewhere at a turn
 ///   back what one would. On a side where corners may be smoothed the motion arrives or leaves as its setpoints say, which may
@@ -72,6 +73,8 @@ class PathCheck {
   bool lies_on_line(std::size_t segment, const AxisVector& point) const;
   void log_corner(const RowStream& stream, std::size_t local, const PathVertex& node, Doubt doubt);
   void take_line(const RowStream& stream, std::size_t local);
+  Frame axes_at_node(std::size_t segment, double s) const;
+  void take_tool(const RowStream& stream, std::size_t local);
   double exact_distance(const AxisVector& point);
   double chord_error(std::size_t cell, double low, double high, const AxisVector& to);
 
@@ -90,7 +93,7 @@ class PathCheck {
   AxisVector last_ = AxisVector::Zero();  ///< weighted point of the row before
   double last_distance_ = 0.0;            ///< [mm] of it to the path
   std::int64_t next_row_ = 0;
-  Worst deviation_, chord_;
+  Worst deviation_, chord_, tool_;
   Check end_;
   Check left_;
   std::int64_t line_mismatches_ = 0;

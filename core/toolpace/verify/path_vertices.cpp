@@ -52,7 +52,7 @@ bool PathVertices::has_sectors(std::size_t segment) const {
   if (path_.kind[segment] != SegmentKind::arc) return false;
   const ArcCurve& arc = path_.arcs[path_.detail[segment]];
   return std::abs(arc.end_radius - arc.start_radius) <= kMostWidening * arc.start_radius &&
-         path_.node[segment].tail<3>() == path_.node[segment + 1].tail<3>();
+         path_.node[segment].tail<3>() == path_.end_of(segment).tail<3>();
 }
 
 bool PathVertices::make_next() {
@@ -77,9 +77,14 @@ bool PathVertices::make_next() {
     vertex.point = point_at(path_, segment_, s);
     if (path_.kind[segment_] != SegmentKind::line) vertex.sagitta = sagitta_;
   }
-  if (ends) vertex.point = path_.node[segment_ + 1];
+  if (ends) vertex.point = path_.end_of(segment_);
   vertex.point = weighted(vertex.point);
   vertices_.push_back(vertex);
+  // Where the same place is told anew, a cell leads from the one to the other; what is behind it begins there.
+  if (ends && path_.end_of(segment_) != path_.node[segment_ + 1]) {
+    vertex = {weighted(path_.node[segment_ + 1]), vertex.segment, PathVertex::kNoSector, 0.0, false, 0.0};
+    vertices_.push_back(vertex);
+  }
   if (ends) {
     ++segment_;
     part_ = parts_ = 0;

@@ -22,6 +22,7 @@ const char* key_of(CheckKind kind) {
     case CheckKind::line_column: return "line-column";
     case CheckKind::follows_path: return "follows-path";
     case CheckKind::deviation: return "deviation";
+    case CheckKind::tool_angle: return "tool-angle";
     case CheckKind::end_point: return "end-point";
   }
   return "";
@@ -46,6 +47,7 @@ std::string check_title(const Check& check) {
     case CheckKind::line_column: return "lines not under the tool";
     case CheckKind::follows_path: return "follows the path within";
     case CheckKind::deviation: return "deviation from the path";
+    case CheckKind::tool_angle: return "tool off its direction";
     case CheckKind::end_point: return "distance from the end";
   }
   return "";
@@ -66,6 +68,7 @@ CheckUnit check_unit(const Check& check) {
     case CheckKind::path_jerk:
     case CheckKind::jerk_column: return of(3);
     case CheckKind::time_step: return {1, "s", "s"};
+    case CheckKind::tool_angle: return {kDegrees.size, kDegrees.symbol[0], kDegrees.key[0]};
     case CheckKind::line_column: return {1, "rows", "rows"};
     default: return of(0);
   }

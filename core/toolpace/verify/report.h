@@ -26,7 +26,8 @@ enum class CheckKind : std::uint8_t {
   line_column,  ///< rows whose line is not the one under the tool
   follows_path,
   deviation,
-  end_point  ///< [mm]
+  tool_angle,  ///< between the tool and the programmed one [rad]
+  end_point    ///< [mm]
 };
 
 /// "axis-speed", …: the key of JSON and translations.

@@ -22,6 +22,9 @@ void RowStream::drop_judged() {
   const std::size_t gone = end_ - kReach;
   for (auto* column : {&rows_.time, &rows_.speed, &rows_.acceleration, &rows_.jerk}) drop_front(*column, gone);
   for (auto& column : rows_.position) drop_front(column, gone);
+  for (auto* columns : {&rows_.tip, &rows_.tip_from}) {
+    for (auto& column : *columns) drop_front(column, gone);
+  }
   for (auto& order : rows_.derivative) {
     for (auto& column : order) drop_front(column, gone);
   }
@@ -35,6 +38,12 @@ void RowStream::append_copies(bool in_front) {
   if (!rows_.time.empty()) pad(rows_.time, in_front, end_of(rows_.time));
   for (auto& column : rows_.position) {
     if (!column.empty()) pad(column, in_front, end_of(column));
+  }
+  for (std::size_t k = 0; k < rows_.tip.size() && !rows_.tip[k].empty(); ++k) {
+    const double rests = end_of(rows_.tip[k]);
+    pad(rows_.tip[k], in_front, rests);
+    // From the copies in front the first row is no way.
+    pad(rows_.tip_from[k], in_front, rests);
   }
   for (auto* column : {&rows_.speed, &rows_.acceleration, &rows_.jerk}) pad(*column, in_front, 0.0);
   for (auto& order : rows_.derivative) {

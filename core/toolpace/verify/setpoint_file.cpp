@@ -8,6 +8,9 @@ void SetpointRows::clear() {
   count = 0;
   for (auto* column : {&time, &speed, &acceleration, &jerk}) column->clear();
   for (auto& column : position) column.clear();
+  for (auto* columns : {&tip, &tip_from}) {
+    for (auto& column : *columns) column.clear();
+  }
   for (auto& order : derivative) {
     for (auto& column : order) column.clear();
   }

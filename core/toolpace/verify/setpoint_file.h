@@ -42,11 +42,23 @@ struct SetpointRows {
   std::array<std::vector<double>, kAxisCount> position;  ///< [mm, rad]
   std::vector<double> speed, acceleration, jerk;         ///< [mm/s, mm/s², mm/s³]
   std::vector<std::uint32_t> line;
+  /// Where the path is about the tool's tip: as it tells the place of each row, and that of the row before [mm].
+  std::array<std::vector<double>, 3> tip, tip_from;
   /// Speed, acceleration, jerk of each axis [mm or rad, s].
   std::array<std::array<std::vector<double>, kAxisCount>, kDerivatives> derivative;
   std::size_t count = 0;
 
   void clear();
+
+  /// An axis as the path tells it [mm, rad].
+  const std::vector<double>& told(std::size_t axis) const {
+    return axis < 3 && !tip[0].empty() ? tip[axis] : position[axis];
+  }
+  /// By how much that changes from row i − 1 to row i; 0 without a column.
+  double told_step(std::size_t axis, std::size_t i) const {
+    if (axis < 3 && !tip[0].empty()) return tip[axis][i] - tip_from[axis][i];
+    return position[axis].empty() ? 0.0 : position[axis][i] - position[axis][i - 1];
+  }
 };
 
 /// An open setpoint file. Every fault of its text or structure is an error of kind input with file, line and column; what

@@ -35,6 +35,12 @@ SlackRule::SlackRule(const Path& path, const Machine& machine, double period)
     : period_(period),
       speed_(together(path, machine, &AxisLimits::speed)),
       acceleration_(together(path, machine, &AxisLimits::acceleration)) {
+  if (!path.tellings.empty()) {
+    // Rotary axes carry the tip: their limits and the linear axes' are none of its own.
+    speed_ = machine.path.speed;
+    acceleration_ = kUnlimited;
+    return;
+  }
   if (turns(path)) return;
   const PathLimits& p = machine.path;
   speed_ = std::min(speed_, p.speed);
@@ -45,7 +51,7 @@ SlackRule::SlackRule(const Path& path, const Machine& machine, double period)
 Slack SlackRule::at(const RowStream& stream, std::size_t local, bool from_path) const {
   double square[2] = {0, 0}, chord = 0;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const auto& p = stream.rows().position[axis];
+    const auto& p = stream.rows().told(axis);
     if (p.empty()) continue;
     const double before = counted(axis, p[local] - 2 * p[local - 1] + p[local - 2]);
     const double after = counted(axis, p[local + 1] - 2 * p[local] + p[local - 1]);

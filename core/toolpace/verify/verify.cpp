@@ -11,6 +11,7 @@
 #include "toolpace/verify/path_check.h"
 #include "toolpace/verify/profile_check.h"
 #include "toolpace/verify/tangent_check.h"
+#include "toolpace/verify/tip_rows.h"
 
 namespace toolpace {
 namespace {
@@ -55,6 +56,15 @@ Result<void> check_axes(const SetpointFile& file, const ProgrammedPath& program)
     }
   }
   return {};
+}
+
+Error lines_missing() {
+  return {ErrorKind::input,
+          "setpoints-lines",
+          "the program changes between axes and the tool's tip, and the file has no column line that tells where",
+          "give a file with that column, such as .csv or .npy",
+          {},
+          {}};
 }
 
 /// Whether the steps of a corner would explain what is broken.
@@ -287,7 +297,13 @@ Result<VerifyReport> verify(SetpointFile& file, const Machine& machine, const Pr
     if (auto fine = check_axes(file, *program); !fine) return tl::unexpected(fine.error());
   }
   const Machine judged = program != nullptr ? under(machine, highest_ceiling(program->moves)) : machine;
-  auto report = Judgement(file, judged, *period, program, options).judge();
+  std::optional<TipRows> about_tip;
+  if (program != nullptr && !program->path.tellings.empty()) {
+    about_tip.emplace(file, program->path, program->moves);
+    if (!about_tip->can_tell()) return tl::unexpected(lines_missing());
+  }
+  SetpointFile& rows = about_tip ? *about_tip : file;
+  auto report = Judgement(rows, judged, *period, program, options).judge();
   if (!report) return report;
   if (program != nullptr && program->moves.ceilings.size() > 1) {
     report->notes.push_back(

@@ -21,6 +21,8 @@ std::optional<CodeUse<GGroup>> fanuc_g_code(Code code) {
     case 130: return CodeUse<GGroup>{GGroup::once, true, kPocketLeft};
     case 270: return CodeUse<GGroup>{GGroup::once, true, kToReference};
     case 290: return CodeUse<GGroup>{GGroup::once, true, kFromReference};
+    case 434:
+    case 435:
     case 440: return CodeUse<GGroup>{GGroup::tool_length};
     case 541: return CodeUse<GGroup>{GGroup::system};
     case 1540: return CodeUse<GGroup>{GGroup::system, true, 541};  // Haas: G154 P is G54.1 P
@@ -68,8 +70,6 @@ const char* fanuc_unfollowed(Code code) {
     case 1070: return "wraps the path around a cylinder";
     case 121:
     case 1120: return "interpolates in polar coordinates (X and C as a plane on the turning work)";
-    case 434:
-    case 435: return "moves the tool's tip while rotary axes turn";
     case 450:
     case 460:
     case 470:

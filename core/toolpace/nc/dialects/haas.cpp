@@ -14,7 +14,6 @@ const char* haas_unfollowed(Code code) {
     case 1500: return "mills a pocket";
     case 1410: return "compensates a tool in space";
     case 1430: return "lengthens the tool in five axes";
-    case 2340: return "moves the tool's tip while rotary axes turn";
     case 2540: return "turns the work offset with the rotary axes";
     case 2680: return "tilts the work plane";
     default: return fanuc_unfollowed(code);
@@ -29,6 +28,7 @@ std::optional<CodeUse<GGroup>> haas_g_code(Code code) {
     case 710: return CodeUse<GGroup>{GGroup::once, true, kHolesOnArc};
     case 720: return CodeUse<GGroup>{GGroup::once, true, kHolesOnLine};
     case 770: return CodeUse<GGroup>{GGroup::motion, true, kBackBoring};
+    case 2340: return CodeUse<GGroup>{GGroup::tool_length, true, 434};
     case 1000: return CodeUse<GGroup>{GGroup::mirror, true, 501};
     case 1010: return CodeUse<GGroup>{GGroup::mirror, true, 511};
     default: return fanuc_g_code(code);

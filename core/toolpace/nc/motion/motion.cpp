@@ -9,6 +9,7 @@
 #include "toolpace/nc/motion/threading.h"
 #include "toolpace/nc/motion/turning.h"
 #include "toolpace/nc/motion/turning_cycles.h"
+#include "toolpace/nc/tool_tip.h"
 
 namespace toolpace::nc {
 namespace {
@@ -22,6 +23,7 @@ bool run_straight(Context& context, const Block& block, Code code) {
   }
   Position end;
   if (!find_end(context, block, end)) return false;
+  if (points_tool(context, block) && !point_tool(context, block, end)) return false;
   if (code == 10 && meets_corner(context, block)) return run_cornered_line(context, block, code, end);
   return go_straight(context, block, code, end);
 }

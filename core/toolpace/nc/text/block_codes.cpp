@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kCodeWithin = 1e-3;                              // tenths
 constexpr double kFirstLongCode = 1000, kHighestLongCode = 9999;  // G codes that machines of Fanuc's kind define
+constexpr double kHeidenhainTip = 128;
 constexpr Code kFractionalCode = 30000;                           // M codes of printers with a decimal
 
 // "U3.11.0" is no number.
@@ -100,6 +101,11 @@ bool BlockReader::read_m(double value, std::size_t column, Block& block) {
   const double whole = std::round(value);
   const bool plausible = std::fabs(value - whole) < kCodeWithin && whole >= 0.0 && whole < 30000.0;
   const auto use = plausible ? rules_.m_code(static_cast<int>(whole)) : std::nullopt;
+  if (whole == kHeidenhainTip && rules_.dialect == Dialect::linuxcnc && !rules_.refuses_doubtful) {
+    return faults_.fail("g-code-unfollowed",
+                        "M128 moves the tool's tip while rotary axes turn (Heidenhain), which is not followed here",
+                        "use G43.4 H or G43.5 H, or read the whole program so with --tcp", column);
+  }
   if (!use && rules_.texts_without_quotes && value >= 0.0) {  // M862.3 P "MK3"
     block.m_groups |= 1u << static_cast<unsigned>(MGroup::ignored);
     block.m[static_cast<std::size_t>(MGroup::ignored)] = kFractionalCode;

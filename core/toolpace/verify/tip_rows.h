@@ -1,0 +1,40 @@
+#pragma once
+/// A setpoint file whose rows tell, besides the axes, where the tip is in the workpiece.
+
+#include <unordered_set>
+
+#include "toolpace/nc/moves.h"
+#include "toolpace/path/path.h"
+#include "toolpace/verify/setpoint_file.h"
+
+namespace toolpace {
+
+/// Adds SetpointRows::tip, as the path tells the place of each row, and tip_from. Which of the path's chains a row is told by, its
+/// NC line says.
+class TipRows final : public SetpointFile {
+ public:
+  /// @pre path.tellings is not empty. Keeps references to both
+  TipRows(SetpointFile& file, const Path& path, const Moves& moves);
+
+  /// Whether the file tells enough for that: the lines, where there is more than one chain.
+  bool can_tell() const { return columns_.line || has_one_chain_; }
+
+  Result<std::size_t> read(SetpointRows& rows, std::size_t limit) override;
+  void rewind() override;
+  double progress() const override { return file_.progress(); }
+
+ private:
+  const Chain* chain() const;
+  void add_row(SetpointRows& rows, std::size_t row);
+
+  SetpointFile& file_;
+  const Path& path_;
+  bool has_one_chain_;
+  std::vector<std::unordered_set<std::uint32_t>> lines_;  ///< of the moves before the first telling, and of each
+  std::size_t stretch_ = 0;                               ///< of the row before: index into lines_
+  bool started_ = false;
+  AxisVector last_axes_ = AxisVector::Zero();
+  Eigen::Vector3d last_tip_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace toolpace
