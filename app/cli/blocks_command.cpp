@@ -64,7 +64,8 @@ void add_blocks_command(CommandLine& line) {
   command.json(flags->json, "Print one JSON object: counts and diagnostics");
   flags->reading.add_to(command);
   command.footer(
-      "Rows in machine coordinates, about the tool's tip in those of the workpiece, lengths in mm, angles in deg, feeds in mm/min. A program with errors is written up "
+      "Rows in machine coordinates, about the tool's tip in those of the workpiece, lengths in mm, angles in deg, "
+      "feeds in mm/min. A program with errors is written up "
       "to\n"
       "the first one, then the error, and the exit code is 3.\n\n"
       "Examples:\n"

@@ -75,6 +75,7 @@ tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
     if (found.error().where.file.empty()) found.error().where.file = flags.setpoints;
     return tl::unexpected<Failure>(std::move(found.error()));
   };
+  if (flags.reading.program.empty() && flags.reading.about_tip) options.tip_of = setup->kinematics.chain;
   if (flags.reading.program.empty()) return prove(nullptr);
   const auto reading = flags.reading.on(*setup).read_accepted();
   if (!reading) return tl::unexpected(reading.error());

@@ -59,6 +59,10 @@
             <translation>暂停</translation>
         </message>
         <message>
+            <source>near the pole of the rotary axes</source>
+            <translation>靠近旋转轴的奇异点</translation>
+        </message>
+        <message>
             <source>limit of the program</source>
             <translation>程序设定的限值</translation>
         </message>
@@ -1422,6 +1426,26 @@
             <translation>按 G 代码体系 B 读取</translation>
         </message>
         <message>
+            <source>machine-coordinates-under-tip</source>
+            <translation>刀尖编程时使用了机床坐标</translation>
+        </message>
+        <message>
+            <source>rotary-unwinds</source>
+            <translation>旋转轴须反向绕回</translation>
+        </message>
+        <message>
+            <source>tool-vector-zero</source>
+            <translation>刀具矢量为零</translation>
+        </message>
+        <message>
+            <source>tool-vector-with-angles</source>
+            <translation>刀具矢量与旋转轴并存</translation>
+        </message>
+        <message>
+            <source>setpoints-lines</source>
+            <translation>设定点文件没有行号列</translation>
+        </message>
+        <message>
             <source>kinematics-missing</source>
             <translation>缺少 [kinematics]</translation>
         </message>
@@ -2723,6 +2747,42 @@
         <message>
             <source>say whether it carries the workpiece or the spindle</source>
             <translation>请说明它带动工件还是主轴</translation>
+        </message>
+        <message>
+            <source>name a machine file with [kinematics] by --machine</source>
+            <translation>用 --machine 指定含有 [kinematics] 的机床文件</translation>
+        </message>
+        <message>
+            <source>retract before, or give the axis more travel</source>
+            <translation>请先退刀，或给该轴更大的行程</translation>
+        </message>
+        <message>
+            <source>give the tool&apos;s direction or the axes, not both</source>
+            <translation>刀具方向与旋转轴只给其一</translation>
+        </message>
+        <message>
+            <source>give the direction from its tip to the spindle, such as K1</source>
+            <translation>给出从刀尖指向主轴的方向，例如 K1</translation>
+        </message>
+        <message>
+            <source>end G43.4 or G43.5 with G49 first</source>
+            <translation>请先用 G49 结束 G43.4 或 G43.5</translation>
+        </message>
+        <message>
+            <source>use G43.4 H or G43.5 H, or read the whole program so with --tcp</source>
+            <translation>使用 G43.4 H 或 G43.5 H，或用 --tcp 把整个程序按刀尖读取</translation>
+        </message>
+        <message>
+            <source>post the program as G-code with G43.4 H or G43.5 H (Fanuc), or with the tool&apos;s tip in X Y Z throughout, which --tcp reads</source>
+            <translation>请把程序后处理为带 G43.4 H 或 G43.5 H 的 G 代码（Fanuc），或 X Y Z 全程为刀尖坐标的 G 代码（用 --tcp 读取）</translation>
+        </message>
+        <message>
+            <source>give a file with that column, such as .csv or .npy</source>
+            <translation>请给出带有该列的文件，例如 .csv 或 .npy</translation>
+        </message>
+        <message>
+            <source>--corner blend asks for that at once</source>
+            <translation>直接用 --corner blend 即可</translation>
         </message>
         <message>
             <source>add tool_mm to [kinematics]</source>

@@ -20,7 +20,7 @@ enum class Cause : std::uint8_t {
   stop,
   dwell,
   program_limit,  ///< a speed or an acceleration that the program lowers: M203, M204, SET_VELOCITY_LIMIT, …
-  singularity     ///< the axes, near the pole of two rotary ones: a small change of the tool's direction is a large turn there
+  singularity  ///< the axes, near the pole of two rotary ones: a small change of the tool's direction is a large turn there
 };
 inline constexpr std::size_t kCauseCount = 14;
 

@@ -60,8 +60,8 @@ class Opener {
     for (std::size_t i = 1; i < path_.size(); ++i) {
       const Cause cause = outcome_.limits.node_cause[i];
       if (cause == Cause::corner || cause == Cause::stop || open_.node_cap[i] == 0) continue;
-      open_.node_cap[i] = std::min({open_.block_cap[i - 1], open_.block_cap[i], axes_cap(i - 1, path_.length[i - 1]),
-                                    axes_cap(i, 0.0)});
+      open_.node_cap[i] = std::min(
+          {open_.block_cap[i - 1], open_.block_cap[i], axes_cap(i - 1, path_.length[i - 1]), axes_cap(i, 0.0)});
     }
     return std::move(open_);
   }

@@ -63,6 +63,7 @@ class Solver {
     if (!found_.empty()) {
       std::stable_sort(found_.begin(), found_.end(),
                        [&](const AxisVector& a, const AxisVector& b) { return turn(a) < turn(b); });
+      prefer_larger_angle();
       return std::move(found_);
     }
     return tl::unexpected(Error{ErrorKind::infeasible, "rotary-travel",
@@ -71,6 +72,12 @@ class Solver {
   }
 
  private:
+  void prefer_larger_angle() {
+    if (found_.size() < 2 || turn(found_[1]) - turn(found_[0]) > kSame) return;
+    const auto next_to_tool = static_cast<Eigen::Index>(links_.front().axis);
+    if (found_[1][next_to_tool] > found_[0][next_to_tool] + kSame) std::swap(found_[0], found_[1]);
+  }
+
   // The joint next to the tool may turn the tool about itself, or both may turn about the same line: one joint is left.
   bool has_two() const {
     return links_.size() == 2 && !is_along(kTool, links_[0].direction) &&

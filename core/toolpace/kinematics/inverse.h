@@ -18,7 +18,8 @@ struct RotaryTravel {
 };
 
 /// The angles of the rotary axes that point the tool as asked: at most two ways. Of each the turns nearest to `near` that lie inside
-/// the travel; the nearer way first (the larger of its turns the smaller).
+/// the travel; the nearer way first (the larger of its turns the smaller), of two as near the one in which the joint next to the tool
+/// stands at the larger angle.
 ///
 /// Where a joint that is the farther one from the tool turns about the tool itself (the pole: C of an AC table with A = 0), every
 /// angle of it points the tool as asked: it stays as it is in `near`. So does a joint that turns the tool about itself.

@@ -41,9 +41,8 @@ CurveBounds line_bounds(const Chain& chain, const Path& path, std::size_t i) {
   const double half = path.length[i] / 2;
   const Frame tip = frame_at(path, i, half), axes = through(chain, tip);
   const Magnitudes of_tip{half * tip.first.head<3>().norm(), tip.first.head<3>().norm(), 0, 0, 0};
-  const double fourth =
-      fourth_derivative(chain, ChainSide::table, tip.point.head<3>(), of_tip, tip.first) +
-      fourth_derivative(chain, ChainSide::head, {0, 0, -chain.tool_length}, Magnitudes{}, tip.first);
+  const double fourth = fourth_derivative(chain, ChainSide::table, tip.point.head<3>(), of_tip, tip.first) +
+                        fourth_derivative(chain, ChainSide::head, {0, 0, -chain.tool_length}, Magnitudes{}, tip.first);
   CurveBounds b;
   b.together.setZero();
   const AxisVector first = axes.first.cwiseAbs(), second = axes.second.cwiseAbs(), third = axes.third.cwiseAbs();

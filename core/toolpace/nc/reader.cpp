@@ -103,10 +103,11 @@ bool is_about_tip(std::string_view text) {
 
 Error foreign_error(const std::string& name, std::string_view text, const nc::ForeignLanguage& language) {
   const char* const remedy =
-      is_about_tip(text) ? "post the program as G-code with G43.4 H or G43.5 H (Fanuc), or with the tool's tip in X Y Z "
-                           "throughout, which --tcp reads"
-                         : "post the program as G-code (RS-274) for LinuxCNC, Fanuc, Haas, Mach3, grbl or Marlin; "
-                           "polylines are read as CSV";
+      is_about_tip(text)
+          ? "post the program as G-code with G43.4 H or G43.5 H (Fanuc), or with the tool's tip in X Y Z "
+            "throughout, which --tcp reads"
+          : "post the program as G-code (RS-274) for LinuxCNC, Fanuc, Haas, Mach3, grbl or Marlin; "
+            "polylines are read as CSV";
   Error error =
       input_error(name, "language-unsupported", fmt::format("this is {}, and no G-code", language.name), remedy);
   error.where.line = language.line;
@@ -140,7 +141,8 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
                              const Monitor& monitor) {
   ReadOptions options = given;
   if (options.dialect == Dialect::automatic) {
-    if (const auto language = nc::find_foreign_language(text)) return tl::unexpected(foreign_error(name, text, *language));
+    if (const auto language = nc::find_foreign_language(text))
+      return tl::unexpected(foreign_error(name, text, *language));
   }
   Reading reading;
   nc::DialectGuess guess{options.dialect, {}};

@@ -191,11 +191,11 @@ struct ProgramLimits {
 
 /// Programs about the tool's tip (tool_tip.h).
 struct TipState {
-  Kinematics kinematics;                             ///< of the machine
+  Kinematics kinematics;                            ///< of the machine
   RotaryTravel travel = RotaryTravel::unbounded();  ///< of its rotary axes
-  toolpace::Chain chain;                             ///< about whose tip the program is; without joints: about the axes
-  bool everywhere = false;                           ///< from end to end, whatever the program says
-  bool by_vector = false;                            ///< I J K of straight moves point the tool
+  toolpace::Chain chain;                            ///< about whose tip the program is; without joints: about the axes
+  bool everywhere = false;                          ///< from end to end, whatever the program says
+  bool by_vector = false;                           ///< I J K of straight moves point the tool
 
   bool is_on() const { return !chain.is_identity(); }
 };

@@ -1,5 +1,5 @@
-#include "toolpace/nc/tool_tip.h"
 #include "toolpace/nc/tool_table.h"
+#include "toolpace/nc/tool_tip.h"
 
 #include <fmt/format.h>
 

@@ -146,11 +146,10 @@ bool point_tool(Context& context, const Block& block, Position& end) {
     const double turn = ways->front()[static_cast<Eigen::Index>(i)] - near[static_cast<Eigen::Index>(i)];
     if (turn != 0) end[i] = there[i];
     if (std::fabs(turn) <= kHalfTurn) continue;
-    context.faults.warn(
-        "rotary-unwinds",
-        fmt::format("{} turns by {:.6g} deg in this block: the nearer way lies beyond its travel", kAxisNames[i],
-                    turn / kRadiansPerDegree),
-        "retract before, or give the axis more travel", column);
+    context.faults.warn("rotary-unwinds",
+                        fmt::format("{} turns by {:.6g} deg in this block: the nearer way lies beyond its travel",
+                                    kAxisNames[i], turn / kRadiansPerDegree),
+                        "retract before, or give the axis more travel", column);
   }
   return true;
 }
@@ -158,7 +157,8 @@ bool point_tool(Context& context, const Block& block, Position& end) {
 bool refuse_under_tip(Context& context, const Block& block) {
   const TipState& tip = context.state.tip;
   const Code code = block.code(GGroup::once);
-  const bool is_of_machine = code == 530 || code == 280 || code == 300 || code == kToReference || code == kFromReference;
+  const bool is_of_machine =
+      code == 530 || code == 280 || code == 300 || code == kToReference || code == kFromReference;
   if (!tip.is_on() || tip.everywhere || !is_of_machine) return true;
   return context.faults.fail("machine-coordinates-under-tip",
                              fmt::format("{} while the program is about the tool's tip", code_text('G', code)),

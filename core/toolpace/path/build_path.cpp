@@ -37,6 +37,11 @@ class Builder {
   }
 
   Path finish() {
+    // Where no motion follows nothing is told anew.
+    if (auto& all = path_.tellings; !all.empty() && path_.size() > 0 && all.back().node == path_.size()) {
+      path_.node.back() = all.back().before;
+      all.pop_back();
+    }
     path_.position = NodePositions(path_.length);
     return std::move(path_);
   }

@@ -40,7 +40,9 @@ class Commander {
   // On a corner curve between two rapids, and where the axes follow the tool's tip, the direction turns, and the axes' limits are
   // the curve's own.
   double rapid_on(std::size_t i, const AxisVector& top, double path_speed) const {
-    return path_.kind[i] == SegmentKind::line && path_.chain_of(i) == nullptr ? rapid_speed(start_direction(path_, i), top, path_speed) : path_speed;
+    return path_.kind[i] == SegmentKind::line && path_.chain_of(i) == nullptr
+               ? rapid_speed(start_direction(path_, i), top, path_speed)
+               : path_speed;
   }
 
   static void lower(double speed, Command& c) {

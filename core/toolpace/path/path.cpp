@@ -49,14 +49,14 @@ Frame blend_frame(const Path& path, std::size_t i, double s) {
 }  // namespace
 
 const AxisVector& Path::told_end_of(std::size_t segment) const {
-  const auto at = std::partition_point(tellings.begin(), tellings.end(),
-                                       [&](const Telling& t) { return t.node <= segment; });
+  const auto at =
+      std::partition_point(tellings.begin(), tellings.end(), [&](const Telling& t) { return t.node <= segment; });
   return at != tellings.end() && at->node == segment + 1 ? at->before : node[segment + 1];
 }
 
 const Chain* Path::told_chain_of(std::size_t segment) const {
-  const auto after = std::partition_point(tellings.begin(), tellings.end(),
-                                          [&](const Telling& t) { return t.node <= segment; });
+  const auto after =
+      std::partition_point(tellings.begin(), tellings.end(), [&](const Telling& t) { return t.node <= segment; });
   return after == tellings.begin() || (after - 1)->chain.is_identity() ? nullptr : &(after - 1)->chain;
 }
 

@@ -76,10 +76,13 @@ std::vector<std::size_t> depths_tried(const PlanTask& task) {
 /// The fastest of the plans that the job allows. Ramps inside their blocks leave curves more than ramps across them.
 Result<Planned> plan_phases(const PlanTask& task, PlanOptions options, const Monitor& monitor) {
   if (task.limits.curved.empty()) return plan_with(task, options, depth_of(task), monitor);
+  // About the tool's tip every block may be a curve: of many, ramps inside them would cost several times the plan itself.
+  constexpr std::size_t kManyCurves = 2000;
+  const bool has_many_curves = is_about_tip(task.job) && task.limits.curved.size() > kManyCurves;
   std::vector<std::pair<Ramps, std::size_t>> ways;
   for (const std::size_t depth : depths_tried(task)) {
     if (options.ramps == Ramps::span) ways.emplace_back(Ramps::span, depth);
-    ways.emplace_back(Ramps::block, depth);
+    if (options.ramps != Ramps::span || !has_many_curves) ways.emplace_back(Ramps::block, depth);
   }
   Result<Planned> best;
   for (std::size_t i = 0; i < ways.size(); ++i) {

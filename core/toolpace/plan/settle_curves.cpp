@@ -287,7 +287,9 @@ SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor
     }
   }
   for (const std::uint32_t i : widest.curved) {
-    if (cap[i] < widest.block_cap[i]) widest.block_cause[i] = Cause::curvature;
+    // Near a pole it is not the curve that is to blame.
+    const bool is_near_pole = widest.block_cause[i] == Cause::singularity;
+    if (cap[i] < widest.block_cap[i] && !is_near_pole) widest.block_cause[i] = Cause::curvature;
   }
   widest.block_cap = std::move(cap);
   widest.ramp = std::move(ramp);

@@ -49,8 +49,8 @@ void LimitCheck::take(const RowStream& stream, CornerExemption& corners) {
 void LimitCheck::take_path_speed(const RowStream& stream) {
   for (std::size_t i = stream.begin(); i < stream.end(); ++i) {
     AxisVector change;
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) change[static_cast<Eigen::Index>(axis)] =
-          stream.rows().told_step(axis, i);
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+      change[static_cast<Eigen::Index>(axis)] = stream.rows().told_step(axis, i);
     const double length = Metric::along(change.head<3>().isZero(0.0)).norm(change);
     way_ += length;
     const double speed = length / period_;

@@ -9,7 +9,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kStep = 1e-3;  // [rad] that the rotary axes turn by in a difference
+constexpr double kStep = 1e-4;  // [rad] that the rotary axes turn by in a difference
 
 /// A rigid motion: p ↦ turn·p + shift.
 struct Placement {
@@ -62,9 +62,10 @@ AxisVector axes_for(const Chain& chain, const AxisVector& place) {
 
 Frame axes_frame(const Chain& chain, const Frame& place) {
   const double rate = place.first.tail<3>().cwiseAbs().maxCoeff();
-  const double bend = place.second.tail<3>().cwiseAbs().maxCoeff();
+  const double bend = place.second.tail<3>().cwiseAbs().maxCoeff(), twist = place.third.tail<3>().cwiseAbs().maxCoeff();
   // Neither the turn nor its change may be large in a step; where nothing turns the axes go as straight as the tip.
-  const double h = std::min({1.0, rate > 0 ? kStep / rate : 1.0, bend > 0 ? std::sqrt(kStep / bend) : 1.0});
+  const double h = std::min({1.0, kStep / std::max(rate, kStep), std::sqrt(kStep / std::max(bend, kStep)),
+                             std::cbrt(kStep / std::max(twist, kStep))});
   const auto at = [&](double s) {
     return axes_for(chain, place.point + s * (place.first + s / 2 * (place.second + s / 3 * place.third)));
   };

@@ -16,7 +16,7 @@ SeenTool seen_tool(const Chain& chain, const AxisVector& axes);
 /// The axes for a tip [mm] beside rotary axes [rad].
 AxisVector axes_for(const Chain& chain, const AxisVector& place);
 
-/// What the axes do where tip and rotary axes have this frame, by differences: good to 1e-6 of the direction, and of the curvature.
+/// What the axes do where tip and rotary axes have this frame, by differences: good to a few ten-thousandths.
 Frame axes_frame(const Chain& chain, const Frame& place);
 
 }  // namespace toolpace

@@ -17,23 +17,27 @@ AxisVector axes_of(const SetpointRows& rows, std::size_t row) {
 
 }  // namespace
 
-TipRows::TipRows(SetpointFile& file, const Path& path, const Moves& moves)
-    : file_(file), path_(path), has_one_chain_(path.tellings.size() == 1 && path.tellings.front().node == 0) {
+TipRows::TipRows(SetpointFile& file, const Path& path, const Moves& moves) : file_(file), stretches_(1) {
   columns_ = file.columns();
   origin_ = file.origin();
-  lines_.resize(path.tellings.size() + 1);
-  std::size_t stretch = 0;
+  auto telling = path.tellings.begin();
   std::uint32_t row = 0;
   for (std::size_t i = 0; i <= path.size(); ++i) {
     const std::uint32_t end = i < path.size() ? path.move[i] : static_cast<std::uint32_t>(moves.size());
     // Rows without length belong to what stands before them.
-    for (; row < end; ++row) lines_[stretch].insert(moves.line[row]);
-    while (stretch < path.tellings.size() && path.tellings[stretch].node == i) ++stretch;
-    if (row < moves.size() && i < path.size()) lines_[stretch].insert(moves.line[row]);
+    for (; row < end; ++row) stretches_.back().lines.insert(moves.line[row]);
+    if (telling != path.tellings.end() && telling->node == i) {
+      if (i > 0) stretches_.emplace_back();
+      stretches_.back().chain = (telling++)->chain;
+    }
+    if (row < moves.size() && i < path.size()) stretches_.back().lines.insert(moves.line[row]);
   }
 }
 
-const Chain* TipRows::chain() const { return stretch_ == 0 ? nullptr : &path_.tellings[stretch_ - 1].chain; }
+TipRows::TipRows(SetpointFile& file, const Chain& chain) : file_(file), stretches_{{chain, {}}} {
+  columns_ = file.columns();
+  origin_ = file.origin();
+}
 
 Result<std::size_t> TipRows::read(SetpointRows& rows, std::size_t limit) {
   const std::size_t before = rows.count;
@@ -48,17 +52,16 @@ Result<std::size_t> TipRows::read(SetpointRows& rows, std::size_t limit) {
 
 void TipRows::add_row(SetpointRows& rows, std::size_t row) {
   const AxisVector axes = axes_of(rows, row);
-  if (!started_ && path_.tellings.front().node == 0) stretch_ = 1;
-  bool is_told_anew = !started_;
-  if (!rows.line.empty()) {
-    while (stretch_ + 1 < lines_.size() && !lines_[stretch_].contains(rows.line[row]) &&
-           lines_[stretch_ + 1].contains(rows.line[row])) {
-      ++stretch_;
-      is_told_anew = true;
-    }
+  bool is_told_anew = false;
+  while (!rows.line.empty() && stretch_ + 1 < stretches_.size() &&
+         !stretches_[stretch_].lines.contains(rows.line[row]) &&
+         stretches_[stretch_ + 1].lines.contains(rows.line[row])) {
+    ++stretch_;
+    is_told_anew = true;
   }
+  const Chain& chain = stretches_[stretch_].chain;
   const auto told = [&](const AxisVector& a) -> Eigen::Vector3d {
-    return chain() == nullptr ? Eigen::Vector3d(a.head<3>()) : seen_tool(*chain(), a).tip;
+    return chain.is_identity() ? Eigen::Vector3d(a.head<3>()) : seen_tool(chain, a).tip;
   };
   const Eigen::Vector3d from = !started_ ? told(axes) : is_told_anew ? told(last_axes_) : last_tip_;
   Eigen::Vector3d tip = told(axes);

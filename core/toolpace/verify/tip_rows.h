@@ -13,25 +13,29 @@ namespace toolpace {
 /// NC line says.
 class TipRows final : public SetpointFile {
  public:
-  /// @pre path.tellings is not empty. Keeps references to both
+  /// @pre path.tellings is not empty. Keeps a reference to the file
   TipRows(SetpointFile& file, const Path& path, const Moves& moves);
+  /// All rows about the tip of one chain.
+  TipRows(SetpointFile& file, const Chain& chain);
 
   /// Whether the file tells enough for that: the lines, where there is more than one chain.
-  bool can_tell() const { return columns_.line || has_one_chain_; }
+  bool can_tell() const { return columns_.line || stretches_.size() == 1; }
 
   Result<std::size_t> read(SetpointRows& rows, std::size_t limit) override;
   void rewind() override;
   double progress() const override { return file_.progress(); }
 
  private:
-  const Chain* chain() const;
   void add_row(SetpointRows& rows, std::size_t row);
 
   SetpointFile& file_;
-  const Path& path_;
-  bool has_one_chain_;
-  std::vector<std::unordered_set<std::uint32_t>> lines_;  ///< of the moves before the first telling, and of each
-  std::size_t stretch_ = 0;                               ///< of the row before: index into lines_
+  /// Rows that are told alike.
+  struct Stretch {
+    Chain chain;
+    std::unordered_set<std::uint32_t> lines;  ///< of their moves
+  };
+  std::vector<Stretch> stretches_;
+  std::size_t stretch_ = 0;  ///< of the row before
   bool started_ = false;
   AxisVector last_axes_ = AxisVector::Zero();
   Eigen::Vector3d last_tip_ = Eigen::Vector3d::Zero();

@@ -301,6 +301,8 @@ Result<VerifyReport> verify(SetpointFile& file, const Machine& machine, const Pr
   if (program != nullptr && !program->path.tellings.empty()) {
     about_tip.emplace(file, program->path, program->moves);
     if (!about_tip->can_tell()) return tl::unexpected(lines_missing());
+  } else if (program == nullptr && options.tip_of) {
+    about_tip.emplace(file, *options.tip_of);
   }
   SetpointFile& rows = about_tip ? *about_tip : file;
   auto report = Judgement(rows, judged, *period, program, options).judge();

@@ -19,6 +19,8 @@ struct VerifyOptions {
   /// takes fewer passes.
   bool measures = true;
   Monitor monitor = {};
+  /// Without a program: the rows are about the tip of this chain, and so are speed and acceleration along the path.
+  std::optional<Chain> tip_of = {};
 };
 
 /// Checks the file against the machine and, if given, the program. Reads the file once, or several times where it is

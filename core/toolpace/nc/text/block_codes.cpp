@@ -12,7 +12,7 @@ namespace {
 constexpr double kCodeWithin = 1e-3;                              // tenths
 constexpr double kFirstLongCode = 1000, kHighestLongCode = 9999;  // G codes that machines of Fanuc's kind define
 constexpr double kHeidenhainTip = 128;
-constexpr Code kFractionalCode = 30000;                           // M codes of printers with a decimal
+constexpr Code kFractionalCode = 30000;  // M codes of printers with a decimal
 
 // "U3.11.0" is no number.
 bool reads_as_words(Scanner text) {
