@@ -17,14 +17,10 @@
 #include "toolpace/base/descriptor.h"
 #include "toolpace/base/input_file.h"
 #include "toolpace/io/output_file.h"
-#include "toolpace/machine/controller_machine.h"
-#include "toolpace/rewrite/controller_timer.h"
-#include "toolpace/rewrite/rewrite.h"
+#include "toolpace/rewrite/rewrite_job.h"
 
 namespace toolpace::cli {
 namespace {
-
-constexpr double kBitsOfBlock = 300;  // 30 bytes, as blocks with three coordinates or a centre have
 
 struct RewriteFlags {
   ReadingFlags reading;
@@ -35,13 +31,7 @@ struct RewriteFlags {
 };
 
 /// What is known before the program is read.
-struct Order {
-  Setup setup;
-  std::optional<ControllerSettings> settings;
-  PredictOptions predict;
-};
-
-Result<Order> order_of(const RewriteFlags& flags) {
+Result<RewriteTarget> target_of(const RewriteFlags& flags) {
   if (flags.fit != "arcs" && flags.fit != "lines") {
     return tl::unexpected(
         usage_error("bad-flag", "--fit does not know '" + flags.fit + "'", "give one of arcs, lines"));
@@ -56,86 +46,22 @@ Result<Order> order_of(const RewriteFlags& flags) {
   if (!setup) return tl::unexpected(setup.error());
   auto predict = flags.controller.options();
   if (!predict) return tl::unexpected(predict.error());
-  Order order{std::move(*setup), std::nullopt, *predict};
-  if (!(order.setup.options.corner.tolerance > 0)) {
-    return tl::unexpected(usage_error("bad-flag", "--tolerance-mm is 0: nothing can be written otherwise within it",
-                                      "give a tolerance above 0"));
-  }
+  RewriteTarget target{std::move(*setup), std::nullopt, *predict, flags.fit == "arcs", flags.feeds == "planned"};
+  if (auto fine = check_tolerance(target); !fine) return tl::unexpected(fine.error());
   if (flags.controller.is_given()) {
     auto settings = flags.controller.read_settings();
     if (!settings) return tl::unexpected(settings.error());
-    order.settings = std::move(*settings);
+    target.settings = std::move(*settings);
   } else if (!flags.controller.controller.empty() || flags.controller.baud || flags.controller.block_time_ms) {
     return tl::unexpected(
         usage_error("settings-missing", "a controller is named without its settings", "give them with --settings"));
   }
-  return order;
-}
-
-std::size_t motion_blocks(const Moves& moves) {
-  std::size_t motion = 0;
-  for (const MoveKind kind : moves.kind) motion += is_motion(kind) ? 1 : 0;
-  return motion;
-}
-
-/// [s] of a plan.
-Result<double> planned_time(const RewriteFlags& flags, const Setup& setup, Reading reading) {
-  auto job = std::make_shared<Job>();
-  job->program_name = flags.reading.program;
-  job->program = std::make_shared<const Reading>(std::move(reading));
-  job->machine = setup.machine;
-  job->options = setup.options;
-  const auto outcome = toolpace::run(job, terminal_monitor("planning"));
-  end_progress();
-  if (!outcome) return tl::unexpected(outcome.error());
-  return outcome->summary.cycle_time;
-}
-
-/// Klipper without [gcode_arcs] has none.
-bool has_arcs(const std::optional<ControllerSettings>& settings) {
-  const auto* const klipper = settings ? std::get_if<KlipperSettings>(&settings->values) : nullptr;
-  return !klipper || klipper->has_arcs;
-}
-
-/// Of the machine; or, where a controller is named, what of its own limits it does not hold by itself: all models hold speeds of axes,
-/// LinuxCNC's accelerations on arcs, too.
-FeedLimits feed_limits(const Order& order) {
-  FeedLimits limits{order.setup.machine, 0.0};
-  if (order.settings) {
-    limits.machine = controller_setup(*order.settings).machine;
-    limits.machine.path.speed = kUnlimited;
-    for (AxisLimits& axis : limits.machine.axes) axis.speed = kUnlimited;
-    if (order.settings->controller == Controller::linuxcnc) {
-      limits.machine.path.acceleration = kUnlimited;
-      for (AxisLimits& axis : limits.machine.axes) axis.acceleration = kUnlimited;
-    }
-  }
-  limits.block_time = order.predict.block_time.value_or(0.0);
-  if (order.predict.baud) limits.block_time += kBitsOfBlock / *order.predict.baud;
-  return limits;
-}
-
-Result<Rewritten> rewrite_with_times(const RewriteFlags& flags, const Order& order, std::string_view text,
-                                     const Reading& reading) {
-  RewriteOptions options{order.setup.options.corner.tolerance, flags.fit == "arcs" && has_arcs(order.settings), {}, {}};
-  if (flags.feeds == "planned") options.feeds = feed_limits(order);
-  const Monitor monitor = terminal_monitor("rewriting");
-  if (order.settings) options.timer = controller_timer(*order.settings, order.predict, {monitor.stop, {}});
-  auto rewritten = rewrite(text, flags.reading.program, reading, flags.reading.options(), options, monitor);
-  end_progress();
-  if (!rewritten || order.settings) return rewritten;
-  const auto before = planned_time(flags, order.setup, reading);
-  if (!before) return tl::unexpected(before.error());
-  const auto after = planned_time(flags, order.setup, rewritten->reading);
-  if (!after) return tl::unexpected(after.error());
-  rewritten->time_before = *before;
-  rewritten->time_after = *after;
-  return rewritten;
+  return target;
 }
 
 struct Told {
   const RewriteFlags& flags;
-  const Order& order;
+  const RewriteTarget& target;
   const Reading& reading;
   std::size_t bytes;
   const Rewritten& rewritten;
@@ -143,16 +69,16 @@ struct Told {
 
 Json rewrite_json(const Told& t) {
   Json controller;
-  if (t.order.settings) controller = std::string(controller_name(t.order.settings->controller));
+  if (t.target.settings) controller = std::string(controller_name(t.target.settings->controller));
   return {{"program", t.flags.reading.program},
           {"output", t.flags.output},
           {"dialect", std::string(dialect_name(t.reading.dialect))},
           {"controller", std::move(controller)},
           {"fit", t.flags.fit},
           {"feeds", t.flags.feeds},
-          {"tolerance_mm", t.order.setup.options.corner.tolerance},
-          {"blocks_in", motion_blocks(t.reading.moves)},
-          {"blocks_out", motion_blocks(t.rewritten.reading.moves)},
+          {"tolerance_mm", t.target.setup.options.corner.tolerance},
+          {"blocks_in", motion_rows(t.reading.moves)},
+          {"blocks_out", motion_rows(t.rewritten.reading.moves)},
           {"bytes_in", t.bytes},
           {"bytes_out", t.rewritten.text.size()},
           {"max_deviation_mm", t.rewritten.max_deviation},
@@ -166,32 +92,36 @@ Json rewrite_json(const Told& t) {
 void print_summary(const Told& t) {
   const Rewritten& r = t.rewritten;
   fmt::print("{} -> {}\n", t.flags.reading.program, t.flags.output);
-  fmt::print("  blocks       {} -> {}\n", motion_blocks(t.reading.moves), motion_blocks(r.reading.moves));
+  fmt::print("  blocks       {} -> {}\n", motion_rows(t.reading.moves), motion_rows(r.reading.moves));
   fmt::print("  bytes        {} -> {}\n", t.bytes, r.text.size());
-  fmt::print("  deviation    {:.6f} mm, of {} mm\n", r.max_deviation, t.order.setup.options.corner.tolerance);
+  fmt::print("  deviation    {:.6f} mm, of {} mm\n", r.max_deviation, t.target.setup.options.corner.tolerance);
   fmt::print("  cycle time   {:.4f} s -> {:.4f} s by {}\n", *r.time_before, *r.time_after,
-             t.order.settings ? controller_title(t.order.settings->controller) : std::string_view("the plan"));
+             t.target.settings ? controller_title(t.target.settings->controller) : std::string_view("the plan"));
   if (r.slower > 0) fmt::print("  left alone   {} blocks, which would take longer otherwise\n", r.slower);
   if (r.unproven > 0) fmt::print("  left alone   {} stretches, whose replacement did not pass the proof\n", r.unproven);
 }
 
 Done run_rewrite(RewriteFlags flags) {
-  const auto order = order_of(flags);
-  if (!order) return tl::unexpected(order.error());
-  if (order->settings && flags.reading.dialect == "auto")
-    flags.reading.dialect = std::string(dialect_name(dialect_of(order->settings->controller)));
+  const auto target = target_of(flags);
+  if (!target) return tl::unexpected(target.error());
+  if (target->settings && flags.reading.dialect == "auto")
+    flags.reading.dialect = std::string(dialect_name(dialect_of(target->settings->controller)));
   // What cannot be written is known at once.
   auto file = OutputFile::create(flags.output, OutputFile::Access::forward, terminal_monitor("writing"));
   if (!file) return tl::unexpected(file.error());
   const auto content = read_whole_file(flags.reading.program, terminal_monitor("reading"));
   if (!content) return tl::unexpected(content.error());
-  const auto reading = flags.reading.read_accepted(content->bytes());
-  if (!reading) return tl::unexpected(reading.error());
-  const auto rewritten = rewrite_with_times(flags, *order, content->bytes(), *reading);
-  if (!rewritten) return tl::unexpected(rewritten.error());
-  if (auto written = file->write(rewritten->text); !written) return tl::unexpected(written.error());
+  auto read = flags.reading.read_accepted(content->bytes());
+  if (!read) return tl::unexpected(read.error());
+  const auto reading = std::make_shared<const Reading>(std::move(*read));
+  const auto found = rewrite_for(*target, content->bytes(), flags.reading.program, reading, flags.reading.options(),
+                                 terminal_monitor("rewriting"));
+  end_progress();
+  if (!found) return tl::unexpected(found.error());
+  const Rewritten& rewritten = found->rewritten;
+  if (auto written = file->write(rewritten.text); !written) return tl::unexpected(written.error());
   if (auto done = file->commit(); !done) return tl::unexpected(done.error());
-  const Told told{flags, *order, *reading, content->bytes().size(), *rewritten};
+  const Told told{flags, *target, *reading, content->bytes().size(), rewritten};
   if (flags.json) {
     print_json(rewrite_json(told));
   } else if (!is_standard_output(flags.output)) {

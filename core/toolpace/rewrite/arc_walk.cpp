@@ -21,7 +21,7 @@ double length(const Flat& p) { return std::sqrt(dot(p, p)); }
 
 class Walker {
  public:
-  Walker(const Chain& chain, const ArcShape& arc, double tolerance, std::vector<double>& angles)
+  Walker(const FlatPoints& chain, const ArcShape& arc, double tolerance, std::vector<double>& angles)
       : chain_(chain),
         arc_(arc),
         tolerance_(tolerance),
@@ -103,7 +103,7 @@ class Walker {
     return true;
   }
 
-  const Chain& chain_;
+  const FlatPoints& chain_;
   const ArcShape& arc_;
   double tolerance_;
   std::vector<double>& angles_;
@@ -115,11 +115,11 @@ class Walker {
 
 }  // namespace
 
-ArcWalk walk_arc(const Chain& chain, const ArcShape& arc, double tolerance, std::vector<double>& angles) {
+ArcWalk walk_arc(const FlatPoints& chain, const ArcShape& arc, double tolerance, std::vector<double>& angles) {
   return Walker(chain, arc, tolerance, angles).run();
 }
 
-bool walk_line(const Chain& chain, const Flat& start, const Flat& end, double tolerance) {
+bool walk_line(const FlatPoints& chain, const Flat& start, const Flat& end, double tolerance) {
   const Flat way = end - start;
   const double square = dot(way, way) + way.w * way.w, per_length = square > 0.0 ? 1.0 / square : 0.0;
   double share = 0.0;

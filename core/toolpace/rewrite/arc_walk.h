@@ -24,9 +24,9 @@ struct ArcWalk {
 /// between points included, are an upper bound of the Fréchet distance; it is exact but for what a radius that changes adds.
 ///
 /// `tolerance` > 0 [mm]; `angles` is space to work in.
-ArcWalk walk_arc(const Chain& chain, const ArcShape& arc, double tolerance, std::vector<double>& angles);
+ArcWalk walk_arc(const FlatPoints& chain, const ArcShape& arc, double tolerance, std::vector<double>& angles);
 
 /// The same along a straight line.
-bool walk_line(const Chain& chain, const Flat& start, const Flat& end, double tolerance);
+bool walk_line(const FlatPoints& chain, const Flat& start, const Flat& end, double tolerance);
 
 }  // namespace toolpace::detail::rewrite

@@ -15,7 +15,7 @@ constexpr double kNearTurn = 0.05;    // [rad] about a whole turn where start an
 
 }  // namespace
 
-void flatten(const Curve& curve, const PlaneOfArcs& plane, std::size_t first, std::size_t last, Chain& chain) {
+void flatten(const Curve& curve, const PlaneOfArcs& plane, std::size_t first, std::size_t last, FlatPoints& chain) {
   const std::size_t begin = curve.vertex[first], end = curve.vertex[last];
   const Eigen::Vector3d& start = curve.point[begin];
   chain.resize(end - begin + 1);

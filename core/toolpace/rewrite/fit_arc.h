@@ -45,14 +45,14 @@ class ArcFitter {
   ArcRules rules_;
   double tolerance_;
   int plane_ = 17;
-  Chain chain_;  // from the start of the arc, which it counts from
+  FlatPoints chain_;  // from the start of the arc, which it counts from
   Flat end_;
   bool is_closed_ = false;  // the end is too close to the start to tell of the centre
   std::vector<double> angles_;
 };
 
 /// Points of a curve in a plane, counted from the first.
-void flatten(const Curve& curve, const PlaneOfArcs& plane, std::size_t first, std::size_t last, Chain& chain);
+void flatten(const Curve& curve, const PlaneOfArcs& plane, std::size_t first, std::size_t last, FlatPoints& chain);
 
 /// To whole steps.
 Flat rounded(const Flat& centre, double step);

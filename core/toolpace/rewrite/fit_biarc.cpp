@@ -64,7 +64,7 @@ Flat BiarcFitter::on_grid(const Flat& joint) const {
 
 /// The arc from start to end with a direction at one of them; a line where it would be too wide for an arc.
 /// @param at, along  the place, start or end, and the direction there
-std::optional<FittedArc> BiarcFitter::half(const Chain& chain, const Flat& start, const Flat& end, const Flat& at,
+std::optional<FittedArc> BiarcFitter::half(const FlatPoints& chain, const Flat& start, const Flat& end, const Flat& at,
                                            const Flat& along) {
   const Flat chord = (&at == &start) ? end - start : start - end;
   const Flat normal{-along.v, along.u, 0.0};

@@ -30,7 +30,7 @@ class BiarcFitter {
  private:
   bool split_at(const Flat& joint);
   Flat on_grid(const Flat& joint) const;
-  std::optional<FittedArc> half(const Chain& chain, const Flat& start, const Flat& end, const Flat& at,
+  std::optional<FittedArc> half(const FlatPoints& chain, const Flat& start, const Flat& end, const Flat& at,
                                 const Flat& along);
 
   const Curve& curve_;
@@ -40,7 +40,7 @@ class BiarcFitter {
   int plane_ = 17;
   PlaneOfArcs axes_;
   Eigen::Vector3d start_;
-  Chain chain_, before_, behind_;
+  FlatPoints chain_, before_, behind_;
   Flat met_;  // where the chain is nearest to the joint
   std::vector<double> angles_;
 };

@@ -28,6 +28,6 @@ struct PlaneOfArcs {
   Eigen::Index first, second, normal;
 };
 
-using Chain = std::vector<Flat>;
+using FlatPoints = std::vector<Flat>;
 
 }  // namespace toolpace::detail::rewrite

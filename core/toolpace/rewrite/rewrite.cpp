@@ -200,9 +200,17 @@ class Rewriter {
   }
 
   Rewritten result(std::string text, Reading after, double deviation) const {
-    Rewritten result{std::move(text), std::move(after), deviation, 0, unproven_, slower_, {}, {}};
-    for (const Edit& edit : edits_) {
-      for (const Stretch& stretch : edit.stretches) {
+    Rewritten result{std::move(text), std::move(after), deviation, 0, unproven_, slower_, {}, {}, {}};
+    for (std::size_t k = 0; k < edits_.size(); ++k) {
+      const Edit& edit = edits_[k];
+      for (std::size_t s = 0; s < edit.stretches.size(); ++s) {
+        const Stretch& stretch = edit.stretches[s];
+        const bool is_new = std::any_of(stretch.spans.begin(), stretch.spans.end(),
+                                        [](const Span& span) { return span.kind != Span::Kind::kept; });
+        if (is_new) {
+          const Rows& rows = rows_[k][s];
+          result.parts.push_back({edit.run.row + stretch.first, edit.run.row + stretch.last, rows.first, rows.last});
+        }
         if (stretch.fit == Stretch::Fit::kept) result.slower += stretch.last - stretch.first;
         for (const Span& span : stretch.spans) result.replaced += span.kind == Span::Kind::kept ? 0 : 1;
       }

@@ -31,6 +31,12 @@ struct RewriteOptions {
   std::optional<FeedLimits> feeds = {};  ///< where they are given, feeds are lowered to what keeps them; after all else
 };
 
+/// A stretch of the program that was written anew. Rows are those of Moves.
+struct RewrittenPart {
+  std::size_t first = 0, last = 0;          ///< of the program: first … last − 1
+  std::size_t new_first = 0, new_last = 0;  ///< what stands for them
+};
+
 struct Rewritten {
   std::string text;
   Reading reading;             ///< of the text
@@ -39,6 +45,7 @@ struct Rewritten {
   std::size_t unproven = 0;    ///< others that were tried, did not pass the proof, and were taken back
   std::size_t slower = 0;      ///< rows of the program that stay as they were because the machine would take longer
   std::optional<double> time_before, time_after;  ///< [s] by the timer
+  std::vector<RewrittenPart> parts = {};          ///< in the order of the program
 };
 
 /// Replaces runs of plain G1, G2 and G3 lines by the longest lines, arcs and helices within the tolerance. Everything else stays
