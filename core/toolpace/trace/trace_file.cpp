@@ -234,4 +234,19 @@ double TraceFile::progress() const {
   return std::min(1.0, static_cast<double>(inside_->lines.at()) / static_cast<double>(inside_->size));
 }
 
+Result<TracePreview> preview_trace(const std::filesystem::path& file, const Monitor& monitor) {
+  auto input = InputFile::open(file, monitor);
+  if (!input) return tl::unexpected(input.error());
+  const std::string name = file.string();
+  LineReader lines(std::move(*input));
+  auto layout = detail::find_layout(lines, name);
+  if (!layout) return tl::unexpected(layout.error());
+  TracePreview preview{guess_columns(*layout), {}};
+  // What cannot be settled yet is for a person to say.
+  if (auto settled = preview.columns; settle_columns(settled, {}, name)) preview.columns = std::move(settled);
+  guess_time_unit(preview.columns, *layout);
+  preview.rows = std::move(layout->begin);
+  return preview;
+}
+
 }  // namespace toolpace

@@ -58,4 +58,13 @@ class TraceFile {
   std::unique_ptr<Inside> inside_;
 };
 
+/// What a file holds, before anybody has said what its columns mean.
+struct TracePreview {
+  std::vector<TraceColumn> columns;       ///< as they are guessed
+  std::vector<std::vector<double>> rows;  ///< the first ones, as numbers of the file
+};
+
+/// Errors: io; cancelled; input: trace-empty, trace-broken.
+Result<TracePreview> preview_trace(const std::filesystem::path& file, const Monitor& monitor = {});
+
 }  // namespace toolpace
