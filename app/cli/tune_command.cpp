@@ -102,7 +102,7 @@ Result<std::string> machine_text(const TuneFlags& flags, const Setup& setup) {
 struct Found {
   const TuneFlags& flags;
   Setup setup;
-  Tuning tuning;
+  TuneResult tuning;
 
   std::vector<SettingFlag> settings(const Tuned& tuned) const {
     return setting_flags(flags.job, setup, setup_of(*tuned.job));
@@ -119,7 +119,7 @@ Json point_json(const Found& found, const Tuned& tuned) {
 }
 
 Json tune_json(const Found& found, const Diagnostics& warnings) {
-  const Tuning& t = found.tuning;
+  const TuneResult& t = found.tuning;
   Json front = Json::array(), told = Json::array();
   for (const Tuned& point : t.front) front.push_back(point_json(found, point));
   for (const Diagnostic& w : warnings)
@@ -145,7 +145,7 @@ void print_point(const Found& found, const char* title, const Tuned& point) {
 }
 
 void print_found(const Found& found) {
-  const Tuning& t = found.tuning;
+  const TuneResult& t = found.tuning;
   fmt::print("{}\n  plans       {}\n", found.flags.reading.program, t.plans);
   fmt::print("  {:<11} {:>13} {:>13} {} settings\n", "", "cycle time", "contour error",
              t.present.objectives.vibration ? "    vibration" : "");

@@ -15,6 +15,9 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   open_example = add("openExampleAction", "");
   close_window = add("quitAction", "", {QKeySequence("Ctrl+Q")});
   export_setpoints = add("exportSetpointsAction", "export", {QKeySequence("Ctrl+E")});
+  export_program = add("exportProgramAction", "", {QKeySequence("Ctrl+Shift+P")});
+  open_trace = add("openTraceAction", "", {QKeySequence("Ctrl+Shift+O")});
+  close_trace = add("closeTraceAction", "");
   export_pulses = add("exportPulsesAction", "", {QKeySequence("Ctrl+Shift+E")});
   axis_derivatives = addToggle("axisDerivativesAction", "");
   decimal_comma = addToggle("decimalCommaAction", "");
@@ -63,6 +66,7 @@ void Actions::addPlan() {
   unpin = add("unpinAction", "", {QKeySequence("Ctrl+Shift+B")});
   swap = add("swapAction", "swap", {QKeySequence("Ctrl+T")});
   sweep = add("sweepAction", "sweep", {QKeySequence("Ctrl+L")});
+  tune = add("tuneAction", "", {QKeySequence("Ctrl+J")});
   what_if = add("whatIfAction", "", {QKeySequence("Ctrl+I")});
   hold = add("holdAction", "pause", {QKeySequence("Ctrl+H")});
   no_hold = add("noHoldAction", "", {QKeySequence("Ctrl+Shift+H")});
@@ -124,6 +128,9 @@ void Actions::retranslate() {
   open_example->setText(tr("Open the e&xample"));
   close_window->setText(tr("&Quit"));
   export_setpoints->setText(tr("&Setpoints…"));
+  export_program->setText(tr("&Program for this controller…"));
+  open_trace->setText(tr("Open &trace…"));
+  close_trace->setText(tr("C&lose the trace"));
   export_pulses->setText(tr("Step p&ulses…"));
   axis_derivatives->setText(tr("Setpoints with v, a, j of each &axis"));
   decimal_comma->setText(tr("Semicolon files with &decimal comma"));
@@ -162,7 +169,8 @@ void Actions::retranslate() {
   unpin->setText(tr("Let &go of B"));
   swap->setText(tr("S&wap A and B"));
   sweep->setText(tr("Sweep the look-a&head"));
-  what_if->setText(tr("What would more &limits save?"));
+  tune->setText(tr("Find the &best settings"));
+  what_if->setText(tr("Which setting he&lps most?"));
   hold->setText(tr("Feed &hold at the cursor"));
   no_hold->setText(tr("Take the feed h&old away"));
   fit->setText(tr("&Fit"));

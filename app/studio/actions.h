@@ -28,7 +28,7 @@ class Actions : public QObject {
   QAction *play, *previous_line, *next_line, *to_start, *to_end, *cancel, *next_problem, *slowest_place;
   QAction *fit, *view_xy, *view_xz, *view_yz, *view_zx, *view_iso;
   std::vector<QAction*> presets;  ///< of ui::plan_presets(), in their order
-  QAction *pin, *unpin, *swap, *sweep, *what_if, *hold, *no_hold;
+  QAction *pin, *unpin, *swap, *sweep, *tune, *what_if, *export_program, *open_trace, *close_trace, *hold, *no_hold;
   QAction *dark, *touch, *inch, *per_minute, *hold_heights, *fit_cutting, *line_times, *rapids, *print, *english,
       *chinese, *reset_layout;
   QAction *show_handbook, *show_keys, *about;

@@ -15,6 +15,7 @@
 
 #include "jobs/regular_file.h"
 #include "models/block_name.h"
+#include "panels/causes_panel.h"
 #include "panels/circle_panel.h"
 #include "panels/controller_section.h"
 #include "panels/dock_title.h"
@@ -27,8 +28,8 @@
 #include "panels/spectrum_page.h"
 #include "panels/sweep_panel.h"
 #include "panels/transport_bar.h"
+#include "panels/tune_page.h"
 #include "panels/tuning_panel.h"
-#include "panels/what_if_panel.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
 #include "tab_order.h"
@@ -131,6 +132,7 @@ void MainWindow::showPlan() {
   actions_->pin->setEnabled(has_plan);
   actions_->hold->setEnabled(has_plan);
   actions_->no_hold->setEnabled(workspace_.tuning().value().options.hold_at.has_value());
+  followTrace();
   showCursor(workspace_.cursorTime());
 }
 
@@ -266,8 +268,12 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = event->mimeData()->urls().constFirst().toLocalFile();
   event->acceptProposedAction();
   const bool is_machine = is_machine_file(path);
-  const auto open = [this, path, is_machine] { is_machine ? chooseMachine(path) : openProgram(path); };
-  const bool asks = is_machine ? machine_.isModified() : workspace_.program().isModified();
+  const bool is_trace = !is_machine && workspace_.document() && isTrace(path);
+  const auto open = [this, path, is_machine, is_trace] {
+    if (is_trace) return chooseTrace(path);
+    is_machine ? chooseMachine(path) : openProgram(path);
+  };
+  const bool asks = is_trace || (is_machine ? machine_.isModified() : workspace_.program().isModified());
   if (!asks) return open();
   QMetaObject::invokeMethod(this, open, Qt::QueuedConnection);  // whoever drags waits for the drop to be over
 }

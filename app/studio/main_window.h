@@ -16,6 +16,8 @@
 #include "controller_file.h"
 #include "drawing/plan_view.h"
 #include "jobs/export_service.h"
+#include "jobs/rewrite_service.h"
+#include "jobs/trace_service.h"
 #include "jobs/workspace.h"
 #include "machine_file.h"
 #include "models/problem_action.h"
@@ -31,6 +33,7 @@ class QMenuBar;
 class QPrinter;
 
 namespace toolpace::ui {
+class CausesPanel;
 class CirclePanel;
 class ChangeBar;
 class ContourView;
@@ -48,9 +51,10 @@ class SingleMovePage;
 class SpectrumPage;
 class StepperPage;
 class SweepPanel;
+class TracePage;
 class TransportBar;
+class TunePage;
 class TuningPanel;
-class WhatIfPanel;
 }  // namespace toolpace::ui
 
 namespace toolpace::studio {
@@ -83,6 +87,10 @@ class MainWindow : public QMainWindow {
   bool storeSettingsAs(const QString& path);
   /// In a worker; the status line tells when it is done. .pulses.csv = step pulses.
   void saveSetpoints(const QString& path);
+  /// The same for a program that was written anew.
+  void storeRewritten(std::shared_ptr<const ui::RewriteFound> found, const QString& path);
+  /// Lays a trace beside the plan, in a worker, by these columns; again for each plan that follows.
+  void openTrace(const QString& path, const TraceOptions& options);
   void setTimerFrequency(double hz);  ///< of the pulses' timer
   enum class Picture { contour, plots, window };
   bool saveReport(const QString& path);
@@ -94,7 +102,7 @@ class MainWindow : public QMainWindow {
   void setPerMinute(bool per_minute);
   void setLanguage(const QString& language);  ///< "en" or "zh_CN"
   /// True when nothing is being read or planned any more.
-  bool isSettled() const { return !workspace_.isBusy() && !exporter_.isBusy(); }
+  bool isSettled() const { return !workspace_.isBusy() && !exporter_.isBusy() && !tracer_.isBusy(); }
   /// And when no better picture of it is on its way.
   bool isAtRest() const;
 
@@ -197,7 +205,16 @@ class MainWindow : public QMainWindow {
   Result<void> checkOutput(const QString& path, Output output);
   Result<void> mayWrite(const QString& path, Output output = Output::exported);
   QString askFile(const QString& title, const QString& suffix, const QStringList& filters);
+  void askRewrite();
   void connectExporter();
+  // main_window_trace.cpp
+  void connectTrace();
+  void askTrace();
+  void chooseTrace(const QString& path);
+  void closeTrace();
+  void followTrace();
+  void takeTrace(const std::shared_ptr<const ui::MeasuredTrace>& trace);
+  bool isTrace(const QString& path) const;
   // main_window_help.cpp
   void goToProblem();
   void goToSlowest();
@@ -224,6 +241,8 @@ class MainWindow : public QMainWindow {
   Preferences preferences_;
   ui::Workspace workspace_;
   ui::ExportService exporter_;
+  ui::RewriteService rewriter_;
+  ui::TraceService tracer_;
   std::optional<Diagnostic>
       failure_;  ///< of the last file that could not be read or written, until something else is done
   MachineFile machine_{workspace_.tuning()};
@@ -242,7 +261,7 @@ class MainWindow : public QMainWindow {
   ui::ChangeBar* settings_bar_ = nullptr;
   ui::ControllerPanel* controller_ = nullptr;
   ui::ResultsPanel* results_ = nullptr;
-  ui::WhatIfPanel* what_if_ = nullptr;
+  ui::CausesPanel* causes_ = nullptr;
   ui::LossPanel* loss_ = nullptr;
   ui::SweepPanel* sweep_ = nullptr;
   ui::CirclePanel* circle_ = nullptr;
@@ -250,6 +269,8 @@ class MainWindow : public QMainWindow {
   ui::SingleMovePage* single_move_ = nullptr;
   ui::StepperPage* stepper_ = nullptr;
   ui::SpectrumPage* spectrum_ = nullptr;
+  ui::TunePage* tune_ = nullptr;
+  ui::TracePage* trace_ = nullptr;
   ui::DrivesPage* drives_ = nullptr;
   ui::ReadingPage* reading_ = nullptr;
   ui::WelcomeBar* welcome_ = nullptr;

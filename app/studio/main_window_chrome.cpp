@@ -49,6 +49,8 @@ void MainWindow::buildMenus() {
   export_menu_->addMenu(setpoint_menu_);
   export_menu_->addActions({a.axis_derivatives, a.decimal_comma, a.export_pulses});
   export_menu_->addSeparator();
+  export_menu_->addActions({a.export_program});
+  export_menu_->addSeparator();
   export_menu_->addActions({a.export_picture, a.export_plots, a.export_window, a.export_report});
   language_menu_->addActions({a.english, a.chinese});
   connect(recent_menu_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
@@ -57,7 +59,7 @@ void MainWindow::buildMenus() {
   file_menu_ = menu("fileMenu");
   file_menu_->addAction(a.open);
   file_menu_->addMenu(recent_menu_);
-  file_menu_->addAction(a.open_example);
+  file_menu_->addActions({a.open_example, a.open_trace, a.close_trace});
   file_menu_->addSeparator();
   file_menu_->addActions({a.save_program, a.save_program_as, a.reload});
   file_menu_->addSeparator();
@@ -82,9 +84,10 @@ void MainWindow::buildMenus() {
   plan_menu_->addSeparator();
   plan_menu_->addActions({a.hold, a.no_hold});
   plan_menu_->addSeparator();
-  plan_menu_->addActions({a.sweep, a.what_if, a.cancel});
+  plan_menu_->addActions({a.tune, a.what_if, a.sweep, a.cancel});
   plan_menu_->addSeparator();
-  plan_menu_->addActions({docks_["singleMoveDock"]->toggleViewAction(), docks_["stepperDock"]->toggleViewAction(),
+  plan_menu_->addActions({docks_["tuneDock"]->toggleViewAction(), docks_["traceDock"]->toggleViewAction(),
+                          docks_["singleMoveDock"]->toggleViewAction(), docks_["stepperDock"]->toggleViewAction(),
                           docks_["drivesDock"]->toggleViewAction(), docks_["spectrumDock"]->toggleViewAction()});
   view_menu_ = menu("viewMenu");
   view_menu_->addActions({a.fit, a.rapids, a.hold_heights, a.fit_cutting, a.line_times, a.view_xy, a.view_xz, a.view_yz,
@@ -158,7 +161,7 @@ void MainWindow::fillRecent() {
   }
   if (preferences_.recent_programs.isEmpty()) recent_menu_->addAction(tr("nothing opened yet"))->setEnabled(false);
   recent_menu_->addSeparator();
-  recent_menu_->addAction(actions_->open_example);
+  recent_menu_->addActions({actions_->open_example, actions_->open_trace});
 }
 
 void MainWindow::fillMachines() {

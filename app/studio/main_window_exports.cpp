@@ -16,6 +16,7 @@
 #include "preview/contour_view.h"
 #include "print.h"
 #include "report.h"
+#include "rewrite_dialog.h"
 #include "theme/picture_file.h"
 #include "toolpace/io/output_file.h"
 #include "toolpace/io/output_guard.h"
@@ -129,7 +130,43 @@ void MainWindow::saveSetpoints(const QString& path) {
                   {preferences_.axis_derivatives, preferences_.decimal_comma, preferences_.timer_hz});
 }
 
+/// Comes back to the dialog where no file was named.
+void MainWindow::askRewrite() {
+  const auto& document = workspace_.document();
+  if (!document || rewriter_.isRunning()) return;
+  RewriteDialog dialog({document, workspace_.readOptions(), workspace_.tuning().value(), workspace_.controller().text(),
+                        preferences_.units, theme_},
+                       this);
+  const QString suffix =
+      "." + (QFileInfo(document->name).suffix().isEmpty() ? QString("ngc") : QFileInfo(document->name).suffix());
+  while (dialog.exec() == QDialog::Accepted && dialog.found()) {
+    const QString path =
+        askFile(tr("Save the program for the controller"), "-short" + suffix,
+                {tr("NC programs (*.ngc *.nc *.tap *.gcode *.g *.cnc *.mpf *.txt)"), tr("All files (*)")});
+    if (path.isEmpty()) continue;
+    storeRewritten(dialog.found(), path);
+    break;
+  }
+}
+
+void MainWindow::storeRewritten(std::shared_ptr<const ui::RewriteFound> found, const QString& path) {
+  if (rewriter_.isRunning() || !mayWrite(path)) return;
+  transport_->setTask(tr("saving"));
+  transport_->setBusy(true);
+  rewriter_.save(std::move(found), path);
+}
+
 void MainWindow::connectExporter() {
+  connect(&rewriter_, &ui::RewriteService::progressed, transport_, &ui::TransportBar::setProgress);
+  connect(&rewriter_, &ui::RewriteService::finished, this, [this] {
+    transport_->setBusy(workspace_.isBusy());
+    showState();
+  });
+  connect(&rewriter_, &ui::RewriteService::saved, this,
+          [this](const QString& file) { transport_->setMessage(tr("saved %1").arg(QFileInfo(file).fileName())); });
+  connect(&rewriter_, &ui::RewriteService::failed, this,
+          [this](const Error& error, const QString& file) { showFailure(error, file); });
+  connect(transport_, &ui::TransportBar::cancelRequested, this, [this] { rewriter_.cancel(); });
   connect(&exporter_, &ui::ExportService::progressed, transport_, &ui::TransportBar::setProgress);
   connect(&exporter_, &ui::ExportService::saved, this, [this](const QString& file, qulonglong rows) {
     transport_->setBusy(workspace_.isBusy());

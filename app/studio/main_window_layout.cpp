@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "main_window.h"
+#include "panels/causes_panel.h"
 #include "panels/change_bar.h"
 #include "panels/circle_panel.h"
 #include "panels/controller_panel.h"
@@ -22,9 +23,10 @@
 #include "panels/spectrum_page.h"
 #include "panels/stepper_page.h"
 #include "panels/sweep_panel.h"
+#include "panels/trace_page.h"
 #include "panels/transport_bar.h"
+#include "panels/tune_page.h"
 #include "panels/tuning_panel.h"
-#include "panels/what_if_panel.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
 
@@ -66,7 +68,7 @@ void MainWindow::buildPanels() {
   buildController(tuning_page);
   stack({machine_bar_, settings_bar_, tuning_}, tuning_page);
   results_ = new ui::ResultsPanel(this);
-  what_if_ = new ui::WhatIfPanel(this);
+  causes_ = new ui::CausesPanel(this);
   loss_ = new ui::LossPanel(this);
   sweep_ = new ui::SweepPanel(this);
   circle_ = new ui::CirclePanel(this);
@@ -76,7 +78,7 @@ void MainWindow::buildPanels() {
   addDock("tuningDock", tuning_page, Qt::RightDockWidgetArea, true);
   addDock("resultsDock", results_, Qt::RightDockWidgetArea, false);
   addDock("controllerDock", controller_, Qt::RightDockWidgetArea, false);
-  addDock("limitsDock", what_if_, Qt::RightDockWidgetArea, false);
+  addDock("limitsDock", causes_, Qt::RightDockWidgetArea, false);
   addDock("lossDock", loss_, Qt::RightDockWidgetArea, false);
   addDock("sweepDock", sweep_, Qt::RightDockWidgetArea, false);
   addDock("circleDock", circle_, Qt::RightDockWidgetArea, false);
@@ -89,6 +91,10 @@ void MainWindow::buildPanels() {
   drives_ = new ui::DrivesPage(workspace_.tuning(), this);
   reading_ = new ui::ReadingPage(this);
   spectrum_ = new ui::SpectrumPage(this);
+  trace_ = new ui::TracePage(this);
+  addTool("traceDock", trace_, {560, 560});
+  tune_ = new ui::TunePage(workspace_.tuning(), this);
+  addTool("tuneDock", tune_, {960, 620});
   addTool("spectrumDock", spectrum_, {760, 560});
   addTool("drivesDock", drives_, {640, 340});
   addTool("readingDock", reading_, {520, 420});
@@ -99,8 +105,8 @@ void MainWindow::buildPanels() {
   statusBar()->setSizeGripEnabled(false);
   statusBar()->setContentsMargins(0, 0, 0, 0);
   statusBar()->addWidget(transport_, 1);
-  plan_views_ = {nc_,   contour_, profile_, tuning_, results_,  controller_, what_if_,
-                 loss_, sweep_,   circle_,  drives_, spectrum_, transport_};
+  plan_views_ = {nc_,    contour_, profile_, tuning_,   results_, controller_, causes_,   loss_,
+                 sweep_, circle_,  drives_,  spectrum_, tune_,    trace_,      transport_};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, QWidget* content, Qt::DockWidgetArea area, bool titled) {

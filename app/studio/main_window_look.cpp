@@ -6,6 +6,7 @@
 #include <QToolBar>
 
 #include "main_window.h"
+#include "panels/causes_panel.h"
 #include "panels/circle_panel.h"
 #include "panels/dock_title.h"
 #include "panels/loss_panel.h"
@@ -18,7 +19,6 @@
 #include "panels/sweep_panel.h"
 #include "panels/transport_bar.h"
 #include "panels/tuning_panel.h"
-#include "panels/what_if_panel.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
 #include "theme/appearance.h"
@@ -114,6 +114,8 @@ void MainWindow::retranslate() {
   title("circleDock", tr("Circle"));
   title("singleMoveDock", tr("Single move"));
   title("stepperDock", tr("Stepper pulses"));
+  title("traceDock", tr("Trace"));
+  title("tuneDock", tr("Tune"));
   title("drivesDock", tr("Drives"));
   title("spectrumDock", tr("Spectrum and speeds"));
   title("readingDock", tr("Reading options"));

@@ -12,9 +12,10 @@
 #include "panels/results_panel.h"
 #include "panels/spectrum_page.h"
 #include "panels/sweep_panel.h"
+#include "panels/trace_page.h"
 #include "panels/transport_bar.h"
+#include "panels/tune_page.h"
 #include "panels/tuning_panel.h"
-#include "panels/what_if_panel.h"
 #include "plots/profile_plot.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
@@ -30,6 +31,7 @@ void MainWindow::connectWorkspace() {
   connectProgram();
   connectMachine();
   connectController();
+  connectTrace();
   connect(&workspace_, &Workspace::planChanged, this, &MainWindow::showPlan);
   connect(&workspace_, &Workspace::pinnedChanged, this, &MainWindow::showPlans);
   connect(&workspace_, &Workspace::proofChanged, this, &MainWindow::showPlans);
@@ -67,6 +69,7 @@ void MainWindow::connectPanels() {
   });
   connect(&workspace_.tuning(), &ui::TuningModel::changed, this, &MainWindow::showRotaryAxes);
   connect(loss_, &ui::LossPanel::lineRequested, this, show_line);
+  connect(trace_, &ui::TracePage::lineRequested, this, show_line);
   connect(contour_, &ui::ContourView::cursorTimeRequested, &workspace_, &ui::Workspace::setCursorTime);
   connect(contour_, &ui::ContourView::colourByChanged, &workspace_, &ui::Workspace::setShown);
   connect(contour_, &ui::ContourView::colourMapChanged, this, [this](ui::ColourMap map) {
@@ -109,6 +112,10 @@ void MainWindow::connectActions() {
   on(a.export_setpoints, [this] { askExport(); });
   on(a.print, [this] { print(); });
   on(a.export_pulses, [this] { exportPulses(); });
+  on(a.export_program, [this] { askRewrite(); });
+  on(a.open_trace, [this] { askTrace(); });
+  on(a.close_trace, [this] { closeTrace(); });
+  a.close_trace->setEnabled(false);
   on(a.axis_derivatives, [this](bool with) { preferences_.axis_derivatives = with; });
   on(a.decimal_comma, [this](bool with) { preferences_.decimal_comma = with; });
   a.axis_derivatives->setChecked(preferences_.axis_derivatives);
@@ -161,10 +168,17 @@ void MainWindow::connectActions() {
     docks_["sweepDock"]->raise();
     sweep_->compute();
   });
-  on(a.what_if, [this] {
-    docks_["limitsDock"]->show();
-    docks_["limitsDock"]->raise();
-    what_if_->compute();
+  const auto show_tune = [this] {
+    docks_["tuneDock"]->show();
+    docks_["tuneDock"]->raise();
+  };
+  on(a.tune, [this, show_tune] {
+    show_tune();
+    tune_->search();
+  });
+  on(a.what_if, [this, show_tune] {
+    show_tune();
+    tune_->changes().compute();
   });
   on(a.hold, [this] { holdAt(workspace_.cursorTime()); });
   on(a.no_hold, [this] { holdAt(std::nullopt); });

@@ -187,14 +187,6 @@
             <translation>路径加速度（最高精度）</translation>
         </message>
         <message>
-            <source>Acceleration time, shorter</source>
-            <translation>加速时间（缩短）</translation>
-        </message>
-        <message>
-            <source>Deceleration time, shorter</source>
-            <translation>减速时间（缩短）</translation>
-        </message>
-        <message>
             <source>Tolerance</source>
             <translation>公差</translation>
         </message>
@@ -269,6 +261,14 @@
         <message>
             <source>Damping of the resonance of %1</source>
             <translation>%1 谐振阻尼</translation>
+        </message>
+        <message>
+            <source>Acceleration time</source>
+            <translation>加速时间</translation>
+        </message>
+        <message>
+            <source>Deceleration time</source>
+            <translation>减速时间</translation>
         </message>
     </context>
     <context>
@@ -3268,10 +3268,6 @@
             <translation>扫描前瞻深度(&amp;H)</translation>
         </message>
         <message>
-            <source>What would more &amp;limits save?</source>
-            <translation>放宽限值能省多少？(&amp;L)</translation>
-        </message>
-        <message>
             <source>&amp;Fit</source>
             <translation>适合窗口(&amp;F)</translation>
         </message>
@@ -3418,6 +3414,26 @@
         <message>
             <source>&amp;Times beside the lines</source>
             <translation>行旁显示用时(&amp;T)</translation>
+        </message>
+        <message>
+            <source>&amp;Program for this controller…</source>
+            <translation>适合此控制器的程序(&amp;P)…</translation>
+        </message>
+        <message>
+            <source>Open &amp;trace…</source>
+            <translation>打开测量记录(&amp;T)…</translation>
+        </message>
+        <message>
+            <source>C&amp;lose the trace</source>
+            <translation>关闭测量记录(&amp;L)</translation>
+        </message>
+        <message>
+            <source>Find the &amp;best settings</source>
+            <translation>寻找最佳设置(&amp;B)</translation>
+        </message>
+        <message>
+            <source>Which setting he&amp;lps most?</source>
+            <translation>哪项设置最有用(&amp;L)？</translation>
         </message>
     </context>
     <context>
@@ -3804,6 +3820,30 @@
             <source>Runs on %1</source>
             <translation>运行于 %1</translation>
         </message>
+        <message>
+            <source>Save the program for the controller</source>
+            <translation>保存适合控制器的程序</translation>
+        </message>
+        <message>
+            <source>NC programs (*.ngc *.nc *.tap *.gcode *.g *.cnc *.mpf *.txt)</source>
+            <translation>NC 程序 (*.ngc *.nc *.tap *.gcode *.g *.cnc *.mpf *.txt)</translation>
+        </message>
+        <message>
+            <source>Trace</source>
+            <translation>测量记录</translation>
+        </message>
+        <message>
+            <source>Tune</source>
+            <translation>调优</translation>
+        </message>
+        <message>
+            <source>Open a trace</source>
+            <translation>打开测量记录</translation>
+        </message>
+        <message>
+            <source>Traces (*.csv *.txt *.tsv *.dat *.log);;All files (*)</source>
+            <translation>测量记录 (*.csv *.txt *.tsv *.dat *.log);;所有文件 (*)</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::studio::Report</name>
@@ -4014,6 +4054,10 @@
         <message>
             <source>Dashed: rapids, and the plan that is pinned as B. Red: where the simulated drives go, enlarged</source>
             <translation>虚线：快移，以及固定为 B 的规划。红色：放大后的仿真驱动轨迹</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>实测</translation>
         </message>
     </context>
     <context>
@@ -4365,6 +4409,22 @@
         <message>
             <source>A: this plan, B: the one that is pinned. Dashed grey: what feed, machine and curves allow in each block; pale: the programmed feed</source>
             <translation>A：当前规划，B：固定的规划。灰色虚线：进给、机床和曲率在各段允许的值；浅色：编程进给</translation>
+        </message>
+        <message>
+            <source>Following</source>
+            <translation>跟随</translation>
+        </message>
+        <message>
+            <source>Following error</source>
+            <translation>跟随误差</translation>
+        </message>
+        <message>
+            <source>Following error of each axis of the trace as a plot of its own</source>
+            <translation>以单独的曲线图显示测量记录中各轴的跟随误差</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>实测</translation>
         </message>
     </context>
     <context>
@@ -5156,49 +5216,6 @@
         </message>
     </context>
     <context>
-        <name>toolpace::ui::WhatIfPanel</name>
-        <message>
-            <source>planning… %1 %</source>
-            <translation>规划中… %1 %</translation>
-        </message>
-        <message>
-            <source>10 % more of each limit</source>
-            <translation>各限值提高 10 %</translation>
-        </message>
-        <message>
-            <source>Held down by</source>
-            <translation>受限于</translation>
-        </message>
-        <message>
-            <source>Time</source>
-            <translation>时间</translation>
-        </message>
-        <message>
-            <source>If raised</source>
-            <translation>若提高</translation>
-        </message>
-        <message>
-            <source>Saves</source>
-            <translation>节省</translation>
-        </message>
-        <message>
-            <source>Where the time goes</source>
-            <translation>时间花在哪里</translation>
-        </message>
-        <message>
-            <source>What raising a limit saves</source>
-            <translation>提高限值能省的时间</translation>
-        </message>
-        <message>
-            <source>Plan it</source>
-            <translation>开始规划</translation>
-        </message>
-        <message>
-            <source>Plan again with each limit 10 % higher and list what it saves</source>
-            <translation>将各限值分别提高 10 % 重新规划，并列出节省的时间</translation>
-        </message>
-    </context>
-    <context>
         <name>toolpace::ui::Workspace</name>
         <message>
             <source>Swap A and B</source>
@@ -5963,6 +5980,38 @@
             <source>run across blocks</source>
             <translation>跨程序段</translation>
         </message>
+        <message>
+            <source>velocity law</source>
+            <translation>速度规律</translation>
+        </message>
+        <message>
+            <source>corners</source>
+            <translation>拐角</translation>
+        </message>
+        <message>
+            <source>ramps</source>
+            <translation>加减速段</translation>
+        </message>
+        <message>
+            <source>acceleration</source>
+            <translation>加速度</translation>
+        </message>
+        <message>
+            <source>jerk</source>
+            <translation>加加速度</translation>
+        </message>
+        <message>
+            <source>times of ramps</source>
+            <translation>加减速时间</translation>
+        </message>
+        <message>
+            <source>tolerance</source>
+            <translation>公差</translation>
+        </message>
+        <message>
+            <source>look-ahead</source>
+            <translation>前瞻</translation>
+        </message>
     </context>
     <context>
         <name>SettingDifferences</name>
@@ -6490,6 +6539,681 @@
         <message>
             <source>Write what was changed into the controller&apos;s settings file</source>
             <translation>把更改写入控制器的设置文件</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::studio::RewriteDialog</name>
+        <message>
+            <source>Program for this controller</source>
+            <translation>适合此控制器的程序</translation>
+        </message>
+        <message>
+            <source>Save as…</source>
+            <translation>另存为…</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>关闭</translation>
+        </message>
+        <message>
+            <source>Progress</source>
+            <translation>进度</translation>
+        </message>
+        <message>
+            <source>stopped</source>
+            <translation>已停止</translation>
+        </message>
+        <message>
+            <source>arcs and helices</source>
+            <translation>圆弧和螺旋线</translation>
+        </message>
+        <message>
+            <source>Else lines alone</source>
+            <translation>否则只用直线</translation>
+        </message>
+        <message>
+            <source>lower feeds that cannot be held</source>
+            <translation>降低无法保持的进给</translation>
+        </message>
+        <message>
+            <source>Where axes could not follow, or blocks would come too late; never above the program&apos;s</source>
+            <translation>在轴跟不上或程序段来得太迟之处；绝不高于程序的进给</translation>
+        </message>
+        <message>
+            <source>Result</source>
+            <translation>结果</translation>
+        </message>
+        <message>
+            <source>Before</source>
+            <translation>之前</translation>
+        </message>
+        <message>
+            <source>After</source>
+            <translation>之后</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>变化</translation>
+        </message>
+        <message>
+            <source>What comes of it</source>
+            <translation>所得结果</translation>
+        </message>
+        <message>
+            <source>as the controller reads it</source>
+            <translation>按控制器的读法</translation>
+        </message>
+        <message>
+            <source>bit/s</source>
+            <translation>bit/s</translation>
+        </message>
+        <message>
+            <source>no link</source>
+            <translation>无串口</translation>
+        </message>
+        <message>
+            <source>Runs on</source>
+            <translation>运行于</translation>
+        </message>
+        <message>
+            <source>Read as</source>
+            <translation>读作</translation>
+        </message>
+        <message>
+            <source>Tolerance</source>
+            <translation>公差</translation>
+        </message>
+        <message>
+            <source>Serial link</source>
+            <translation>串口</translation>
+        </message>
+        <message>
+            <source>A block takes</source>
+            <translation>每段用时</translation>
+        </message>
+        <message>
+            <source>Whose times count; parts that would take it longer stay as they are</source>
+            <translation>以谁的时间为准；会用时更长的部分保持原样</translation>
+        </message>
+        <message>
+            <source>The dialect that the program is read in</source>
+            <translation>读取程序所用的方言</translation>
+        </message>
+        <message>
+            <source>How far the new path may be from the old one</source>
+            <translation>新路径与旧路径的最大距离</translation>
+        </message>
+        <message>
+            <source>Bits a second that blocks come at; empty: they are always there</source>
+            <translation>程序段到来的速率（比特每秒）；留空：总是已到</translation>
+        </message>
+        <message>
+            <source>What the controller needs to read a block</source>
+            <translation>控制器读取一个程序段所需的时间</translation>
+        </message>
+        <message>
+            <source>Blue: the program. Red: what is written instead, its deviation enlarged</source>
+            <translation>蓝色：原程序。红色：改写后的程序，偏差已放大</translation>
+        </message>
+        <message>
+            <source>Enlargement of the deviation</source>
+            <translation>偏差放大倍数</translation>
+        </message>
+        <message>
+            <source>The program and what is written instead</source>
+            <translation>原程序与改写后的程序</translation>
+        </message>
+        <message>
+            <source>Lines</source>
+            <translation>行</translation>
+        </message>
+        <message>
+            <source>Blocks</source>
+            <translation>程序段</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>Saves</source>
+            <translation>节省</translation>
+        </message>
+        <message>
+            <source>Where the gain is</source>
+            <translation>收益所在</translation>
+        </message>
+        <message>
+            <source>Toolpace&apos;s plan</source>
+            <translation>Toolpace 的规划</translation>
+        </message>
+        <message>
+            <source>Other settings…</source>
+            <translation>其他设置…</translation>
+        </message>
+        <message>
+            <source>Settings of the controller</source>
+            <translation>控制器的设置</translation>
+        </message>
+        <message>
+            <source>Settings (*.ini *.txt *.cfg *.nc *.gcode *.log);;All files (*)</source>
+            <translation>设置 (*.ini *.txt *.cfg *.nc *.gcode *.log);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>大小</translation>
+        </message>
+        <message>
+            <source>Deviation</source>
+            <translation>偏差</translation>
+        </message>
+        <message>
+            <source>of %1</source>
+            <translation>允许 %1</translation>
+        </message>
+        <message>
+            <source>Nothing gains by being written otherwise: the file would be the program as it is.</source>
+            <translation>改写没有任何收益：文件将与程序原样相同。</translation>
+        </message>
+        <message>
+            <source>%1 blocks stay as they are: otherwise they would take longer.</source>
+            <translation>%1 个程序段保持原样：否则用时更长。</translation>
+        </message>
+        <message>
+            <source>%1 stretches stay as they are: their proof did not hold.</source>
+            <translation>%1 段保持原样：其证明不成立。</translation>
+        </message>
+        <message>
+            <source>The deviation is not drawn.</source>
+            <translation>未绘制偏差。</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>停止</translation>
+        </message>
+        <message>
+            <source>Try again</source>
+            <translation>重试</translation>
+        </message>
+        <message>
+            <source>writing the program anew…</source>
+            <translation>正在改写程序…</translation>
+        </message>
+        <message>
+            <source>Everything but runs of plain G1, G2 and G3 lines stays byte for byte.</source>
+            <translation>除连续的普通 G1、G2、G3 行外，其余逐字节保持不变。</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::studio::TraceDialog</name>
+        <message>
+            <source>Columns of the trace</source>
+            <translation>测量记录的列</translation>
+        </message>
+        <message>
+            <source>What the columns of %1 mean:</source>
+            <translation>%1 各列的含义：</translation>
+        </message>
+        <message>
+            <source>Without a column for the time, from row to row</source>
+            <translation>没有时间列时，行间隔</translation>
+        </message>
+        <message>
+            <source>Time from row to row</source>
+            <translation>行间隔时间</translation>
+        </message>
+        <message>
+            <source>Of a trace without times</source>
+            <translation>用于没有时间的记录</translation>
+        </message>
+        <message>
+            <source>Compare</source>
+            <translation>比较</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Column</source>
+            <translation>列</translation>
+        </message>
+        <message>
+            <source>Means</source>
+            <translation>含义</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>单位</translation>
+        </message>
+        <message>
+            <source>First values</source>
+            <translation>前几个值</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>不使用</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>%1, actual</source>
+            <translation>%1，实际</translation>
+        </message>
+        <message>
+            <source>%1, commanded</source>
+            <translation>%1，指令</translation>
+        </message>
+        <message>
+            <source>Meaning of %1</source>
+            <translation>%1 的含义</translation>
+        </message>
+        <message>
+            <source>Unit of %1</source>
+            <translation>%1 的单位</translation>
+        </message>
+        <message>
+            <source>Two columns mean the same.</source>
+            <translation>有两列含义相同。</translation>
+        </message>
+        <message>
+            <source>No column tells where an axis was.</source>
+            <translation>没有一列给出轴的实际位置。</translation>
+        </message>
+        <message>
+            <source>No column is the time.</source>
+            <translation>没有时间列。</translation>
+        </message>
+        <message>
+            <source>Where an axis was commanded helps to find its lag, but is not needed.</source>
+            <translation>轴的指令位置有助于求出其滞后，但并非必需。</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::CausesPanel</name>
+        <message>
+            <source>Held down by</source>
+            <translation>受限于</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>Where the time goes</source>
+            <translation>时间去向</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::FrontDial</name>
+        <message>
+            <source>vibration %1</source>
+            <translation>振动 %1</translation>
+        </message>
+        <message>
+            <source>rough</source>
+            <translation>粗加工</translation>
+        </message>
+        <message>
+            <source>finish</source>
+            <translation>半精</translation>
+        </message>
+        <message>
+            <source>fine</source>
+            <translation>精加工</translation>
+        </message>
+        <message>
+            <source>From rough to fine</source>
+            <translation>从粗到精</translation>
+        </message>
+        <message>
+            <source>The best settings from the fastest to the most accurate</source>
+            <translation>从最快到最精确的最佳设置</translation>
+        </message>
+        <message>
+            <source>Cycle time and contour error of the settings in use</source>
+            <translation>当前设置的循环时间和轮廓误差</translation>
+        </message>
+        <message>
+            <source>Balanced</source>
+            <translation>均衡</translation>
+        </message>
+        <message>
+            <source>Where a little more accuracy begins to cost much time</source>
+            <translation>再提高一点精度就要多花许多时间之处</translation>
+        </message>
+        <message>
+            <source>Fastest within the limit</source>
+            <translation>限值内最快</translation>
+        </message>
+        <message>
+            <source>The fastest settings whose contour error is within the limit</source>
+            <translation>轮廓误差在限值内的最快设置</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::FrontPlot</name>
+        <message>
+            <source>vibration left by stops</source>
+            <translation>停止后的残余振动</translation>
+        </message>
+        <message>
+            <source>Cycle time against contour error of the best settings</source>
+            <translation>最佳设置的循环时间与轮廓误差</translation>
+        </message>
+        <message>
+            <source>Click on a point to take its settings</source>
+            <translation>点击一点即采用其设置</translation>
+        </message>
+        <message>
+            <source>cycle time</source>
+            <translation>循环时间</translation>
+        </message>
+        <message>
+            <source>contour error</source>
+            <translation>轮廓误差</translation>
+        </message>
+        <message>
+            <source>limit</source>
+            <translation>限值</translation>
+        </message>
+        <message>
+            <source>in use</source>
+            <translation>当前</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::SingleChangesPanel</name>
+        <message>
+            <source>planning… %1 %</source>
+            <translation>规划中… %1 %</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Try each</source>
+            <translation>逐项尝试</translation>
+        </message>
+        <message>
+            <source>Plan again with each limit 10 % up and down and with every other choice, each alone</source>
+            <translation>每次只改一项重新规划：各限值上下 10 %，以及每个其他选项</translation>
+        </message>
+        <message>
+            <source>Each setting alone: what it saves, what error it adds</source>
+            <translation>每项设置单独改变：节省多少，增加多少误差</translation>
+        </message>
+        <message>
+            <source>Of other settings: try again</source>
+            <translation>属于其他设置：请重新尝试</translation>
+        </message>
+        <message>
+            <source>Double click or Enter takes a change. %1 others make no difference.</source>
+            <translation>双击或按回车采用。另有 %1 项没有影响。</translation>
+        </message>
+        <message>
+            <source>What helps most</source>
+            <translation>什么最有用</translation>
+        </message>
+        <message>
+            <source>One change</source>
+            <translation>单项更改</translation>
+        </message>
+        <message>
+            <source>Saves</source>
+            <translation>节省</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>误差</translation>
+        </message>
+        <message>
+            <source>What each change alone saves, and the contour error that it adds</source>
+            <translation>每项更改单独节省的时间和增加的轮廓误差</translation>
+        </message>
+        <message>
+            <source>Double click or Enter takes a change</source>
+            <translation>双击或按回车采用一项更改</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::TracePage</name>
+        <message>
+            <source>comparing…</source>
+            <translation>比较中…</translation>
+        </message>
+        <message>
+            <source>Open what a scope recorded while the program ran</source>
+            <translation>打开程序运行时示波器的记录</translation>
+        </message>
+        <message>
+            <source>%1: %2 rows, the program starts at %3 s of the trace, correlation %4</source>
+            <translation>%1：%2 行，程序始于记录的 %3 s，相关系数 %4</translation>
+        </message>
+        <message>
+            <source>clocks drift by %1 ppm</source>
+            <translation>时钟漂移 %1 ppm</translation>
+        </message>
+        <message>
+            <source>Contour error %1 %3 at most, %2 %3 RMS</source>
+            <translation>轮廓误差最大 %1 %3，均方根 %2 %3</translation>
+        </message>
+        <message>
+            <source>a lag that all axes share does not show</source>
+            <translation>各轴共有的滞后无法看出</translation>
+        </message>
+        <message>
+            <source>It fits at another place of the program nearly as well</source>
+            <translation>它在程序的另一处也几乎同样吻合</translation>
+        </message>
+        <message>
+            <source>Axis %1 moves, and is not in the trace</source>
+            <translation>轴 %1 在运动，但记录中没有它</translation>
+        </message>
+        <message>
+            <source>Axis</source>
+            <translation>轴</translation>
+        </message>
+        <message>
+            <source>Lag</source>
+            <translation>滞后</translation>
+        </message>
+        <message>
+            <source>Following</source>
+            <translation>跟随</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>均方根</translation>
+        </message>
+        <message>
+            <source>Worst line</source>
+            <translation>最差行</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>行</translation>
+        </message>
+        <message>
+            <source>Contour</source>
+            <translation>轮廓</translation>
+        </message>
+        <message>
+            <source>Lag and following error of each axis</source>
+            <translation>各轴的滞后和跟随误差</translation>
+        </message>
+        <message>
+            <source>Click on a row to go to its worst line</source>
+            <translation>点击一行转到其最差的程序行</translation>
+        </message>
+        <message>
+            <source>Contour and following error of each NC line</source>
+            <translation>各 NC 行的轮廓误差和跟随误差</translation>
+        </message>
+        <message>
+            <source>Click on a row to go there</source>
+            <translation>点击一行转到该处</translation>
+        </message>
+        <message>
+            <source>Open trace…</source>
+            <translation>打开记录…</translation>
+        </message>
+        <message>
+            <source>Open a trace</source>
+            <translation>打开测量记录</translation>
+        </message>
+        <message>
+            <source>Columns…</source>
+            <translation>列…</translation>
+        </message>
+        <message>
+            <source>Columns of the trace</source>
+            <translation>测量记录的列</translation>
+        </message>
+        <message>
+            <source>Say anew what the columns mean</source>
+            <translation>重新指定各列的含义</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>关闭</translation>
+        </message>
+        <message>
+            <source>Close the trace</source>
+            <translation>关闭测量记录</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::TunePage</name>
+        <message>
+            <source>searching… %1 %</source>
+            <translation>搜索中… %1 %</translation>
+        </message>
+        <message>
+            <source>Best settings</source>
+            <translation>最佳设置</translation>
+        </message>
+        <message>
+            <source>What changes</source>
+            <translation>更改内容</translation>
+        </message>
+        <message>
+            <source>There: %1</source>
+            <translation>该处：%1</translation>
+        </message>
+        <message>
+            <source>What was changed</source>
+            <translation>已更改的内容</translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation>设置</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>现在</translation>
+        </message>
+        <message>
+            <source>Before</source>
+            <translation>之前</translation>
+        </message>
+        <message>
+            <source>There</source>
+            <translation>该处</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>搜索</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>停止</translation>
+        </message>
+        <message>
+            <source>Plan with many settings and keep those that nothing beats</source>
+            <translation>用许多设置规划，保留无可超越者</translation>
+        </message>
+        <message>
+            <source>Leave what was found</source>
+            <translation>放弃已找到的结果</translation>
+        </message>
+        <message>
+            <source>End the search with what was found so far</source>
+            <translation>以目前找到的结果结束搜索</translation>
+        </message>
+        <message>
+            <source>Cycle time against contour error: which settings nothing beats</source>
+            <translation>循环时间对轮廓误差：哪些设置无可超越</translation>
+        </message>
+        <message>
+            <source>Of another program or other settings: search again</source>
+            <translation>属于其他程序或其他设置：请重新搜索</translation>
+        </message>
+        <message>
+            <source>%1 plans, %2 that nothing beats</source>
+            <translation>%1 次规划，%2 个无可超越</translation>
+        </message>
+        <message>
+            <source>best %1</source>
+            <translation>最佳 %1</translation>
+        </message>
+        <message>
+            <source>none keeps the limit</source>
+            <translation>没有一个满足限值</translation>
+        </message>
+        <message>
+            <source>Contour error ≤</source>
+            <translation>轮廓误差 ≤</translation>
+        </message>
+        <message>
+            <source>as now</source>
+            <translation>同现在</translation>
+        </message>
+        <message>
+            <source>Largest contour error</source>
+            <translation>最大轮廓误差</translation>
+        </message>
+        <message>
+            <source>Largest contour error through the drives that the best may have; empty: that of the settings as they are</source>
+            <translation>最佳设置经驱动后允许的最大轮廓误差；留空：与当前设置相同</translation>
+        </message>
+        <message>
+            <source>Plans</source>
+            <translation>规划次数</translation>
+        </message>
+        <message>
+            <source>Number of plans</source>
+            <translation>规划次数</translation>
+        </message>
+        <message>
+            <source>How many plans the search may make</source>
+            <translation>搜索最多可做多少次规划</translation>
+        </message>
+        <message>
+            <source>Settings that change</source>
+            <translation>更改的设置</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::VaryButton</name>
+        <message>
+            <source>Vary: all</source>
+            <translation>可变：全部</translation>
+        </message>
+        <message>
+            <source>Vary: %1 of %2</source>
+            <translation>可变：%1/%2</translation>
+        </message>
+        <message>
+            <source>Which settings the search may change</source>
+            <translation>搜索可以更改哪些设置</translation>
         </message>
     </context>
 </TS>

@@ -53,13 +53,13 @@ std::vector<Position> grid_of(const TuningSpace& space, std::size_t plans) {
   return grid;
 }
 
-std::vector<Objectives> front_of(const Tuning& t) {
+std::vector<Objectives> front_of(const TuneResult& t) {
   std::vector<Objectives> list;
   for (const Tuned& point : t.front) list.push_back(point.objectives);
   return list;
 }
 
-double best_of(const Tuning& t) { return t.best ? t.front[*t.best].objectives.cycle_time : kUnlimited; }
+double best_of(const TuneResult& t) { return t.best ? t.front[*t.best].objectives.cycle_time : kUnlimited; }
 
 int compare(const Setup& setup, double contour, std::size_t plans, const char* name) {
   auto reading = read_file(name, {});

@@ -1,5 +1,6 @@
 /// A worker whose task throws tells so, and works on.
 
+#include <QDockWidget>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -11,7 +12,7 @@
 #include "jobs/background.h"
 #include "opened.h"
 #include "panels/sweep_panel.h"
-#include "panels/what_if_panel.h"
+#include "panels/tune_page.h"
 #include "support/memory_limit.h"
 #include "support/ui_test.h"
 
@@ -139,16 +140,22 @@ class BackgroundTest : public QObject {
     window.open(winding_text(kBlocks));
     window.waitForProof();
     auto& sweep = window.the<SweepPanel>("sweepPanel");
-    auto& what_if = window.the<WhatIfPanel>("whatIfPanel");
-    QSignalSpy swept(&sweep, &SweepPanel::computed), saved(&what_if, &WhatIfPanel::computed);
+    auto& page = window.the<TunePage>("tunePage");
+    window.the<QDockWidget>("tuneDock").show();
+    studio::settle(window);
+    QSignalSpy swept(&sweep, &SweepPanel::computed), tried(&page.changes(), &SingleChangesPanel::computed),
+        searched(&page, &TunePage::searched);
     {
       const MemoryLimit limit(kLittle);
       sweep.compute();
-      what_if.compute();
-      TOOLPACE_EVENTUALLY_EQUAL(swept.count() + saved.count(), 2);
+      page.changes().compute();
+      page.search();
+      TOOLPACE_EVENTUALLY_EQUAL(swept.count() + tried.count() + searched.count(), 3);
     }
     QCOMPARE(window.the<QLabel>("sweepVerdict").text(), QString("there is not enough memory for this"));
     QVERIFY(window.the<QPushButton>("sweepButton").isEnabled());
+    QCOMPARE(window.the<QLabel>("changesHint").text(), QString("there is not enough memory for this"));
+    QCOMPARE(window.the<QLabel>("tuneVerdict").text(), QString("there is not enough memory for this"));
   }
 
   void an_export_without_memory_leaves_no_file() {

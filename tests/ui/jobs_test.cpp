@@ -153,17 +153,18 @@ class JobsTest : public QObject {
     Workspace workspace;
     workspace.openText(kSquare, "square.ngc");
     QVERIFY(comes_to_rest(workspace));
-    TuneService sweeps, savings;
+    TuneService sweeps, savings, searches;
     ExportService exporter;
     QTemporaryDir folder;
-    QSignalSpy swept(&sweeps, &TuneService::swept), found(&savings, &TuneService::savingsFound),
-        saved(&exporter, &ExportService::saved);
+    QSignalSpy swept(&sweeps, &TuneService::swept), found(&savings, &TuneService::changesTried),
+        best(&searches, &TuneService::tuned), saved(&exporter, &ExportService::saved);
     const auto job = workspace.job();
     sweeps.sweep(job);
-    savings.findSavings(job, workspace.timeline()->duration());
+    savings.trySingleChanges(job);
+    searches.search(job, {.plans = 20});
     exporter.start(workspace.timeline()->outcome(), folder.filePath("out.npz"));
     workspace.tuning().edit("edit", "key", [](Tuning& t) { t.machine.path.speed = 30; });
-    TOOLPACE_EVENTUALLY(!swept.isEmpty() && !found.isEmpty() && !saved.isEmpty());
+    TOOLPACE_EVENTUALLY(!swept.isEmpty() && !found.isEmpty() && !best.isEmpty() && !saved.isEmpty());
     QVERIFY(comes_to_rest(workspace));
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{"out.npz"});
   }

@@ -15,7 +15,6 @@
 #include "panels/number_field.h"
 #include "panels/result_model.h"
 #include "panels/sweep_panel.h"
-#include "panels/what_if_panel.h"
 #include "plots/profile_view.h"
 #include "preview/contour_view.h"
 #include "screenshot.h"
@@ -192,19 +191,6 @@ class WindowTest : public QObject {
     QVERIFY(!sweep.points.back().lookahead);
     QVERIFY(sweep.points[sweep.knee].cycle_time <= sweep.points.back().cycle_time * 1.01);
     ui::screenshot(window, "window-sweep");
-  }
-
-  void raising_limits_tells_what_it_saves() {
-    Opened window;
-    auto& panel = window.the<ui::WhatIfPanel>("whatIfPanel");
-    QSignalSpy computed(&panel, &ui::WhatIfPanel::computed);
-    window.actions().what_if->trigger();
-    QVERIFY(ui::eventually(computed));
-    auto& table = window.the<QTableView>("leverTable");
-    QVERIFY(table.model()->rowCount() >= 5);
-    const double best = table.model()->index(0, 1).data().toString().toDouble();
-    QVERIFY2(best > 0, "more acceleration must save something on the butterfly");
-    ui::screenshot(window, "window-limits");
   }
 
   void every_control_has_a_name_for_people_and_for_tests() {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "drawing/controlled.h"
+#include "drawing/measured_trace.h"
 #include "drawing/planned.h"
 #include "models/instant.h"
 #include "models/units.h"
@@ -21,6 +22,8 @@ class PlanView {
   virtual void showPlans(const Planned& /*plan*/, const Planned& /*pinned*/) {}
   /// The controller that the program runs on, and what it does with it.
   virtual void showController(const ControllerView& /*view*/) {}
+  /// What a scope recorded of the plan; null = there is no trace.
+  virtual void showTrace(const std::shared_ptr<const MeasuredTrace>& /*trace*/) {}
   /// Where the cursor stands; nothing = there is no plan.
   virtual void showInstant(const std::optional<Instant>& /*instant*/) {}
   virtual void setTheme(const Theme& /*theme*/) {}

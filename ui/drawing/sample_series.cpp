@@ -4,28 +4,36 @@
 
 namespace toolpace::ui {
 
-SampleSeries::SampleSeries(std::shared_ptr<const ErrorTrace> trace) : trace_(std::move(trace)) {
+SampleSeries::SampleSeries(const std::shared_ptr<const ErrorTrace>& trace) {
+  if (!trace) return;
+  *this = SampleSeries(std::shared_ptr<const std::vector<double>>(trace, &trace->time),
+                       std::shared_ptr<const std::vector<float>>(trace, &trace->error));
+}
+
+SampleSeries::SampleSeries(std::shared_ptr<const std::vector<double>> time,
+                           std::shared_ptr<const std::vector<float>> value)
+    : time_(std::move(time)), value_(std::move(value)) {
   if (is_empty()) return;
-  const std::size_t count = std::min(trace_->time.size(), trace_->error.size());
+  const std::size_t count = std::min(time_->size(), value_->size());
   const auto part = [this](std::size_t first, std::size_t last) { return scan(first, last); };
   pyramid_ = Pyramid<Extent>(count, part);
-  largest_ = std::max(pyramid_.query(0, count, part).high, 0.0f);
+  extent_ = pyramid_.query(0, count, part);
 }
 
 Extent SampleSeries::scan(std::size_t first, std::size_t last) const {
   Extent extent;
-  for (std::size_t i = first; i < last; ++i) extent.add(trace_->error[i]);
+  for (std::size_t i = first; i < last; ++i) extent.add((*value_)[i]);
   return extent;
 }
 
 std::size_t SampleSeries::index_at(double time) const {
-  const auto after = std::upper_bound(trace_->time.begin(), trace_->time.end(), time);
-  return std::min(static_cast<std::size_t>(after - trace_->time.begin()), pyramid_.size());
+  const auto after = std::upper_bound(time_->begin(), time_->end(), time);
+  return std::min(static_cast<std::size_t>(after - time_->begin()), pyramid_.size());
 }
 
 double SampleSeries::at(double time) const {
   const std::size_t after = index_at(time);
-  return trace_->error[after > 0 ? after - 1 : 0];
+  return (*value_)[after > 0 ? after - 1 : 0];
 }
 
 Curve SampleSeries::curve(const TimeWindow& window) const {
@@ -35,7 +43,7 @@ Curve SampleSeries::curve(const TimeWindow& window) const {
   const std::size_t begin = index_at(window.begin), first = begin > 0 ? begin - 1 : 0;
   const std::size_t last = std::min(index_at(window.end) + 1, pyramid_.size());
   if (last - first <= 2 * static_cast<std::size_t>(window.columns)) {
-    for (std::size_t i = first; i < last; ++i) curve.add(trace_->time[i], trace_->error[i]);
+    for (std::size_t i = first; i < last; ++i) curve.add((*time_)[i], (*value_)[i]);
     return curve;
   }
   const auto part = [this](std::size_t a, std::size_t b) { return scan(a, b); };

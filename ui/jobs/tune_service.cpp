@@ -30,12 +30,20 @@ void TuneService::sweep(std::shared_ptr<const Job> job) {
   });
 }
 
-void TuneService::findSavings(std::shared_ptr<const Job> job, double cycle_time) {
+void TuneService::search(std::shared_ptr<const Job> job, const TuneOptions& options) {
   const quint64 number = ++latest_;
-  constexpr double kRaise = 1.1;
-  submit(number, [this, job = std::move(job), cycle_time, number](const Monitor& monitor) {
-    auto result = find_savings(*job, cycle_time, kRaise, monitor);
-    return answer(number, std::move(result), &TuneService::savingsFound);
+  submit(number, [this, job = std::move(job), options, number](const Monitor& monitor) {
+    auto result = tune(job, options, monitor);
+    return answer(number, std::move(result), &TuneService::tuned);
+  });
+}
+
+void TuneService::trySingleChanges(std::shared_ptr<const Job> job) {
+  const quint64 number = ++latest_;
+  constexpr double kTenPerCent = 1.1;
+  submit(number, [this, job = std::move(job), number](const Monitor& monitor) {
+    auto result = try_single_changes(job, kTenPerCent, monitor);
+    return answer(number, std::move(result), &TuneService::changesTried);
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Sweeps the look-ahead, finds what raising each limit saves, and what each setting of a controller gives, in a worker.
+/// Sweeps the look-ahead, searches for the best settings, finds what each of them does alone, and what each setting of a controller
+/// gives, in a worker.
 
 #include <QObject>
 #include <functional>
@@ -7,8 +8,9 @@
 
 #include "drawing/controlled.h"
 #include "jobs/background.h"
-#include "toolpace/tune/savings.h"
+#include "toolpace/tune/single_changes.h"
 #include "toolpace/tune/sweep.h"
+#include "toolpace/tune/tune.h"
 #include "toolpace/tune/what_if.h"
 
 namespace toolpace::ui {
@@ -21,7 +23,8 @@ class TuneService : public QObject {
   explicit TuneService(QObject* parent = nullptr);
 
   void sweep(std::shared_ptr<const Job> job);
-  void findSavings(std::shared_ptr<const Job> job, double cycle_time);
+  void search(std::shared_ptr<const Job> job, const TuneOptions& options);
+  void trySingleChanges(std::shared_ptr<const Job> job);
   /// What the program takes there with another value of each setting.
   void trySettings(std::shared_ptr<const Controlled> run);
   /// What it takes as setpoints of this planner, on the same limits.
@@ -31,7 +34,8 @@ class TuneService : public QObject {
 
  signals:
   void swept(const toolpace::LookaheadSweep& sweep);
-  void savingsFound(const std::vector<toolpace::Saving>& savings);
+  void tuned(const toolpace::TuneResult& tuning);
+  void changesTried(const toolpace::SingleChanges& changes);
   void settingsTried(const std::vector<toolpace::WhatIf>& rows);
   void setpointsPlanned(double cycle_time);  ///< [s]
   void failed(const toolpace::Error& error);

@@ -67,6 +67,7 @@ class Workspace : public QObject {
   void openText(const QByteArray& text, const QString& name);
   /// How programs are read; the one that is open is read again at once.
   void setReadOptions(const ReadOptions& options);
+  const ReadOptions& readOptions() const { return read_options_; }
   /// Reads the file again, or the text where there is no file; with edits, asks first (conflict).
   void reload();
   Conflict conflict() const { return conflict_; }

@@ -20,4 +20,18 @@ QString ramps_title(Ramps ramps) {
                                : QCoreApplication::translate("OptionNames", "run across blocks");
 }
 
+QString knob_title(Knob knob) {
+  switch (knob) {
+    case Knob::law: return QCoreApplication::translate("OptionNames", "velocity law");
+    case Knob::corner: return QCoreApplication::translate("OptionNames", "corners");
+    case Knob::ramps: return QCoreApplication::translate("OptionNames", "ramps");
+    case Knob::acceleration: return QCoreApplication::translate("OptionNames", "acceleration");
+    case Knob::jerk: return QCoreApplication::translate("OptionNames", "jerk");
+    case Knob::ramp_time: return QCoreApplication::translate("OptionNames", "times of ramps");
+    case Knob::tolerance: return QCoreApplication::translate("OptionNames", "tolerance");
+    case Knob::lookahead: break;
+  }
+  return QCoreApplication::translate("OptionNames", "look-ahead");
+}
+
 }  // namespace toolpace::ui

@@ -35,8 +35,8 @@ constexpr std::array kPathNames = {
     Name{"path.max_jerk_deceleration_mm_s3", QT_TRANSLATE_NOOP("ParameterNames", "Jerk, slowing down")},
     Name{"path.fine_acceleration_mm_s2",
          QT_TRANSLATE_NOOP("ParameterNames", "Acceleration of the path, most accurate")},
-    Name{"law.tacc_ms", QT_TRANSLATE_NOOP("ParameterNames", "Acceleration time, shorter")},
-    Name{"law.tdec_ms", QT_TRANSLATE_NOOP("ParameterNames", "Deceleration time, shorter")},
+    Name{"law.tacc_ms", QT_TRANSLATE_NOOP("ParameterNames", "Acceleration time")},
+    Name{"law.tdec_ms", QT_TRANSLATE_NOOP("ParameterNames", "Deceleration time")},
     Name{"lookahead.tolerance_mm", QT_TRANSLATE_NOOP("ParameterNames", "Tolerance")},
     Name{"lookahead.junction_deviation_mm", QT_TRANSLATE_NOOP("ParameterNames", "Junction deviation")},
     Name{"feed_override_percent", QT_TRANSLATE_NOOP("ParameterNames", "Feed override")}};

@@ -102,4 +102,8 @@ std::vector<SettingDifference> setting_differences(const Job& a, const Job& b, U
   return list;
 }
 
+bool has_same_settings(const Job& a, const Job& b) {
+  return a.program == b.program && setting_differences(a, b, {}).empty();
+}
+
 }  // namespace toolpace::ui

@@ -17,4 +17,7 @@ struct SettingDifference {
 /// Program, law, look-ahead, ramps, corners and every number of a machine file or a job; empty where both are the same.
 std::vector<SettingDifference> setting_differences(const Job& a, const Job& b, Units units);
 
+/// Whether two jobs run one program with the same settings.
+bool has_same_settings(const Job& a, const Job& b);
+
 }  // namespace toolpace::ui

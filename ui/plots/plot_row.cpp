@@ -4,22 +4,13 @@
 #include <cmath>
 
 #include "plots/dashed_graph.h"
+#include "plots/row_parts.h"
 
 namespace toolpace::ui {
 namespace {
 
-constexpr float kDenseInk = 0.7f;       // of the strokes that stand for many phases: whole blocks of them stay calm
-constexpr int kLeastSide = 30;          // px, of a plot without its margins
-constexpr int kLabelSlack = 4;          // px, that a label stays shorter than its plot is high
-constexpr int kMoreTicks = 3;           // than fit well, where it takes them to have one besides zero
-constexpr double kSmallestLabel = 0.7;  // of the size of other texts
-constexpr double kMargin = 0.09, kFloorMargin = 0.03;  // of the height
-
-void fill_graph(QCPGraph* graph, const Curve& curve, double factor) {
-  QVector<QCPGraphData> points(curve.time.size());
-  for (qsizetype i = 0; i < curve.time.size(); ++i) points[i] = {curve.time[i], curve.value[i] * factor};
-  graph->data()->set(points, true);
-}
+constexpr float kDenseInk = 0.7f;  // of the strokes that stand for many phases: whole blocks of them stay calm
+constexpr int kMoreTicks = 3;      // than fit well, where it takes them to have one besides zero
 
 /// "10³ mm/s³" keeps the numbers at the axis short.
 double power_of_thousand(double largest) {
@@ -33,51 +24,6 @@ QString power_text(double power) {
   QString text = QStringLiteral("10");
   for (const QChar c : QString::number(std::lround(std::log10(power)))) text += digits[c.digitValue()];
   return text + ' ';
-}
-
-/// As large as the plot is high, so that it does not reach into the next one.
-void set_label(QCPAxis& axis, const QString& label) {
-  axis.setLabel(label);
-  QFont font = axis.tickLabelFont();
-  int longest = 1;
-  for (const QString& line : label.split('\n')) longest = std::max(longest, QFontMetrics(font).horizontalAdvance(line));
-  const int room = axis.axisRect()->height() - kLabelSlack;
-  font.setPointSizeF(font.pointSizeF() * std::clamp(static_cast<double>(room) / longest, kSmallestLabel, 1.0));
-  axis.setLabelFont(font);
-}
-
-QCPAxisRect* new_rect(QCustomPlot* plot, int row) {
-  auto* rect = new QCPAxisRect(plot, true);
-  plot->plotLayout()->addElement(row, 0, rect);
-  rect->setAutoMargins(QCP::msNone);
-  rect->setMinimumSize(kLeastSide, kLeastSide);
-  rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(8);
-  return rect;
-}
-
-void dress_rect(QCPAxisRect* rect, const Theme& theme, const QFont& font) {
-  QColor faint = theme.line;
-  faint.setAlphaF(0.7f);
-  QCPAxis* value = rect->axis(QCPAxis::atLeft);
-  for (auto* axis : {value, rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atRight), rect->axis(QCPAxis::atTop)}) {
-    axis->setVisible(true);
-    axis->setBasePen(QPen(theme.line, 1));
-    axis->setTickPen(QPen(theme.line, 1));
-    axis->setSubTickPen(Qt::NoPen);
-    axis->setTickLabelColor(theme.secondary);
-    axis->setLabelColor(theme.text);
-    axis->setTickLabelFont(font);
-    axis->setLabelFont(font);
-    axis->setLabelPadding(0);
-    axis->setTickLabelPadding(4);
-    axis->grid()->setPen(QPen(faint, 1));
-    axis->grid()->setZeroLinePen(Qt::NoPen);
-    axis->setTickLengthIn(0);
-    axis->setTickLengthOut(axis == value ? 4 : 0);
-  }
-  value->grid()->setZeroLinePen(QPen(theme.secondary, 1));
-  rect->axis(QCPAxis::atRight)->setTicks(false);
-  rect->axis(QCPAxis::atTop)->setTicks(false);
 }
 
 /// Never so wide apart that zero alone has a number, which tells no height.
@@ -95,7 +41,7 @@ class HeightTicker : public QCPAxisTicker {
 }  // namespace
 
 MotionRow::MotionRow(QCustomPlot* plot, std::size_t track)
-    : track_(track), rect_(new_rect(plot, static_cast<int>(track))) {
+    : track_(track), rect_(new_row_rect(plot, static_cast<int>(track))) {
   value()->setTicker(QSharedPointer<HeightTicker>::create());
   value()->ticker()->setTickCount(4);
   value()->setNumberFormat("gb");
@@ -123,6 +69,12 @@ MotionRow::MotionRow(QCustomPlot* plot, std::size_t track)
   word_->setVisible(false);
 }
 
+QPen measured_pen(const Theme& theme) {
+  QPen pen(theme.text, 1.2);
+  pen.setDashPattern({5, 3});
+  return pen;
+}
+
 QPen axis_pen(std::size_t axis, const Theme& theme) {
   // A turns about X, B about Y, C about Z: their colours, and dashes of their own.
   const std::array colours = {theme.axis_x, theme.axis_y, theme.axis_z};
@@ -137,7 +89,7 @@ QPen axis_pen(std::size_t axis, const Theme& theme) {
 }
 
 void MotionRow::dress(const Theme& theme, const QFont& font) {
-  dress_rect(rect_, theme, font);
+  dress_row(rect_, theme, font);
   QColor ghost_feed = theme.secondary;
   ghost_feed.setAlphaF(0.4f);
   feed_->setPen(QPen(ghost_feed, 2));
@@ -160,9 +112,10 @@ void MotionRow::scale(Extent extent, bool both_ways, bool turns, Units units) {
   if (!(high > low) || !std::isfinite(high - low)) (low = 0, high = 1);
   const double power = power_of_thousand(std::max(-low, high)), height = high - low;
   factor_ = unit.factor / power;
-  value()->setRange((low - (low < 0 ? kMargin : kFloorMargin) * height) / power, (high + kMargin * height) / power);
+  value()->setRange((low - (low < 0 ? kRowMargin : kRowFloor) * height) / power, (high + kRowMargin * height) / power);
   const QString degrees = turns ? ", " + display_unit(rotary(kMotionTracks[track_].quantity), units).text : QString();
-  set_label(*value(), QString("%1\n%2%3").arg(kMotionTracks[track_].symbol, power_text(power), unit.text + degrees));
+  set_row_label(*value(),
+                QString("%1\n%2%3").arg(kMotionTracks[track_].symbol, power_text(power), unit.text + degrees));
 }
 
 void MotionRow::fill(QCPGraph* graph, const Curve& curve) const { fill_graph(graph, curve, factor_); }
@@ -196,44 +149,45 @@ void MotionRow::showWord(const QString& word) {
 void MotionRow::showAxis(std::size_t axis, const MotionCurves& curves) { fill(axis_.at(axis), curves[track_]); }
 
 ErrorRow::ErrorRow(QCustomPlot* plot)
-    : rect_(new_rect(plot, static_cast<int>(kMotionTrackCount))), curve_(plot->addGraph(time(), value())) {
+    : rect_(new_row_rect(plot, static_cast<int>(kMotionTrackCount))),
+      curve_(plot->addGraph(time(), value())),
+      measured_curve_(new DashedGraph(time(), value())) {
   curve_->setName("e.curve");
-  curve_->setSelectable(QCP::stNone);
+  measured_curve_->setName("e.measured");
+  for (QCPGraph* curve : {curve_, measured_curve_}) curve->setSelectable(QCP::stNone);
   setShown(false);
 }
 
 void ErrorRow::setShown(bool shown) {
-  auto* layout = rect_->parentPlot()->plotLayout();
-  const bool was = layout->elementCount() > static_cast<int>(kMotionTrackCount);
-  if (was && !shown) {
-    layout->take(rect_);
-    layout->simplify();
-  } else if (!was && shown) {
-    layout->addElement(static_cast<int>(kMotionTrackCount), 0, rect_);
-  }
   rect_->setVisible(shown);
-  curve_->setVisible(shown);
+  for (QCPGraph* curve : {curve_, measured_curve_}) curve->setVisible(shown);
 }
 
 void ErrorRow::dress(const Theme& theme, const QFont& font) {
-  dress_rect(rect_, theme, font);
+  dress_row(rect_, theme, font);
   curve_->setPen(QPen(theme.error, 1.2));
+  measured_curve_->setPen(measured_pen(theme));
 }
 
 void ErrorRow::scale(std::optional<double> largest, Units units) {
   const DisplayUnit unit = error_unit(units);
   factor_ = unit.factor;
-  const double most = largest.value_or(error_.largest()) * factor_;
+  const double most = largest.value_or(std::max(error_.largest(), measured_.largest())) * factor_;
   // Between two simulations the old heights stay, so that the plot does not jump.
-  if (!error_.is_empty()) {
-    value()->setRange(most > 0 ? -kFloorMargin * most : -kFloorMargin, most > 0 ? (1 + kMargin) * most : 1.0);
+  if (!error_.is_empty() || !measured_.is_empty()) {
+    value()->setRange(most > 0 ? -kRowFloor * most : -kRowFloor, most > 0 ? (1 + kRowMargin) * most : 1.0);
   }
-  set_label(*value(), "e\n" + unit.text);
+  set_row_label(*value(), "e\n" + unit.text);
 }
 
 Curve ErrorRow::curve(const TimeWindow& window) const { return isShown() ? error_.curve(window) : Curve{}; }
 
-void ErrorRow::show(const Curve& curve) { fill_graph(curve_, curve, factor_); }
+Curve ErrorRow::measured(const TimeWindow& window) const { return isShown() ? measured_.curve(window) : Curve{}; }
+
+void ErrorRow::show(const Curve& curve, const Curve& measured) {
+  fill_graph(curve_, curve, factor_);
+  fill_graph(measured_curve_, measured, factor_);
+}
 
 std::optional<double> ErrorRow::heightAt(double time) const {
   if (error_.is_empty() || !isShown()) return std::nullopt;

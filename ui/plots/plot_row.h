@@ -17,6 +17,8 @@ inline constexpr std::size_t kPlottedAxes = kAxisCount;  // X … C
 
 /// How the curve of an axis is drawn.
 QPen axis_pen(std::size_t axis, const Theme& theme);
+/// What a scope recorded is dashed.
+QPen measured_pen(const Theme& theme);
 
 /// One of kMotionTracks along the path, with its caps, plan B behind it and axes on demand.
 class MotionRow {
@@ -52,7 +54,7 @@ class MotionRow {
   double factor_ = 1;
 };
 
-/// The contour error of a simulation. Not in the layout until somebody asks for it.
+/// The contour error of a simulation, and dashed that of a measured trace. Not in the layout until somebody asks for it.
 class ErrorRow {
  public:
   explicit ErrorRow(QCustomPlot* plot);
@@ -63,19 +65,21 @@ class ErrorRow {
   bool isShown() const { return rect_->visible(); }
   void setShown(bool shown);
   void setTrace(std::shared_ptr<const ErrorTrace> trace) { error_ = SampleSeries(std::move(trace)); }
+  void setMeasured(std::shared_ptr<const ErrorTrace> trace) { measured_ = SampleSeries(std::move(trace)); }
   void dress(const Theme& theme, const QFont& font);
   /// @param largest  that fills the height [mm]; nothing = the largest of the trace
   void scale(std::optional<double> largest, Units units);
   /// Nothing where it is not shown.
   Curve curve(const TimeWindow& window) const;
-  void show(const Curve& curve);
+  Curve measured(const TimeWindow& window) const;
+  void show(const Curve& curve, const Curve& measured);
   /// Height of the curve at a time, in the numbers of the axis; nothing where it is not shown.
   std::optional<double> heightAt(double time) const;
 
  private:
   QCPAxisRect* rect_;
-  QCPGraph* curve_;
-  SampleSeries error_{nullptr};
+  QCPGraph *curve_, *measured_curve_;
+  SampleSeries error_{nullptr}, measured_{nullptr};
   double factor_ = 1000;  // contour errors are micrometres; in inches they are thousandths
 };
 

@@ -34,8 +34,11 @@ ProfilePlot::ProfilePlot(QWidget* parent) : QCustomPlot(parent) {
   layer(kCursorLayer)->setMode(QCPLayer::lmBuffered);
   cursor_ = new CursorLayer(this, kCursorLayer);
   error_ = std::make_unique<ErrorRow>(this);
+  follow_ = std::make_unique<FollowRow>(this);
+  showRows();
   for (const auto& row : rows_) time_axes_.push_back(row.time());
   time_axes_.push_back(error_->time());
+  time_axes_.push_back(follow_->time());
   // However much changes before the next picture, the curves are gathered once, when their width is known.
   connect(this, &QCustomPlot::afterLayout, this, [this] {
     emit laidOut();
@@ -48,8 +51,34 @@ ProfilePlot::ProfilePlot(QWidget* parent) : QCustomPlot(parent) {
 
 void ProfilePlot::setErrorShown(bool shown) {
   error_->setShown(shown);
+  showRows();
   layOut();
   refill();
+}
+
+void ProfilePlot::setFollowShown(bool shown) {
+  follow_->setShown(shown);
+  showRows();
+  layOut();
+  refill();
+}
+
+void ProfilePlot::setMeasured(const std::shared_ptr<const MeasuredTrace>& trace) {
+  error_->setMeasured(trace ? trace->actual : nullptr);
+  follow_->setTrace(trace);
+  refill();
+}
+
+/// Below those that are always there, the ones that somebody asked for.
+void ProfilePlot::showRows() {
+  auto* layout = plotLayout();
+  std::vector<QCPAxisRect*> shown;
+  for (QCPAxisRect* rect : {error_->rect(), follow_->rect()}) {
+    if (rect->layout()) layout->take(rect);
+    if (rect->visible()) shown.push_back(rect);
+  }
+  layout->simplify();
+  for (QCPAxisRect* rect : shown) layout->addElement(layout->rowCount(), 0, rect);
 }
 
 void ProfilePlot::setErrorTrace(std::shared_ptr<const ErrorTrace> trace) {
@@ -75,6 +104,7 @@ void ProfilePlot::dress() {
   cursor_->theme = theme_;
   for (auto& row : rows_) row.dress(theme_, font());
   error_->dress(theme_, font());
+  follow_->dress(theme_, font());
   time_title_->setColor(theme_.secondary);
   time_title_->setFont(font());
   refill();
@@ -161,6 +191,8 @@ void ProfilePlot::gather() {
     }
   }
   curves.error = error_->curve(window);
+  curves.measured = error_->measured(window);
+  curves.follow = follow_->curves(window);
   if (series_ && series_->is_jerk_unbounded()) curves.own[kJerkTrack] = {};
   if (ghost_ && ghost_->is_jerk_unbounded()) curves.other.high[kJerkTrack] = curves.other.low[kJerkTrack] = {};
   fitHeights(curves, window);
@@ -174,7 +206,8 @@ void ProfilePlot::gather() {
     row.showWord(wordOf(row.track()));
     for (std::size_t axis = 0; axis < shown_.size(); ++axis) row.showAxis(axis, curves.axes[axis]);
   }
-  error_->show(curves.error);
+  error_->show(curves.error, curves.measured);
+  follow_->show(curves.follow);
   updateMarks();
 }
 

@@ -9,6 +9,7 @@
 
 #include "models/units.h"
 #include "plots/cursor_layer.h"
+#include "plots/follow_row.h"
 #include "plots/plot_row.h"
 
 namespace toolpace::ui {
@@ -35,6 +36,9 @@ class ProfilePlot : public QCustomPlot {
   void setErrorShown(bool shown);                   ///< the contour error as a fourth plot
   /// What it shows; null = not known yet.
   void setErrorTrace(std::shared_ptr<const ErrorTrace> trace);
+  /// What a scope recorded; null = nothing. Its contour error is dashed beside the simulated one.
+  void setMeasured(const std::shared_ptr<const MeasuredTrace>& trace);
+  void setFollowShown(bool shown);  ///< the following error of its axes as a plot of its own
   void retranslate();
 
   void setRange(double begin, double end);  ///< [s]; kept inside the plan
@@ -67,6 +71,7 @@ class ProfilePlot : public QCustomPlot {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void showRows();
   void layOut();
   void dress();
   struct Curves;
@@ -87,8 +92,9 @@ class ProfilePlot : public QCustomPlot {
 
   std::vector<MotionRow> rows_;  // of kMotionTracks
   std::unique_ptr<ErrorRow> error_;
+  std::unique_ptr<FollowRow> follow_;
   QCPItemText* time_title_ = nullptr;
-  std::vector<QCPAxis*> time_axes_;  // of the rows, then of the error
+  std::vector<QCPAxis*> time_axes_;  // of the rows, then of the errors
   CursorLayer* cursor_;
   std::shared_ptr<const ProfileSeries> series_, ghost_;
   std::array<bool, kPlottedAxes> shown_ = {};
@@ -98,6 +104,7 @@ class ProfilePlot : public QCustomPlot {
   bool held_ = false, of_cutting_ = false;
   OfTracks<Extent> heights_;            // that are shown, in core units
   std::optional<double> error_height_;  // [mm]
+  Extent follow_height_;                // [mm]
 
   QPointF pressed_at_;
   double pressed_begin_ = 0;

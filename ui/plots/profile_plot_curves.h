@@ -10,7 +10,8 @@ struct ProfilePlot::Curves {
   MotionCurves own;
   MotionEnvelope other;
   std::array<MotionCurves, kPlottedAxes> axes;
-  Curve error;
+  Curve error, measured;
+  FollowRow::Curves follow;
 };
 
 }  // namespace toolpace::ui

@@ -92,7 +92,10 @@ void ProfilePlot::fitHeights(const Curves& curves, const TimeWindow& window) {
     heights_[i] = whole || !(extent.high > extent.low) ? wholeHeight(i) : extent;
   }
   Extent error;
-  add_values(error, curves.error);
+  for (const Curve* curve : {&curves.error, &curves.measured}) add_values(error, *curve);
+  follow_height_ = {};
+  for (const Curve& curve : curves.follow) add_values(follow_height_, curve);
+  if (whole) follow_height_ = {};
   error_height_ = whole || error.is_empty() ? std::nullopt : std::optional<double>(error.high);
 }
 
@@ -102,6 +105,7 @@ void ProfilePlot::showScales() {
   const bool turns = shown_[3] || shown_[4] || shown_[5];
   for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].scale(heights_[i], any_axis, turns, unit_);
   error_->scale(error_height_, unit_);
+  follow_->scale(follow_height_, unit_);
   // The numbers at the axes were chosen before this picture's curves were there.
   for (QCPAxisRect* rect : axisRects()) rect->update(QCPLayoutElement::upPreparation);
 }

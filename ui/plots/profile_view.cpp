@@ -77,6 +77,23 @@ void ProfileView::setErrorShown(bool shown) {
   plot_->setErrorShown(shown);
 }
 
+void ProfileView::setFollowShown(bool shown) {
+  show_follow_->setChecked(shown);
+  plot_->setFollowShown(shown);
+}
+
+/// A trace shows itself when it comes, and takes its plot along when it goes.
+void ProfileView::showTrace(const std::shared_ptr<const MeasuredTrace>& trace) {
+  plot_->setMeasured(trace);
+  const bool is_there = trace != nullptr;
+  if (is_there == has_trace_) return;
+  has_trace_ = is_there;
+  show_follow_->setVisible(is_there);
+  setFollowShown(is_there);
+  if (is_there) setErrorShown(true);
+  fillKey();
+}
+
 void ProfileView::buildHeader() {
   header_ = new QWidget(this);
   auto* row = new FlowLayout(header_);
@@ -106,6 +123,8 @@ void ProfileView::buildHeader() {
   measure_ = button("measure", true);
   fit_ = button("fitTime", false);
   show_error_ = button("showError", true);
+  show_follow_ = button("showFollow", true);
+  show_follow_->hide();
   show_table_ = button("showTable", true);
   key_ = new LineKey("profileKey", header_);
   row->addWidget(key_);
@@ -117,6 +136,7 @@ void ProfileView::buildHeader() {
   connect(measure_, &QToolButton::toggled, this, &ProfileView::setMeasuring);
   connect(fit_, &QToolButton::clicked, this, &ProfileView::fit);
   connect(show_error_, &QToolButton::toggled, this, &ProfileView::setErrorShown);
+  connect(show_follow_, &QToolButton::toggled, this, &ProfileView::setFollowShown);
   connect(show_table_, &QToolButton::toggled, this, &ProfileView::setTableShown);
 }
 
@@ -135,6 +155,9 @@ void ProfileView::retranslate() {
   name_control(fit_, tr("Fit time"), tr("Show the whole program"));
   show_error_->setText(tr("Error"));
   name_control(show_error_, tr("Contour error"), tr("Contour error of the simulated drives as a fourth plot"));
+  show_follow_->setText(tr("Following"));
+  name_control(show_follow_, tr("Following error"),
+               tr("Following error of each axis of the trace as a plot of its own"));
   show_table_->setText(tr("Table"));
   name_control(show_table_, tr("Table"), tr("The visible values as a table; Ctrl+C copies them"));
   table_->setAccessibleName(tr("Visible values"));
@@ -153,6 +176,7 @@ void ProfileView::fillKey() {
   std::vector<KeySample> samples = {
       {QStringLiteral("A"), QPen(theme_.accent, 1.6)}, {tr("allowed"), cap}, {tr("feed"), QPen(feed, 2)}};
   if (has_ghost_) samples.push_back({QStringLiteral("B"), QPen(theme_.plan_b, 1.3, Qt::DashLine)});
+  if (has_trace_) samples.push_back({tr("measured"), measured_pen(theme_)});
   key_->setTextColour(theme_.secondary);
   key_->setSamples(std::move(samples));
   name_control(key_, tr("Lines of the plots"),

@@ -42,8 +42,10 @@ class ProfileView : public QWidget, public PlanView {
   /// Contour error of a simulation; null = not simulated. A fourth plot shows it once somebody asks for it.
   void setErrorTrace(std::shared_ptr<const ErrorTrace> trace);
   void setErrorShown(bool shown);
+  void setFollowShown(bool shown);  ///< of a trace: the following error of each axis
 
   void showPlans(const Planned& plan, const Planned& pinned) override;
+  void showTrace(const std::shared_ptr<const MeasuredTrace>& trace) override;
   void showInstant(const std::optional<Instant>& instant) override;
   void setTheme(const Theme& theme) override;
   void setUnits(Units unit) override;
@@ -98,6 +100,7 @@ class ProfileView : public QWidget, public PlanView {
   QToolButton* fit_;
   LineKey* key_;
   QToolButton* show_error_;
+  QToolButton* show_follow_;
   QToolButton* show_table_;
   std::array<QToolButton*, kAxisCount> axes_ = {};
   QStackedWidget* pages_;
@@ -110,7 +113,7 @@ class ProfileView : public QWidget, public PlanView {
   std::shared_ptr<const ProfileSeries> series_;
   std::optional<double> cursor_;
   Theme theme_ = light_theme();
-  bool has_ghost_ = false;
+  bool has_ghost_ = false, has_trace_ = false;
   Units unit_;
 };
 

@@ -93,6 +93,12 @@ void ContourCanvas::updateColours() {
   redraw();
 }
 
+void ContourCanvas::setMeasured(std::shared_ptr<const ErrorTrace> measured) {
+  if (measured == measured_) return;
+  measured_ = std::move(measured);
+  redraw();
+}
+
 void ContourCanvas::setEnlargement(double factor) {
   enlargement_ = std::max(factor, 1.0);
   redraw();
@@ -230,6 +236,7 @@ void ContourCanvas::drawPicture(QImage& image, const Projection& projection, dou
   if (showsTrace()) {
     draw_trace(image, *scene_->trace, projection, enlargement_, theme_.error.rgb(), 1.2 * ratio);
   }
+  if (showsMeasured()) draw_trace(image, *measured_, projection, enlargement_, theme_.text.rgb(), 1.2 * ratio);
   if (!moving_) {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -36,6 +36,9 @@ class ContourCanvas : public QWidget {
   /// The plan inside the tolerance band; null = it stays on the programmed path.
   void setTube(std::shared_ptr<const TubeTrace> tube);
   void setBandShown(bool shown);
+  /// Where a scope says that the machine went; null = nothing. Its distance from the path is enlarged, too.
+  void setMeasured(std::shared_ptr<const ErrorTrace> measured);
+  bool showsMeasured() const { return measured_ != nullptr && scene_ != nullptr; }
   /// Rapids that are not drawn are not fitted to and not clicked at, either.
   void setRapidsShown(bool shown);
   bool areRapidsShown() const { return rapids_shown_; }
@@ -123,6 +126,7 @@ class ContourCanvas : public QWidget {
   double enlargement_ = 1.0, tolerance_ = 0.0;
   bool band_shown_ = true, rapids_shown_ = true;
   std::shared_ptr<const TubeTrace> tube_;
+  std::shared_ptr<const ErrorTrace> measured_;
 
   Projection projection_;
   bool follows_fit_ = true;  // until the camera is moved by hand, a new size fits again

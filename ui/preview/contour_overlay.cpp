@@ -280,6 +280,7 @@ void ContourCanvas::paintVectors(QPainter& painter, const QSizeF& size) const {
   paint_scene(painter, *scene_, p, size, style);
   if (has_band) paint_inside_band(painter, *tube_, p, tube_style);
   if (showsTrace()) paint_trace(painter, *scene_->trace, p, enlargement_, theme_.error.rgb(), 1.0);
+  if (showsMeasured()) paint_trace(painter, *measured_, p, enlargement_, theme_.text.rgb(), 1.0);
   drawDirection(painter, p, size, 1.0);
 }
 

@@ -155,6 +155,7 @@ void ContourView::fillKey() {
   }
   if (canvas_->hasGhost()) samples.push_back({QStringLiteral("B"), dashed(theme.plan_b)});
   if (canvas_->showsTrace()) samples.push_back({tr("drives"), QPen(theme.error, 1.4)});
+  if (canvas_->showsMeasured()) samples.push_back({tr("measured"), QPen(theme.text, 1.4)});
   key_->setTextColour(theme.secondary);
   key_->setSamples(std::move(samples));
   name_control(key_, tr("Lines of the preview"),
@@ -170,7 +171,7 @@ void ContourView::updateChoices() {
     items->item(i)->setEnabled(!scene || scene->is_empty() || scene->can_colour_by(static_cast<ColourBy>(i)));
   }
   items->item(static_cast<int>(ColourBy::contour_error))->setEnabled(scene && scene->trace);
-  enlargement_->setVisible(scene && scene->trace);
+  enlargement_->setVisible(canvas_->showsMeasured() || (scene && scene->trace));
   band_->setVisible(has_tube_ || tolerance_ > 0);
   const ColourBy by = canvas_->colourBy();
   colour_map_->setEnabled(by != ColourBy::limit && !is_signed(by));
@@ -211,6 +212,11 @@ void ContourView::showPlans(const Planned& plan, const Planned& pinned) {
   }
   setTolerance(plan && scene && scene->tolerance ? *scene->tolerance : 0);
   setGhost(pinned.scene);
+}
+
+void ContourView::showTrace(const std::shared_ptr<const MeasuredTrace>& trace) {
+  canvas_->setMeasured(trace ? trace->actual : nullptr);
+  updateChoices();
 }
 
 void ContourView::showInstant(const std::optional<Instant>& instant) {

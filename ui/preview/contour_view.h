@@ -33,6 +33,7 @@ class ContourView : public QWidget, public PlanView {
   void setGhost(std::shared_ptr<const ContourScene> scene);
 
   void showPlans(const Planned& plan, const Planned& pinned) override;
+  void showTrace(const std::shared_ptr<const MeasuredTrace>& trace) override;
   void showInstant(const std::optional<Instant>& instant) override;
   void setTheme(const Theme& theme) override;
   void setUnits(Units unit) override;

@@ -79,8 +79,8 @@ Result<void> try_all(const TuningSpace& space, const std::vector<Position>& batc
   return {};
 }
 
-Tuning tuning_of(const TuningSpace& space, const Log& log, const TuneOptions& options) {
-  Tuning tuning;
+TuneResult tuning_of(const TuningSpace& space, const Log& log, const TuneOptions& options) {
+  TuneResult tuning;
   tuning.plans = log.plans;
   const auto tuned = [&](const Tried& t) { return Tuned{space.job_at(t.at), t.objectives}; };
   tuning.present = tuned(log.tried.front());
@@ -119,7 +119,7 @@ Monitor share_of(const Monitor& monitor, std::size_t done, std::size_t batch, st
 
 }  // namespace
 
-Result<Tuning> tune(const std::shared_ptr<const Job>& job, const TuneOptions& options, const Monitor& monitor) {
+Result<TuneResult> tune(const std::shared_ptr<const Job>& job, const TuneOptions& options, const Monitor& monitor) {
   const TuningSpace space(job, options.turned);
   const std::size_t threads = threads_for(*job);
   if (options.vibration && !has_resonance(job->machine.servo)) return tl::unexpected(no_resonance());
@@ -148,7 +148,7 @@ Result<Tuning> tune(const std::shared_ptr<const Job>& job, const TuneOptions& op
   return tuning_of(space, log, options);
 }
 
-Result<Tuning> tune_by_list(const TuningSpace& space, const std::vector<Position>& list, const TuneOptions& options,
+Result<TuneResult> tune_by_list(const TuningSpace& space, const std::vector<Position>& list, const TuneOptions& options,
                             const Monitor& monitor) {
   Trials trials;
   Log log;

@@ -29,7 +29,7 @@ struct Tuned {
   Objectives objectives;
 };
 
-struct Tuning {
+struct TuneResult {
   std::size_t plans = 0;            ///< that were made, those included that could not be
   Tuned present;                    ///< the job as it is
   std::vector<Tuned> front;         ///< by rising cycle time; none dominates another
@@ -45,10 +45,10 @@ struct Tuning {
 /// On all cores; the same job and options give the same result whatever their number, if `is_over` does.
 /// Errors: of run() and follow() for the job as it is; "tune-no-resonance" (usage) for a limit on vibration where no axis has one;
 /// cancelled.
-Result<Tuning> tune(const std::shared_ptr<const Job>& job, const TuneOptions& options, const Monitor& monitor = {});
+Result<TuneResult> tune(const std::shared_ptr<const Job>& job, const TuneOptions& options, const Monitor& monitor = {});
 
 /// The same for settings that somebody else chose: all of them are tried. Positions of `space`.
-Result<Tuning> tune_by_list(const TuningSpace& space, const std::vector<Position>& list, const TuneOptions& options,
+Result<TuneResult> tune_by_list(const TuningSpace& space, const std::vector<Position>& list, const TuneOptions& options,
                             const Monitor& monitor = {});
 
 }  // namespace toolpace

@@ -4,10 +4,12 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "toolpace/machine/setup.h"
+#include "toolpace/pipeline/follow.h"
 #include "toolpace/pipeline/many.h"
-#include "toolpace/tune/savings.h"
+#include "toolpace/tune/single_changes.h"
 #include "toolpace/tune/sweep.h"
 
 namespace toolpace {
@@ -45,19 +47,46 @@ TEST(SweepLookahead, TimeFallsToTheTimeAtFullDepthAndTheKneeIsMarked) {
   EXPECT_GT(sweep->points[sweep->knee - 1].cycle_time, 1.005 * best);
 }
 
-TEST(FindSavings, TheFeedIsWhatHoldsALongStraightLineBack) {
-  const Job job = straight_blocks(200);
-  const auto outcome = run(std::make_shared<Job>(job));
-  ASSERT_TRUE(outcome);
-  const auto savings = find_savings(job, outcome->summary.cycle_time);
-  ASSERT_TRUE(savings) << savings.error().message;
-  EXPECT_EQ(savings->front().parameter, "feed_override_percent");
-  EXPECT_NEAR(savings->front().saved, 200.0 / 50 - 200.0 / 55, 0.01);
-  const auto speed = std::find_if(savings->begin(), savings->end(),
-                                  [](const Saving& s) { return s.parameter == "path.max_speed_mm_s"; });
-  ASSERT_NE(speed, savings->end());
+double change_of(const Job& before, const Job& after, double PathLimits::*limit) {
+  return after.machine.path.*limit / before.machine.path.*limit;
+}
+
+TEST(TrySingleChanges, TheFeedIsWhatHoldsALongStraightLineBack) {
+  const auto job = std::make_shared<const Job>(straight_blocks(200));
+  const auto found = try_single_changes(job);
+  ASSERT_TRUE(found) << found.error().message;
+  const SingleChange& best = found->changes.front();
+  EXPECT_DOUBLE_EQ(best.job->options.feed_override, 1.1);
+  EXPECT_NEAR(best.saved, 200.0 / 50 - 200.0 / 55, 0.01);
+  const auto speed = std::find_if(found->changes.begin(), found->changes.end(), [&](const SingleChange& c) {
+    return change_of(*job, *c.job, &PathLimits::speed) > 1.05;
+  });
+  ASSERT_NE(speed, found->changes.end());
   EXPECT_NEAR(speed->saved, 0, 1e-12) << "the path may go 100 mm/s already";
-  EXPECT_DOUBLE_EQ(speed->raised, 110);
+  EXPECT_NEAR(change_of(*job, *speed->job, &PathLimits::speed), 1.1, 1e-12);
+}
+
+TEST(TrySingleChanges, EachIsWhatItsJobTakesAndFallsOverTheList) {
+  const auto job = std::make_shared<const Job>(straight_blocks(30));
+  const auto found = try_single_changes(job);
+  ASSERT_TRUE(found) << found.error().message;
+  double before = kUnlimited;
+  std::set<LawKind> laws;
+  std::set<CornerRule> corners;
+  for (const SingleChange& change : found->changes) {
+    EXPECT_LE(change.saved, before);
+    before = change.saved;
+    laws.insert(change.job->options.law);
+    corners.insert(change.job->options.corner.rule);
+    const auto again = run(change.job);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(found->present.cycle_time - again->summary.cycle_time, change.saved);
+    const auto followed = follow(*again);
+    ASSERT_TRUE(followed);
+    EXPECT_EQ(followed->max_contour_error - found->present.contour, change.contour_added);
+  }
+  EXPECT_GT(laws.size(), 2u);
+  EXPECT_GT(corners.size(), 2u);
 }
 
 TEST(ForMany, KeepsTheOrderAndReturnsTheFirstError) {

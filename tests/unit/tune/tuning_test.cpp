@@ -154,7 +154,7 @@ TEST(Tune, FindsMoreThanAGridOfAsManyPlans) {
   }
   const auto by_grid = tune_by_list(space, grid, options), found = tune(job, options);
   ASSERT_TRUE(by_grid && found);
-  const auto objectives = [](const Tuning& t) {
+  const auto objectives = [](const TuneResult& t) {
     std::vector<Objectives> list;
     for (const Tuned& point : t.front) list.push_back(point.objectives);
     return list;
