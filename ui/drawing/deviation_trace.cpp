@@ -11,46 +11,29 @@ namespace {
 constexpr double kReachOfTolerance = 1.5;     // where points are looked for
 constexpr double kSagittaOfTolerance = 0.02;  // how far a chord may be from its curve
 constexpr double kPoints = 100'000;           // about so many along the whole path
-constexpr int kMostOfChord = 256;
+constexpr int kMostOfSegment = 8192;
 
 bool has_turns(const Path& path) {
   return std::any_of(path.node.begin(), path.node.end(),
                      [&](const AxisVector& p) { return p.tail<3>() != path.node.front().tail<3>(); });
 }
 
-/// Points of a path, close enough together.
-class Points {
- public:
-  Points(const Path& path, double sagitta) : vertices_(path, sagitta), step_(length_of(path) / kPoints) {}
-
-  /// Calls take(point) for each until it says no. @return whether it never did
-  template <class Take>
-  bool for_each(const Take& take) {
-    AxisVector from = vertices_.at(0)->point;
-    if (!take(from)) return false;
-    for (std::size_t k = 1; const PathVertex* vertex = vertices_.at(k); ++k) {
-      const AxisVector to = vertex->point;
-      const double chord = (to - from).norm();
-      const int count = std::clamp(static_cast<int>(chord / std::max(step_, 1e-9)), 1, kMostOfChord);
-      for (int i = 1; i <= count; ++i) {
-        if (!take(AxisVector(from + (to - from) * (static_cast<double>(i) / count)))) return false;
-      }
-      from = to;
-      vertices_.forget_before(k);
+/// Calls take(point) for places along a path that are close enough together, until it says no. @return whether it never did
+template <class Take>
+bool for_each_point(const Path& path, const Take& take) {
+  double length = 0;
+  for (const double one : path.length) length += one;
+  const double step = std::max(length / kPoints, 1e-9);
+  if (!take(weighted(path.node.front()))) return false;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const int count = std::clamp(static_cast<int>(path.length[i] / step), 1, kMostOfSegment);
+    for (int k = 1; k < count; ++k) {
+      if (!take(weighted(point_at(path, i, path.length[i] * k / count)))) return false;
     }
-    return true;
+    if (!take(weighted(path.node[i + 1]))) return false;
   }
-
- private:
-  static double length_of(const Path& path) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < path.node.size(); ++i) sum += (path.node[i + 1] - path.node[i]).norm();
-    return sum;
-  }
-
-  PathVertices vertices_;
-  double step_;
-};
+  return true;
+}
 
 }  // namespace
 
@@ -76,7 +59,7 @@ std::shared_ptr<const ErrorTrace> make_deviation_trace(const Path& path, const P
     trace->error.push_back(trace->offset.back().norm());
     return true;
   };
-  return Points(other, sagitta).for_each(take) ? trace : nullptr;
+  return for_each_point(other, take) ? trace : nullptr;
 }
 
 }  // namespace toolpace::ui
