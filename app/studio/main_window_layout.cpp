@@ -94,7 +94,7 @@ void MainWindow::buildPanels() {
   trace_ = new ui::TracePage(this);
   addTool("traceDock", trace_, {560, 560});
   tune_ = new ui::TunePage(workspace_.tuning(), this);
-  addTool("tuneDock", tune_, {960, 620});
+  addTool("tuneDock", tune_, {1000, 620});
   addTool("spectrumDock", spectrum_, {760, 560});
   addTool("drivesDock", drives_, {640, 340});
   addTool("readingDock", reading_, {520, 420});

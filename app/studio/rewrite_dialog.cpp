@@ -19,6 +19,7 @@
 #include "panels/number_field.h"
 #include "preview/contour_canvas.h"
 #include "theme/control_name.h"
+#include "theme/role.h"
 #include "toolpace/machine/controller_settings.h"
 #include "toolpace/nc/dialect.h"
 
@@ -275,8 +276,7 @@ void RewriteDialog::showState() {
   again_->setVisible(works || !found_);
   again_->setText(works ? tr("Stop") : tr("Try again"));
   ui::name_control(again_, again_->text());
-  state_->setProperty("role", trouble_.isEmpty() ? "secondary" : "error");
-  state_->setStyleSheet({});  // look the role up again
+  ui::set_role(state_, trouble_.isEmpty() ? "secondary" : "error");
   state_->setText(works                 ? tr("writing the program anew…")
                   : !trouble_.isEmpty() ? trouble_
                                         : tr("Everything but runs of plain G1, G2 and G3 lines stays byte for byte."));

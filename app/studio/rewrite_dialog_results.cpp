@@ -19,10 +19,18 @@ QTableWidgetItem* figure(const QString& text, double value) { return new ui::Num
 QString per_cent(double before, double after) {
   if (!(before > 0)) return {};
   const double change = (after / before - 1) * 100;
+  if (std::abs(change) < 0.05) return "0 %";
   return QString("%1%2 %").arg(change < 0 ? "−" : "+").arg(std::abs(change), 0, 'f', 1);
 }
 
+/// Without a sign where it rounds to nothing.
+QString seconds_text(double seconds) {
+  const QString text = QString::number(std::abs(seconds), 'f', 3);
+  return seconds < 0 && text.toDouble() > 0 ? "−" + text : text;
+}
+
 QString size_of(double bytes) {
+  if (bytes < 1e3) return ui::number_text(bytes) + " B";
   return bytes < 1e6 ? ui::number_text(bytes / 1e3, 4) + " kB" : ui::number_text(bytes / 1e6, 4) + " MB";
 }
 
@@ -91,7 +99,7 @@ void RewriteDialog::showRanges() {
       ranges_->setItem(row, 2,
                        figure(QString("%1 → %2").arg(range.time_before, 0, 'f', 3).arg(range.time_after, 0, 'f', 3),
                               range.time_before));
-      ranges_->setItem(row, 3, figure(QString::number(range.saved(), 'f', 3).replace('-', "−"), range.saved()));
+      ranges_->setItem(row, 3, figure(seconds_text(range.saved()), range.saved()));
     }
   }
   ranges_->setSortingEnabled(true);

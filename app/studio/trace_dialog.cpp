@@ -15,13 +15,15 @@
 #include "models/units.h"
 #include "panels/number_field.h"
 #include "theme/control_name.h"
+#include "theme/role.h"
 #include "toolpace/base/axes.h"
 
 namespace toolpace::studio {
 namespace {
 
 constexpr QSize kTraceDialogSize = {720, 460};
-constexpr int kTraceRowHeight = 32;
+constexpr int kTraceRowHeight = 36, kUnitWidth = 84;  // px
+constexpr qsizetype kShownValues = 6;
 constexpr double kShortestStep = 1e-7, kLongestStep = 10;  // [s]
 constexpr std::array kTimeUnits = {"s", "ms", "us", "ns", "min"};
 constexpr std::array kLengthUnits = {"mm", "um", "nm", "m", "in"};
@@ -99,6 +101,9 @@ void TraceDialog::buildTable() {
   table_->verticalHeader()->setDefaultSectionSize(kTraceRowHeight);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kValues, QHeaderView::Stretch);
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table_->setWordWrap(false);
+  table_->setShowGrid(false);
   for (int row = 0; row < table_->rowCount(); ++row) buildRow(row);
 }
 
@@ -118,12 +123,14 @@ void TraceDialog::buildRow(int row) {
   const QString name = QString::fromStdString(column.name);
   ui::name_control(meaning, tr("Meaning of %1").arg(name));
   ui::name_control(unit, tr("Unit of %1").arg(name));
+  unit->setMinimumWidth(kUnitWidth);
   fillUnits(row, column.unit_name);
   table_->setItem(row, kName, new QTableWidgetItem(name));
   table_->setCellWidget(row, kMeaning, meaning);
   table_->setCellWidget(row, kUnit, unit);
   QStringList values;
   for (const auto& line : preview_.rows) {
+    if (values.size() == kShownValues) break;
     if (static_cast<std::size_t>(row) < line.size()) values << ui::number_text(line[static_cast<std::size_t>(row)], 7);
   }
   table_->setItem(row, kValues, new QTableWidgetItem(values.join("   ")));
@@ -186,8 +193,7 @@ void TraceDialog::showState() {
                                                                      : QString();
   state_->setText(trouble.isEmpty() ? tr("Where an axis was commanded helps to find its lag, but is not needed.")
                                     : trouble);
-  state_->setProperty("role", trouble.isEmpty() ? "secondary" : "warning");
-  state_->setStyleSheet({});  // look the role up again
+  ui::set_role(state_, trouble.isEmpty() ? "secondary" : "warning");
   use_->setEnabled(trouble.isEmpty());
 }
 

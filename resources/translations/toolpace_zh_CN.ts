@@ -6951,10 +6951,6 @@
             <translation>属于其他设置：请重新尝试</translation>
         </message>
         <message>
-            <source>Double click or Enter takes a change. %1 others make no difference.</source>
-            <translation>双击或按回车采用。另有 %1 项没有影响。</translation>
-        </message>
-        <message>
             <source>What helps most</source>
             <translation>什么最有用</translation>
         </message>
@@ -6977,6 +6973,14 @@
         <message>
             <source>Double click or Enter takes a change</source>
             <translation>双击或按回车采用一项更改</translation>
+        </message>
+        <message>
+            <source>%1 others make no difference.</source>
+            <translation>另有 %1 项没有影响。</translation>
+        </message>
+        <message>
+            <source>Double click or Enter takes a change.</source>
+            <translation>双击或按回车采用一项更改。</translation>
         </message>
     </context>
     <context>

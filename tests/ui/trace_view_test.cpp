@@ -108,6 +108,8 @@ class TraceViewTest : public QObject {
   void plots_and_preview_show_it_until_it_is_closed() {
     Opened window;
     openBoth(window);
+    auto& error = window.the<QToolButton>("showError");
+    if (!error.isChecked()) QTest::mouseClick(&error, Qt::LeftButton);  // it shows itself where there is room
     studio::settle(window);
     finish_drawing();
     for (const char* graph : {"f.X", "f.Y", "e.measured"}) QVERIFY2(has_points(window, graph), graph);

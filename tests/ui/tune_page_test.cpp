@@ -145,7 +145,7 @@ class TunePageTest : public QObject {
     desk.enter("tuneContour", "0.01");
     desk.search();
     QVERIFY(desk.verdict().contains("none keeps the limit"));
-    QVERIFY(!desk.the<QToolButton>("frontBest").isEnabled());
+    QVERIFY(!desk.the<QPushButton>("frontBest").isEnabled());
   }
 
   void what_was_found_for_other_settings_or_another_program_says_so() {
@@ -233,12 +233,12 @@ class TunePageTest : public QObject {
       Opened window({1280, 800});
       window.setLanguage(language);
       window.setDark(!english);
-      window.openButterfly();
+      window.open(kSquare);
       if (!english) window.workspace().tuning().edit("", "", [](ui::Tuning& t) { t.machine.servo[0].resonance = 45; });
       auto& dock = window.the<QDockWidget>("tuneDock");
       dock.show();
       studio::settle(window);
-      window.the<NumberField>("tunePlans").setValue(60);
+      window.the<NumberField>("tunePlans").setValue(40);
       auto& page = window.the<TunePage>("tunePage");
       page.search();
       page.changes().compute();

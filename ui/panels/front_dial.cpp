@@ -25,17 +25,13 @@ FrontDial::FrontDial(QWidget* parent)
       finish_(secondary_label({}, this)),
       fine_(secondary_label({}, this)),
       numbers_(new QLabel(this)),
-      best_(new QToolButton(this)),
-      knee_(new QToolButton(this)) {
+      best_(new QPushButton(this)),
+      knee_(new QPushButton(this)) {
   setObjectName("frontDial");
   slider_->setObjectName("frontSlider");
   numbers_->setObjectName("frontNumbers");
   best_->setObjectName("frontBest");
   knee_->setObjectName("frontKnee");
-  for (QToolButton* button : {best_, knee_}) {
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setFocusPolicy(Qt::StrongFocus);
-  }
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(8);
@@ -58,8 +54,8 @@ FrontDial::FrontDial(QWidget* parent)
     if (!used_ && slider_->sliderPosition() == slider_->value())
       emit chosen(static_cast<std::size_t>(slider_->value()));
   });
-  connect(best_, &QToolButton::clicked, this, [this] { emit chosen(*tuning_->best); });
-  connect(knee_, &QToolButton::clicked, this, [this] { emit chosen(tuning_->knee); });
+  connect(best_, &QPushButton::clicked, this, [this] { emit chosen(*tuning_->best); });
+  connect(knee_, &QPushButton::clicked, this, [this] { emit chosen(tuning_->knee); });
   setTuning(nullptr, false);
   retranslate();
 }

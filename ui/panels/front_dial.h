@@ -2,8 +2,8 @@
 /// Rough – finish – fine: a slider along a front, with the numbers of where it stands.
 
 #include <QLabel>
+#include <QPushButton>
 #include <QSlider>
-#include <QToolButton>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -36,7 +36,7 @@ class FrontDial : public QWidget {
 
   QSlider* slider_;
   QLabel *rough_, *finish_, *fine_, *numbers_;
-  QToolButton *best_, *knee_;
+  QPushButton *best_, *knee_;
   std::shared_ptr<const toolpace::TuneResult> tuning_;
   std::optional<std::size_t> used_;
   Units units_;

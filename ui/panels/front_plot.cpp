@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kFrontColours = 16;         // of the vibration
 constexpr double kFrontReach = 16;                // px, how near the mouse has to be
-constexpr double kManyTimesTheError = 12;         // of errors: beyond, the axis is logarithmic
+constexpr double kManyTimesApart = 5;             // beyond, an axis is logarithmic
+constexpr double kDecadesApart = 100;             // and beyond, by tens and no twos
 constexpr double kFrontMargin = 0.08;             // of an axis, around the points
 constexpr double kLeastShareShown = 1e-3;         // of a value, that an axis shows at least
 constexpr int kLeastFrontHeight = 160;            // px
@@ -41,6 +42,21 @@ bool knows_vibration(const toolpace::TuneResult& tuning) {
 QCPRange range_around(double low, double high) {
   const double margin = std::max((high - low) * kFrontMargin, high * kLeastShareShown);
   return {low - margin, high + margin};
+}
+
+/// Logarithmic where the values are many times apart: the quick ones would lie on each other.
+void fit_axis(QCPAxis& axis, double low, double high) {
+  const bool many = low > 0 && high > kManyTimesApart * low;
+  axis.setScaleType(many ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+  if (!many) {
+    axis.setTicker(QSharedPointer<QCPAxisTicker>::create());
+    return axis.setRange(range_around(low, high));
+  }
+  const QSharedPointer<QCPAxisTickerLog> ticker(new QCPAxisTickerLog);
+  ticker->setLogBase(high > kDecadesApart * low ? 10 : 2);
+  axis.setTicker(ticker);
+  const double factor = std::pow(high / low, kFrontMargin);
+  axis.setRange(low / factor, high * factor);
 }
 
 }  // namespace
@@ -159,12 +175,8 @@ void FrontPlot::fitAxes() {
     least = std::min(least, at.y());
     most = std::max(most, at.y());
   }
-  xAxis->setRange(range_around(first, last));
-  const bool many = least > 0 && most > kManyTimesTheError * least;
-  yAxis->setScaleType(many ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-  yAxis->setTicker(many ? QSharedPointer<QCPAxisTickerLog>::create() : QSharedPointer<QCPAxisTicker>::create());
-  const double factor = std::pow(most / std::max(least, 1e-12), kFrontMargin);
-  yAxis->setRange(many ? QCPRange(least / factor, most * factor) : range_around(least, most));
+  fit_axis(*xAxis, first, last);
+  fit_axis(*yAxis, least, most);
 }
 
 /// What the colours mean stands beside the plot, while they mean something.

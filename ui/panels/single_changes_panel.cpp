@@ -13,8 +13,9 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr double kShownTime = 5e-4;   // [s]; less is nothing to a person
-constexpr double kShownError = 5e-6;  // [mm], nor is this
+constexpr int kLeastFigureWidth = 84;  // px
+constexpr double kShownTime = 5e-4;    // [s]; less is nothing to a person
+constexpr double kShownError = 5e-6;   // [mm], nor is this
 enum ChangeColumn { kChangeTitle, kChangeSaved, kChangeAdded, kChangeColumns };
 
 bool matters(const SingleChange& change) {
@@ -35,6 +36,7 @@ SingleChangesPanel::SingleChangesPanel(QWidget* parent)
       button_(new QPushButton(this)),
       table_(figure_table("changesTable", kChangeColumns, this)) {
   setObjectName("singleChangesPanel");
+  table_->horizontalHeader()->setMinimumSectionSize(kLeastFigureWidth);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
@@ -101,9 +103,10 @@ void SingleChangesPanel::fill() {
 }
 
 void SingleChangesPanel::fillRow(int row, const SingleChange& change) {
-  QStringList words;
+  QStringList words, shorter;
   for (const SettingDifference& d : setting_differences(*tried_, *change.job, units_)) {
     words << QString("%1: %2 → %3").arg(d.title, d.a, d.b);
+    shorter << d.title + ": " + d.b;  // what it is now stands in the tip
   }
   const DisplayUnit unit = error_unit(units_);
   const auto colour = [this](double good) {
@@ -111,7 +114,7 @@ void SingleChangesPanel::fillRow(int row, const SingleChange& change) {
   };
   const auto shown = [](double value, double least) { return std::abs(value) < least ? 0.0 : value; };
   const double saved = shown(change.saved, kShownTime), added = shown(change.contour_added, kShownError);
-  auto* title = new QTableWidgetItem(words.join("; "));
+  auto* title = new QTableWidgetItem(shorter.join("; "));
   title->setToolTip(words.join('\n'));
   title->setForeground(stale_ ? theme_.secondary : theme_.text);
   auto* seconds = new NumberItem(signed_figure(saved, 3), change.saved);
@@ -133,7 +136,8 @@ void SingleChangesPanel::showState() {
   if (!trouble_.isEmpty()) return hint_->setText(trouble_);
   if (found_.changes.empty()) return hint_->setText(tr("Each setting alone: what it saves, what error it adds"));
   if (stale_) return hint_->setText(tr("Of other settings: try again"));
-  hint_->setText(tr("Double click or Enter takes a change. %1 others make no difference.").arg(idle));
+  const QString others = idle > 0 ? " " + tr("%1 others make no difference.").arg(idle) : QString();
+  hint_->setText(tr("Double click or Enter takes a change.") + others);
 }
 
 void SingleChangesPanel::take(int row) {

@@ -9,13 +9,13 @@
 
 #include "panels/figure_table.h"
 #include "theme/control_name.h"
+#include "theme/role.h"
 
 namespace toolpace::ui {
 namespace {
 
 constexpr std::size_t kMostTracedLines = 2000;  // in the table, the worst ones
-constexpr int kTraceAxisRows = 7;               // high, its head included
-constexpr int kTraceRowHeight = 20;
+constexpr int kTraceColumnWidth = 96;           // px, at least
 enum TraceAxisColumn { kTraceAxisName, kAxisLag, kAxisMost, kAxisRms, kAxisLine, kTraceAxisColumns };
 enum TraceLineColumn { kTracedLine, kTracedContour, kTracedContourRms, kTracedMost, kTracedRms, kTracedColumns };
 
@@ -46,12 +46,9 @@ TracePage::TracePage(QWidget* parent)
   for (auto* button : {open_, columns_, close_}) row->addWidget(button);
   row->addStretch(1);
   column->addLayout(row);
-  column->addWidget(axes_, 2);
-  column->addWidget(lines_, 5);
-  axes_->setMaximumHeight(kTraceAxisRows * kTraceRowHeight * 2);
-  for (auto* table : {axes_, lines_}) {
-    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  }
+  column->addWidget(axes_);
+  column->addWidget(lines_, 1);
+  for (auto* table : {axes_, lines_}) table->horizontalHeader()->setMinimumSectionSize(kTraceColumnWidth);
   lines_->setSortingEnabled(true);
   connect(open_, &QPushButton::clicked, this, &TracePage::openRequested);
   connect(columns_, &QPushButton::clicked, this, &TracePage::columnsRequested);
@@ -95,8 +92,7 @@ void TracePage::showVerdict() {
   columns_->setEnabled(trace_ || !trouble_.isEmpty());
   close_->setEnabled(trace_ || busy_ || !trouble_.isEmpty());
   const bool doubtful = !trouble_.isEmpty() || (trace_ && trace_->comparison.alignment.is_ambiguous);
-  verdict_->setProperty("role", doubtful ? "warning" : "secondary");
-  verdict_->setStyleSheet({});  // look the role up again
+  set_role(verdict_, doubtful ? "warning" : "secondary");
   if (busy_) return verdict_->setText(tr("comparing…"));
   if (!trouble_.isEmpty()) return verdict_->setText(trouble_);
   if (!trace_) return verdict_->setText(tr("Open what a scope recorded while the program ran"));
@@ -124,13 +120,17 @@ void TracePage::fillAxes() {
     const int row = axes_->rowCount();
     axes_->insertRow(row);
     axes_->setItem(row, kTraceAxisName, new QTableWidgetItem(QString(QLatin1Char(kAxisNames[axis]))));
-    axes_->setItem(row, kAxisLag, new NumberItem(QString::number(a.lag * 1e3, 'f', 3), a.lag));
+    axes_->setItem(row, kAxisLag,
+                   new NumberItem(QString::number(a.lag * 1e3, 'f', 3).replace('-', QChar(0x2212)), a.lag));
     axes_->setItem(row, kAxisMost, new NumberItem(errorText(a.max_error * size), a.max_error));
     axes_->setItem(row, kAxisRms, new NumberItem(errorText(a.rms_error * size), a.rms_error));
     auto* line = new NumberItem(QString::number(a.worst_line), a.worst_line);
     line->setData(Qt::UserRole, a.worst_line);
     axes_->setItem(row, kAxisLine, line);
   }
+  // As high as its rows, so that the lines below have the rest.
+  const int rows = axes_->verticalHeader()->defaultSectionSize() * std::max(axes_->rowCount(), 1);
+  axes_->setFixedHeight(axes_->horizontalHeader()->sizeHint().height() + rows + 4);
 }
 
 void TracePage::fillLines() {
@@ -145,6 +145,7 @@ void TracePage::fillLines() {
   for (int row = 0; row < lines_->rowCount(); ++row) {
     const LineComparison& l = worst[static_cast<std::size_t>(row)];
     auto* line = new NumberItem(QString::number(l.line), l.line);
+    line->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     line->setData(Qt::UserRole, l.line);
     lines_->setItem(row, kTracedLine, line);
     lines_->setItem(row, kTracedContour, new NumberItem(errorText(l.max_contour), l.max_contour));

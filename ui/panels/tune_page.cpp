@@ -12,6 +12,7 @@
 #include "panels/form_grid.h"
 #include "theme/control_name.h"
 #include "theme/flow_layout.h"
+#include "theme/role.h"
 
 namespace toolpace::ui {
 namespace {
@@ -104,8 +105,8 @@ void TunePage::build() {
   plot_column->addWidget(dial_);
   body_ = new QBoxLayout(QBoxLayout::LeftToRight);
   body_->setSpacing(8);
-  body_->addWidget(left, 3);
-  body_->addWidget(buildRight(), 2);
+  body_->addWidget(left, 1);
+  body_->addWidget(buildRight(), 1);
   column->addLayout(body_, 1);
 }
 
@@ -250,9 +251,7 @@ void TunePage::showState() {
                               : tr("End the search with what was found so far"));
   button_->setEnabled(program_ != nullptr || isSearching());
   if (isSearching()) return;
-  const QString role = stale_ || !trouble_.isEmpty() ? "warning" : "secondary";
-  verdict_->setProperty("role", role);
-  verdict_->setStyleSheet({});  // look the role up again
+  set_role(verdict_, stale_ || !trouble_.isEmpty() ? "warning" : "secondary");
   if (!trouble_.isEmpty()) return verdict_->setText(trouble_);
   if (!tuning_) return verdict_->setText(tr("Cycle time against contour error: which settings nothing beats"));
   if (stale_) return verdict_->setText(tr("Of another program or other settings: search again"));

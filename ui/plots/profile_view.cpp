@@ -20,6 +20,11 @@
 #include "theme/line_key.h"
 
 namespace toolpace::ui {
+namespace {
+
+constexpr int kRoomForErrors = 300;  // px, for two more plots
+
+}  // namespace
 ProfileView::ProfileView(QWidget* parent) : QWidget(parent) {
   setObjectName("profileView");
   pages_ = new QStackedWidget(this);
@@ -90,7 +95,7 @@ void ProfileView::showTrace(const std::shared_ptr<const MeasuredTrace>& trace) {
   has_trace_ = is_there;
   show_follow_->setVisible(is_there);
   setFollowShown(is_there);
-  if (is_there) setErrorShown(true);
+  if (is_there && plot_->height() >= kRoomForErrors) setErrorShown(true);
   fillKey();
 }
 
