@@ -47,7 +47,10 @@ Result<RewriteTarget> target_of(const RewriteFlags& flags) {
   auto predict = flags.controller.options();
   if (!predict) return tl::unexpected(predict.error());
   RewriteTarget target{std::move(*setup), std::nullopt, *predict, flags.fit == "arcs", flags.feeds == "planned"};
-  if (auto fine = check_tolerance(target); !fine) return tl::unexpected(fine.error());
+  if (!(target.setup.options.corner.tolerance > 0)) {
+    return tl::unexpected(usage_error("bad-flag", "--tolerance-mm is 0: nothing can be written otherwise within it",
+                                      "give a tolerance above 0"));
+  }
   if (flags.controller.is_given()) {
     auto settings = flags.controller.read_settings();
     if (!settings) return tl::unexpected(settings.error());

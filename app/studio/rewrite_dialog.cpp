@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -143,7 +144,7 @@ void RewriteDialog::buildFields(ui::FormGrid& grid) {
   dialect_->setCurrentIndex(dialect_->findData(static_cast<int>(Dialect::automatic)));
   tolerance_ = new NumberField("rewriteTolerance", {}, Quantity::length, {kLeastTolerance, kMostTolerance}, this);
   tolerance_->setUnits(start_.units);
-  tolerance_->setValue(start_.setup.options.corner.tolerance);
+  tolerance_->setValue(std::max(start_.setup.options.corner.tolerance, kLeastTolerance));
   baud_ = new NumberField("rewriteBaud", {}, Quantity::time, {kLeastBaud, kMostBaud, true, true}, this);
   baud_->setUnit({1.0, tr("bit/s")});
   baud_->setUnlimitedText(tr("no link"));

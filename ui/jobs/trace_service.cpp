@@ -17,7 +17,7 @@ Result<CommandedRows> rows_of(const Outcome& outcome, const Monitor& monitor) {
   }
   if (commanded.size() >= 2) return commanded;
   return tl::unexpected(
-      Error{ErrorKind::input, "setpoints-empty", "the program moves no axis", "give the program that was run", {}, {}});
+      Error{ErrorKind::input, "setpoints-empty", "the program moves no axis", "", {}, {}});
 }
 
 /// What is drawn of one row after another.

@@ -59,7 +59,14 @@ FeedLimits feed_limits(const RewriteTarget& target) {
 Result<RewrittenFor> rewrite_for(const RewriteTarget& target, std::string_view text, const std::string& name,
                                  const std::shared_ptr<const Reading>& reading, const ReadOptions& read_options,
                                  const Monitor& monitor) {
-  if (auto fine = check_tolerance(target); !fine) return tl::unexpected(fine.error());
+  if (!(target.setup.options.corner.tolerance > 0)) {
+    return tl::unexpected(Error{ErrorKind::usage,
+                                "bad-limit",
+                                "the tolerance is 0: nothing can be written otherwise within it",
+                                "",
+                                {},
+                                {}});
+  }
   RewriteOptions options{
       target.setup.options.corner.tolerance, target.wants_arcs && knows_arcs(target.settings), {}, {}};
   if (target.plans_feeds) options.feeds = feed_limits(target);
@@ -81,16 +88,6 @@ Result<RewrittenFor> rewrite_for(const RewriteTarget& target, std::string_view t
   rewritten->time_after = after->total;
   monitor.report(1);
   return RewrittenFor{std::move(*rewritten), std::move(*before), std::move(*after)};
-}
-
-Result<void> check_tolerance(const RewriteTarget& target) {
-  if (target.setup.options.corner.tolerance > 0) return {};
-  return tl::unexpected(Error{ErrorKind::usage,
-                              "bad-flag",
-                              "--tolerance-mm is 0: nothing can be written otherwise within it",
-                              "give a tolerance above 0",
-                              {},
-                              {}});
 }
 
 std::size_t motion_rows(const Moves& moves) {

@@ -30,13 +30,10 @@ struct RewrittenFor {
 /// Checks the tolerance, rewrites, and takes the times: of the controller's model, by which parts that would take longer are left as
 /// they were, or else of two plans.
 /// @param reading  of `text`, as read_text(text, name, read_options) has it
-/// Errors: usage (bad-flag) for a tolerance of 0; of rewrite(), predict() and run().
+/// Errors: usage (bad-limit) for a tolerance of 0; of rewrite(), predict() and run().
 Result<RewrittenFor> rewrite_for(const RewriteTarget& target, std::string_view text, const std::string& name,
                                  const std::shared_ptr<const Reading>& reading, const ReadOptions& read_options,
                                  const Monitor& monitor = {});
-
-/// Errors: usage (bad-flag) for a tolerance of 0.
-Result<void> check_tolerance(const RewriteTarget& target);
 
 /// Rows that move.
 std::size_t motion_rows(const Moves& moves);
