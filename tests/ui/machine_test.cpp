@@ -27,7 +27,7 @@ constexpr auto kMill =
 
 QByteArray with_speed(const char* speed) { return QByteArray(kMill).replace("120.0", speed); }
 
-class Tuned : public Opened {
+class TunedWindow : public Opened {
  public:
   double speed() { return workspace().tuning().value().machine.path.speed; }
   void setSpeed(double speed) {
@@ -52,7 +52,7 @@ class MachineTest : public QObject {
 
   void saving_changes_the_value_and_keeps_everything_else() {
     write(in("mill.toml"), kMill);
-    Tuned window;
+    TunedWindow window;
     QVERIFY(window.openMachine(in("mill.toml")));
     QVERIFY(!window.hasStar());
     window.setSpeed(99);
@@ -64,7 +64,7 @@ class MachineTest : public QObject {
 
   void a_change_that_is_taken_back_leaves_no_star_and_a_feed_hold_is_no_change_of_the_machine() {
     write(in("mill.toml"), kMill);
-    Tuned window;
+    TunedWindow window;
     window.openMachine(in("mill.toml"));
     window.setSpeed(99);
     window.setSpeed(120);
@@ -75,7 +75,7 @@ class MachineTest : public QObject {
 
   void what_another_program_writes_is_taken_where_nothing_is_in_its_way() {
     write(in("mill.toml"), kMill);
-    Tuned window;
+    TunedWindow window;
     window.openMachine(in("mill.toml"));
     write(in("mill.toml"), with_speed("77"));
     TOOLPACE_EVENTUALLY_EQUAL(window.speed(), 77.0);
@@ -85,7 +85,7 @@ class MachineTest : public QObject {
 
   void a_person_chooses_between_own_changes_and_those_of_another_program() {
     write(in("mill.toml"), kMill);
-    Tuned window;
+    TunedWindow window;
     window.openMachine(in("mill.toml"));
     window.setSpeed(99);
     write(in("mill.toml"), with_speed("77"));
@@ -111,7 +111,7 @@ class MachineTest : public QObject {
 
   void saving_over_a_file_that_changed_outside_asks() {
     write(in("mill.toml"), kMill);
-    Tuned window;
+    TunedWindow window;
     window.openMachine(in("mill.toml"));
     window.setSpeed(99);
     const QByteArray theirs = "# newer\n" + with_speed("55");
@@ -131,7 +131,7 @@ class MachineTest : public QObject {
 
   void a_file_that_another_program_has_broken_is_told_and_mine_stays() {
     write(in("mill.toml"), kMill);
-    Tuned window;
+    TunedWindow window;
     window.openMachine(in("mill.toml"));
     write(in("mill.toml"), "[path\n");
     auto& problems = window.the<QTableView>("problemTable");
@@ -145,7 +145,7 @@ class MachineTest : public QObject {
 
   void leaving_with_changes_asks_and_saves_or_stays_or_leaves_them() {
     write(in("mill.toml"), kMill);
-    Tuned window;
+    TunedWindow window;
     window.openMachine(in("mill.toml"));
     window.setSpeed(99);
     {
@@ -171,7 +171,7 @@ class MachineTest : public QObject {
 
   void another_machine_is_opened_after_asking() {
     write(in("mill.toml"), kMill);
-    Tuned window;
+    TunedWindow window;
     window.openMachine(in("mill.toml"));
     window.setSpeed(99);
     {
@@ -186,7 +186,7 @@ class MachineTest : public QObject {
   }
 
   void changes_of_the_default_limits_are_asked_about_too() {
-    Tuned window;
+    TunedWindow window;
     QVERIFY(!window.hasStar());
     window.setSpeed(99);
     QVERIFY(window.hasStar());
@@ -199,7 +199,7 @@ class MachineTest : public QObject {
   void a_save_that_fails_says_why_and_keeps_the_star() {
     QVERIFY(QDir(folder_.path()).mkpath("gone"));
     write(in("gone/mill.toml"), kMill);
-    Tuned window;
+    TunedWindow window;
     window.openMachine(in("gone/mill.toml"));
     window.setSpeed(99);
     QVERIFY(QDir(in("gone")).removeRecursively());
@@ -213,14 +213,14 @@ class MachineTest : public QObject {
   void an_imported_machine_is_saved_under_a_name_of_its_own() {
     const QByteArray ini = "[TRAJ]\nMAX_LINEAR_VELOCITY = 50\nMAX_LINEAR_ACCELERATION = 500\n";
     write(in("lathe.ini"), ini);
-    Tuned window;
+    TunedWindow window;
     QVERIFY(window.openMachine(in("lathe.ini")));
     QVERIFY(window.hasStar());
     auto name = file_named(in("turning.ini"));
     window.save();
     QVERIFY(!window.hasStar());
     QCOMPARE(content(in("lathe.ini")), ini);
-    Tuned again;
+    TunedWindow again;
     QVERIFY(again.openMachine(in("turning.ini.toml")));
     QCOMPARE(again.speed(), 50.0);
     QVERIFY(!again.hasStar());
@@ -228,7 +228,7 @@ class MachineTest : public QObject {
 
   void what_an_imported_machine_leaves_open_is_told_until_it_is_saved() {
     write(in("joints.ini"), "[JOINT_0]\nMAX_VELOCITY = 50\n");
-    Tuned window;
+    TunedWindow window;
     QVERIFY(window.openMachine(in("joints.ini")));
     const auto& problems = *window.the<QTableView>("problemTable").model();
     QCOMPARE(problems.rowCount(), 1);
@@ -240,7 +240,7 @@ class MachineTest : public QObject {
 
   void travel_out_of_order_is_refused_at_import() {
     write(in("odd.ini"), "[AXIS_X]\nMIN_LIMIT = 100\nMAX_LIMIT = -100\n");
-    Tuned window;
+    TunedWindow window;
     QVERIFY(!window.openMachine(in("odd.ini")));
     QVERIFY(window.the<QTableView>("problemTable").model()->rowCount() > 0);
     QVERIFY(!window.hasStar());
@@ -268,7 +268,7 @@ class MachineTest : public QObject {
   }
 
   void a_built_in_machine_that_was_changed_is_saved_as_a_file_with_its_comments() {
-    Tuned window;
+    TunedWindow window;
     QVERIFY(window.openMachine(studio::built_in_machines().front().path));
     window.setSpeed(99);
     auto name = file_named(in("own.toml"));

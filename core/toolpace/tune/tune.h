@@ -19,8 +19,8 @@ struct TuneOptions {
   std::optional<double> contour = {};
   /// The same for the largest residual vibration of an axis [mm, deg].
   std::optional<double> vibration = {};
-  std::size_t plans = 200;        ///< that may be made, ≥ 1
-  std::function<bool()> is_over;  ///< asked before each batch of plans, if given: ends the search with what there is
+  std::size_t plans = 200;             ///< that may be made, ≥ 1
+  std::function<bool()> is_over = {};  ///< asked before each batch of plans, if given: ends the search with what there is
 };
 
 /// A job that was tried.
