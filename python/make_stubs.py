@@ -8,7 +8,7 @@ TYPES = {"number": "float", "count": "int", "word": "str | int", "words": "str |
          "output": "Path", "argument": "Path"}
 RETURNED = {"plan": "Plan", "steps": "Pulses"}
 HEAD = '''# Made by python/make_stubs.py from the command line's own grammar.
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from os import PathLike
 from typing import Any
 
@@ -51,7 +51,7 @@ class Pulses(Result):
 def parameter(name, flag):
     kind = TYPES[flag["kind"]]
     if flag["kind"] == "argument":
-        return f"{name}: {kind}" if name != "setpoints" else f"{name}: {kind} | NDArray[numpy.float64]"
+        return f"{name}: {kind}" + {"setpoints": " | NDArray[numpy.float64]", "program": " | Mapping[str, Any]"}.get(name, "")
     if flag["required"]:
         return f"{name}: {kind}"
     return f"{name}: bool = ..." if flag["kind"] == "toggle" else f"{name}: {kind} | None = ..."

@@ -119,14 +119,29 @@ def document(command):
     return "\n".join(lines)
 
 
+def _save_setpoints(folder, rows):
+    file = os.path.join(folder, "setpoints.npy")
+    numpy.save(file, numpy.ascontiguousarray(rows, dtype=float))
+    return file
+
+
+def _save_polyline(folder, columns):
+    file = os.path.join(folder, "polyline.csv")
+    names = list(columns.keys())
+    rows = zip(*(numpy.asarray(columns[name], dtype=float).tolist() for name in names), strict=True)
+    with open(file, "w", encoding="utf-8") as out:
+        out.write(",".join(map(str, names)) + "\n")
+        out.writelines(",".join(map(repr, row)) + "\n" for row in rows)
+    return file
+
+
 def _as_files(command, values, stack):
-    """Arrays in the place of setpoint files become files for the time of the call: rows as Plan.setpoints has them."""
-    name = "setpoints"
-    if command["flags"].get(name, {}).get("kind") == "argument" and hasattr(values.get(name), "__array__"):
-        folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="toolpace-"))
-        file = os.path.join(folder, "setpoints.npy")
-        numpy.save(file, numpy.ascontiguousarray(values[name], dtype=float))
-        values[name] = file
+    """What is given in the place of a file becomes one for the time of the call: an array of setpoints, with rows as Plan.setpoints
+    has them, and the columns of a polyline (a dict, a pandas frame), named as in .csv: x_mm, y_mm, z_mm, feed_mm_min."""
+    for name, is_meant, save in (("setpoints", lambda value: hasattr(value, "__array__"), _save_setpoints),
+                                 ("program", lambda value: hasattr(value, "keys"), _save_polyline)):
+        if command["flags"].get(name, {}).get("kind") == "argument" and is_meant(values.get(name)):
+            values[name] = save(stack.enter_context(tempfile.TemporaryDirectory(prefix="toolpace-")), values[name])
 
 
 def make_function(command):

@@ -118,6 +118,16 @@ class SameBytes(ModuleTest):
 
 
 class Arrays(ModuleTest):
+    def test_a_polyline_of_columns_is_planned_as_its_file(self):
+        angle = numpy.linspace(0, 6, 200)
+        columns = {"x_mm": 10 * numpy.cos(angle), "y_mm": 10 * numpy.sin(angle), "feed_mm_min": numpy.full(200, 2400.0)}
+        numpy.savetxt("a.csv", numpy.column_stack(list(columns.values())), "%.17g", ",", header=",".join(columns), comments="")
+        plan = toolpace.plan(columns, corner="blend")
+        self.assertEqual(plan.setpoints.tobytes(), toolpace.plan("a.csv", corner="blend").setpoints.tobytes())
+        self.assertEqual(toolpace.replan(plan, corner="stop", setpoints="b.npy").setpoints.tobytes(), numpy.load("b.npy").tobytes())
+        with self.assertRaises(toolpace.InputError):
+            toolpace.plan({"u": [0, 1]})
+
     def test_columns_are_views_of_the_one_array(self):
         plan = toolpace.plan(EXAMPLES / "helix.ngc")
         self.assertIs(plan.setpoints, plan.setpoints)
