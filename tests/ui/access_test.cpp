@@ -142,6 +142,7 @@ class AccessTest : public QObject {
     Opened window({1600, 1200});
     window.openButterfly();
     window.setTouch(true);
+    for (const char* page : {"tuneDock", "traceDock"}) window.the<QDockWidget>(page).show();
     studio::settle(window);
     QStringList troubles;
     for (const char* tab : kTabs) {

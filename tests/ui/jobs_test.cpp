@@ -161,7 +161,9 @@ class JobsTest : public QObject {
     const auto job = workspace.job();
     sweeps.sweep(job);
     savings.trySingleChanges(job);
-    searches.search(job, {.plans = 20});
+    TuneOptions few;
+    few.plans = 20;
+    searches.search(job, few);
     exporter.start(workspace.timeline()->outcome(), folder.filePath("out.npz"));
     workspace.tuning().edit("edit", "key", [](Tuning& t) { t.machine.path.speed = 30; });
     TOOLPACE_EVENTUALLY(!swept.isEmpty() && !found.isEmpty() && !best.isEmpty() && !saved.isEmpty());

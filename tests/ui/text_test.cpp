@@ -229,7 +229,7 @@ class TextTest : public QObject {
     for (const char* language : {"en", "zh_CN"}) {
       Opened window;
       window.setLanguage(language);
-      for (const char* page : {"singleMoveDock", "stepperDock", "spectrumDock", "tuneDock"}) {
+      for (const char* page : {"singleMoveDock", "stepperDock", "spectrumDock", "tuneDock", "traceDock"}) {
         auto& dock = window.the<QDockWidget>(page);
         dock.show();
         studio::settle(window);
