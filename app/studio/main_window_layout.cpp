@@ -92,7 +92,7 @@ void MainWindow::buildPanels() {
   reading_ = new ui::ReadingPage(this);
   spectrum_ = new ui::SpectrumPage(this);
   trace_ = new ui::TracePage(this);
-  addTool("traceDock", trace_, {560, 560});
+  addTool("traceDock", trace_, {640, 560});
   tune_ = new ui::TunePage(workspace_.tuning(), this);
   addTool("tuneDock", tune_, {1000, 620});
   addTool("spectrumDock", spectrum_, {760, 560});
