@@ -54,18 +54,36 @@ CurveBounds line_bounds(const Chain& chain, const Path& path, std::size_t i) {
   return b;
 }
 
-/// Derivatives at shares of a segment's length.
+AxisVector point_at_share(const Path& path, std::size_t i, double share) {
+  const std::uint32_t detail = path.detail[i];
+  if (path.kind[i] == SegmentKind::spline) {
+    const SplinePiece& piece = path.spline_pieces[detail];
+    return spline_point(path.splines[piece.spline], piece.begin + share * (piece.end - piece.begin));
+  }
+  if (detail < Path::kCurveBlend) return blend_point(path.corner_blends[detail], share);
+  return blend_point(path.curve_blends[detail - Path::kCurveBlend], share);
+}
+
+/// Derivatives by length at shares of a segment.
 class AxisSampler {
  public:
   AxisSampler(const Path& path, std::size_t segment) : curve_(path), segment_(segment) {}
 
   template <int rows>
   ParameterDerivatives at_share(double share) const {
-    const Frame f = curve_.frame_at(segment_, share * curve_.path().length[segment_]);
+    const Frame f = frame_at_share(share);
     return {f.first, f.second, f.third};
   }
 
  private:
+  /// Of the own parameter, where there is one: it does not matter how long the way there is.
+  Frame frame_at_share(double share) const {
+    const Path& path = curve_.path();
+    if (path.kind[segment_] < SegmentKind::spline) return curve_.frame_at(segment_, share * path.length[segment_]);
+    const ParameterDerivatives d = derivatives_at_share(path, segment_, share);
+    return through(*path.chain_of(segment_), {point_at_share(path, segment_, share), d.first, d.second, d.third});
+  }
+
   AxisCurve curve_;
   std::size_t segment_;
 };

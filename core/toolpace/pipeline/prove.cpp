@@ -109,7 +109,9 @@ double judged_tolerance(const Moves& moves, const CornerOptions& corner) {
 Result<VerifyReport> prove(const std::filesystem::path& setpoints, const Outcome& outcome, const Monitor& monitor) {
   auto file = open_setpoint_file(setpoints);
   if (!file) return tl::unexpected(file.error());
-  return judge(**file, outcome, true, monitor);
+  auto report = judge(**file, outcome, true, monitor);
+  const bool is_told = report || report.error().code != "setpoints-lines";
+  return is_told ? std::move(report) : prove(outcome, monitor);
 }
 
 Result<VerifyReport> prove(const Outcome& outcome, const Monitor& monitor) {

@@ -22,7 +22,8 @@ double corner_tolerance(const Moves& moves, std::uint32_t row, const CornerOptio
 /// the path, the largest corner_tolerance() of the program for those that smooth corners.
 double judged_tolerance(const Moves& moves, const CornerOptions& corner);
 
-/// Reads the file back and judges it by machine, options and program. Errors: of verify().
+/// Reads the file back and judges it by machine, options and program; the setpoints themselves where the program changes between axes
+/// and the tool's tip, and the file does not tell the lines. Errors: of verify().
 Result<VerifyReport> prove(const std::filesystem::path& setpoints, const Outcome& outcome, const Monitor& monitor = {});
 
 /// The same for the setpoints themselves, without a file.
