@@ -1857,6 +1857,10 @@
             <translation>G87 需要 I J K</translation>
         </message>
         <message>
+            <source>H is a whole number from 0</source>
+            <translation>H 须为不小于 0 的整数</translation>
+        </message>
+        <message>
             <source>H is a whole number from 0 to 10000</source>
             <translation>H 是 0 到 10000 的整数</translation>
         </message>

@@ -15,6 +15,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "D takes a tool number"),
     QT_TRANSLATE_NOOP("remedies", "G76 needs P Z I J K"),
     QT_TRANSLATE_NOOP("remedies", "G87 needs I J K"),
+    QT_TRANSLATE_NOOP("remedies", "H is a whole number from 0"),
     QT_TRANSLATE_NOOP("remedies", "H is a whole number from 0 to 10000"),
     QT_TRANSLATE_NOOP("remedies", "I is the depth of a pass"),
     QT_TRANSLATE_NOOP("remedies", "J is the first cut, K the full depth, both positive, K the larger"),
