@@ -15,6 +15,10 @@ AxisVector axes_of(const SetpointRows& rows, std::size_t row) {
   return axes;
 }
 
+Eigen::Vector3d told_by(const Chain& chain, const AxisVector& axes) {
+  return chain.is_identity() ? Eigen::Vector3d(axes.head<3>()) : seen_tool(chain, axes).tip;
+}
+
 }  // namespace
 
 TipRows::TipRows(SetpointFile& file, const Path& path, const Moves& moves) : file_(file), stretches_(1) {
@@ -28,13 +32,16 @@ TipRows::TipRows(SetpointFile& file, const Path& path, const Moves& moves) : fil
     for (; row < end; ++row) stretches_.back().lines.insert(moves.line[row]);
     if (telling != path.tellings.end() && telling->node == i) {
       if (i > 0) stretches_.emplace_back();
-      stretches_.back().chain = (telling++)->chain;
+      Stretch& stretch = stretches_.back();
+      stretch.chain = (telling++)->chain;
+      stretch.first_axes = stretch.chain.is_identity() ? path.node[i] : axes_for(stretch.chain, path.node[i]);
     }
     if (row < moves.size() && i < path.size()) stretches_.back().lines.insert(moves.line[row]);
   }
 }
 
-TipRows::TipRows(SetpointFile& file, const Chain& chain) : file_(file), stretches_{{chain, {}}} {
+TipRows::TipRows(SetpointFile& file, const Chain& chain) : file_(file), stretches_(1) {
+  stretches_.front().chain = chain;
   columns_ = file.columns();
   origin_ = file.origin();
 }
@@ -59,11 +66,8 @@ void TipRows::add_row(SetpointRows& rows, std::size_t row) {
     ++stretch_;
     is_told_anew = true;
   }
-  const Chain& chain = stretches_[stretch_].chain;
-  const auto told = [&](const AxisVector& a) -> Eigen::Vector3d {
-    return chain.is_identity() ? Eigen::Vector3d(a.head<3>()) : seen_tool(chain, a).tip;
-  };
-  const Eigen::Vector3d from = !started_ ? told(axes) : is_told_anew ? told(last_axes_) : last_tip_;
+  const auto told = [&](const AxisVector& a) { return told_by(stretches_[stretch_].chain, a); };
+  const Eigen::Vector3d from = !started_ ? told(axes) : is_told_anew ? from_before(told(axes)) : last_tip_;
   Eigen::Vector3d tip = told(axes);
   if ((tip - from).norm() <= kRests + kRestsOfAll * tip.norm()) tip = from;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -73,6 +77,16 @@ void TipRows::add_row(SetpointRows& rows, std::size_t row) {
   started_ = true;
   last_axes_ = axes;
   last_tip_ = tip;
+}
+
+/// From where the first row of a stretch has come: as far away as both ways, to the place where it begins and from there on, are
+/// long.
+Eigen::Vector3d TipRows::from_before(const Eigen::Vector3d& tip) const {
+  const Stretch& now = stretches_[stretch_];
+  const Eigen::Vector3d way = tip - told_by(now.chain, now.first_axes);
+  const double before = (told_by(stretches_[stretch_ - 1].chain, now.first_axes) - last_tip_).norm();
+  if (!(way.norm() > 0)) return tip - Eigen::Vector3d(before, 0, 0);
+  return tip - way * (1 + before / way.norm());
 }
 
 void TipRows::rewind() {

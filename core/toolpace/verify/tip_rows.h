@@ -27,12 +27,14 @@ class TipRows final : public SetpointFile {
 
  private:
   void add_row(SetpointRows& rows, std::size_t row);
+  Eigen::Vector3d from_before(const Eigen::Vector3d& tip) const;
 
   SetpointFile& file_;
   /// Rows that are told alike.
   struct Stretch {
     Chain chain;
-    std::unordered_set<std::uint32_t> lines;  ///< of their moves
+    std::unordered_set<std::uint32_t> lines;     ///< of their moves
+    AxisVector first_axes = AxisVector::Zero();  ///< where the machine rests at their beginning
   };
   std::vector<Stretch> stretches_;
   std::size_t stretch_ = 0;  ///< of the row before
