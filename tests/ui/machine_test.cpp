@@ -62,6 +62,24 @@ class MachineTest : public QObject {
     QCOMPARE(content(in("mill.toml")), with_speed("99"));
   }
 
+  void programs_about_the_tip_are_read_by_the_machine_that_is_chosen() {
+    const QByteArray chain =
+        "[kinematics]\nrotary = [{axis = \"A\", side = \"table\", direction = [1, 0, 0], point_mm = [0, 0, -50]}]\n";
+    write(in("mill.toml"), kMill);
+    write(in("tilting.toml"), kMill + chain);
+    TunedWindow window;
+    QVERIFY(window.openMachine(in("mill.toml")));
+    window.open("%\nO1\nG21 G90 G94\nG43.4 H1\nG1 X10 A20 F600\nG49\nM30\n%\n", "tip.nc");
+    const auto reading = [&] { return window.workspace().document()->reading; };
+    QVERIFY(reading()->refused);
+    QVERIFY(window.openMachine(in("tilting.toml")));
+    TOOLPACE_EVENTUALLY(!reading()->refused && reading()->moves.has_tip());
+    TOOLPACE_EVENTUALLY(window.workspace().timeline() && !window.workspace().isBusy());
+    QVERIFY(window.workspace().timeline()->outcome()->path->chain_of(0) != nullptr);
+    QVERIFY(window.openMachine(in("mill.toml")));
+    TOOLPACE_EVENTUALLY(reading()->refused);
+  }
+
   void a_change_that_is_taken_back_leaves_no_star_and_a_feed_hold_is_no_change_of_the_machine() {
     write(in("mill.toml"), kMill);
     TunedWindow window;

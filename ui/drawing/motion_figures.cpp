@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "toolpace/base/metric.h"
-#include "toolpace/sample/motion.h"
 #include "toolpace/pipeline/sampled.h"
+#include "toolpace/sample/motion.h"
 
 namespace toolpace::ui {
 namespace {

@@ -101,7 +101,7 @@ class GeometryBuilder {
 
   void add_moment(std::size_t block, double time) {
     motion_.at(time, block);
-    add_piece(block, motion_.on_segment() / path_.length[block], motion_.position().head<3>());
+    add_piece(block, motion_.on_segment() / path_.length[block], motion_.place().head<3>());
     geometry_.time.push_back(time);
   }
 

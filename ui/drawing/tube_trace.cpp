@@ -95,6 +95,7 @@ bool leaves_programmed_path(const Outcome& outcome) {
 std::shared_ptr<const TubeTrace> make_tube_trace(const Outcome& outcome, const Monitor& monitor) {
   const Job& job = *outcome.job;
   if (!leaves_programmed_path(outcome) || outcome.path->size() == 0) return nullptr;
+  if (job.program->moves.has_tip()) return nullptr;  // setpoints are of the axes, and the path is the tip's
   const auto programmed = build_path(job.program->moves, job.machine.tool_change, {monitor.stop, {}});
   if (!programmed || programmed->size() == 0) return nullptr;
   const double reach = kReach * std::max(judged_tolerance(job.program->moves, job.options.corner), 1e-6);

@@ -39,6 +39,7 @@ class ReaderService : public QObject {
   bool isBusy() const { return worker_.isBusy(); }
   /// How all that is asked for from now on is read. The program's own folder is searched in any case.
   void setOptions(const ReadOptions& options) { options_ = options; }
+  const ReadOptions& options() const { return options_; }
 
  signals:
   /// @param stamp  of the file that was read; none for texts

@@ -16,6 +16,7 @@ Diagnostic as_diagnostic(const Error& error) {
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
   connectProgram();
+  connect(&tuning_, &TuningModel::changed, this, &Workspace::followMachine);
   connect(&tuning_, &TuningModel::changed, this, &Workspace::replan);
   connect(&planner_, &PlannerService::planned, this, &Workspace::takePlan);
   connect(&planner_, &PlannerService::failed, this, &Workspace::takeFailure);
@@ -185,7 +186,10 @@ void Workspace::swap() {
   emit pinnedChanged();
   emit planChanged();
   makeAxes();
-  tuning_.replace(tr("Swap A and B"), {job->machine, job->options});
+  Setup setup = tuning_.value();
+  setup.machine = job->machine;
+  setup.options = job->options;
+  tuning_.replace(tr("Swap A and B"), setup);
 }
 
 void Workspace::setCursorTime(double time) {

@@ -67,7 +67,8 @@ class Workspace : public QObject {
   void openText(const QByteArray& text, const QString& name);
   /// How programs are read; the one that is open is read again at once.
   void setReadOptions(const ReadOptions& options);
-  const ReadOptions& readOptions() const { return read_options_; }
+  /// With the kinematics of the machine, which programs about the tool's tip are read by.
+  ReadOptions readOptions() const;
   /// Reads the file again, or the text where there is no file; with edits, asks first (conflict).
   void reload();
   Conflict conflict() const { return conflict_; }
@@ -123,6 +124,7 @@ class Workspace : public QObject {
   void takeOutsideChange();
   void setConflict(Conflict conflict);
   // workspace.cpp
+  void followMachine();
   void replan();
   void show(const Planned& plan);
   void takeRefined(const Planned& plan);
@@ -152,7 +154,7 @@ class Workspace : public QObject {
   PlannerService planner_;
   ControllerService controller_;
   TuneService setpoints_;
-  ReadOptions read_options_;
+  ReadOptions read_options_;  ///< without what the machine tells
   Refiner refiner_;
   ProofService proof_service_;
   FileWatcher watcher_;

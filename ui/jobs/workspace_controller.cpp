@@ -50,7 +50,7 @@ void Workspace::runOnController() {
   if (!document_ || !controller_view_.chosen) return;
   setpoints_.cancel();
   controller_view_.is_stale = true;
-  latest_run_ = controller_.submit(document_, controller_view_.chosen, read_options_);
+  latest_run_ = controller_.submit(document_, controller_view_.chosen, readOptions());
   emit controllerChanged();
 }
 

@@ -1,10 +1,23 @@
 /// The program of a workspace: opening, editing, reading again, saving.
 
+#include <algorithm>
 #include <utility>
 
 #include "jobs/workspace.h"
+#include "toolpace/limits/travel.h"
 
 namespace toolpace::ui {
+namespace {
+
+/// Whether it is about the tool's tip, or was to be.
+bool asks_for_kinematics(const Reading& reading) {
+  return reading.moves.has_tip() ||
+         std::any_of(reading.diagnostics.begin(), reading.diagnostics.end(), [](const Diagnostic& d) {
+           return d.code == "kinematics-missing" || d.code == "tool-length-missing";
+         });
+}
+
+}  // namespace
 
 void Workspace::connectProgram() {
   connect(&reader_, &ReaderService::read, this, &Workspace::takeDocument);
@@ -57,8 +70,23 @@ void Workspace::readText() {
 
 void Workspace::setReadOptions(const ReadOptions& options) {
   read_options_ = options;
-  reader_.setOptions(options);
+  reader_.setOptions(readOptions());
   if (document_) readText();
+}
+
+ReadOptions Workspace::readOptions() const {
+  ReadOptions options = read_options_;
+  options.kinematics = tuning_.value().kinematics;
+  options.travel = rotary_travel(tuning_.value().machine);
+  return options;
+}
+
+/// Another machine may read the same program another way.
+void Workspace::followMachine() {
+  const ReadOptions before = reader_.options(), now = readOptions();
+  if (before.kinematics == now.kinematics && before.travel == now.travel) return;
+  reader_.setOptions(now);
+  if (document_ && asks_for_kinematics(*document_->reading)) readText();
 }
 
 void Workspace::reload() {

@@ -43,6 +43,8 @@ struct Chain {
 struct Kinematics {
   Chain chain;
   bool tells_tool_length = false;
+
+  bool operator==(const Kinematics&) const = default;
 };
 
 /// Where the tool is, seen from the workpiece.

@@ -15,6 +15,7 @@ struct RotaryTravel {
   std::array<double, kAxisCount> low, high;
 
   static RotaryTravel unbounded();
+  bool operator==(const RotaryTravel&) const = default;
 };
 
 /// The angles of the rotary axes that point the tool as asked: at most two ways. Of each the turns nearest to `near` that lie inside
