@@ -125,9 +125,14 @@ void FrontPlot::drawPoints() {
   const bool coloured = knows_vibration(*tuning_) && !stale_;
   const auto [low, high] = coloured ? vibration_range(*tuning_) : std::pair(0.0, 1.0);
   const ColourTable table = colour_table(ColourMap::cividis, theme_.dark ? Ground::dark : Ground::light);
+  std::vector<Objectives> front;
+  for (const Tuned& t : tuning_->front) front.push_back(t.objectives);
+  for (const std::size_t i : pareto_front(front, Flaw::contour)) {  // others are there for their vibration alone
+    const QPointF at = coordinates(front[i]);
+    steps_->addData(at.x(), at.y());
+  }
   for (const Tuned& t : tuning_->front) {
     const QPointF at = coordinates(t.objectives);
-    steps_->addData(at.x(), at.y());
     const double level = coloured ? (*t.objectives.vibration - low) / (high - low) : 0;
     points_[std::min(kFrontColours - 1, static_cast<std::size_t>(level * kFrontColours))]->addData(at.x(), at.y());
   }
