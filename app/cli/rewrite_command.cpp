@@ -114,8 +114,16 @@ Done run_rewrite(RewriteFlags flags) {
   if (!file) return tl::unexpected(file.error());
   const auto content = read_whole_file(flags.reading.program, terminal_monitor("reading"));
   if (!content) return tl::unexpected(content.error());
-  auto read = flags.reading.read_accepted(content->bytes());
+  auto read = flags.reading.on(target->setup).read_accepted(content->bytes());
   if (!read) return tl::unexpected(read.error());
+  if (read->moves.has_tip()) {
+    return tl::unexpected(Error{ErrorKind::input,
+                                "rewrite-tip",
+                                "programs about the tool's tip are not rewritten",
+                                "rewrite the program before it is posted for five axes",
+                                {flags.reading.program, 0, 0},
+                                {}});
+  }
   const auto reading = std::make_shared<const Reading>(std::move(*read));
   const auto found = rewrite_for(*target, content->bytes(), flags.reading.program, reading, flags.reading.options(),
                                  terminal_monitor("rewriting"));

@@ -25,7 +25,7 @@ void leave_out_steps(Setup& setup) {
       {Severity::warning,
        "shaper-stops",
        "shaped setpoints stop at corners: the steps of speed that the corner rule allows cannot be shaped",
-       "--corner blend or smooth rounds them",
+       "--corner blend or smooth rounds them; --verify tells how far the shaped path is from the program",
        {},
        {}});
 }

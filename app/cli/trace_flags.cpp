@@ -152,6 +152,16 @@ void print_alignment(const Trace& trace, const Alignment& a) {
 }
 
 void warn_of_alignment(const Trace& trace, const Alignment& a) {
+  constexpr double kMostDrift = 1e-3;  // of clocks; more is another motion
+  if (std::abs(a.drift) > kMostDrift) {
+    report(Diagnostic{Severity::warning,
+                      "trace-drift",
+                      fmt::format("the trace runs {:.2g} % {} than the setpoints, which no clock does",
+                                  std::abs(a.drift) * 100, a.drift > 0 ? "slower" : "faster"),
+                      "compare it with the setpoints that were run, or plan with the settings of that time",
+                      {trace.name, 0, 0},
+                      {}});
+  }
   if (!a.is_ambiguous) return;
   report(Diagnostic{Severity::warning,
                     "trace-ambiguous",

@@ -23,6 +23,7 @@ namespace toolpace::cli {
 namespace {
 
 constexpr std::uint64_t kDefaultPlans = 200, kMostPlans = 1'000'000;
+constexpr std::uint64_t kNotGiven = ~std::uint64_t{0};
 constexpr double kMicro = 1e-3;        // [mm]
 constexpr double kLargestError = 1e6;  // [µm]
 constexpr double kMostSeconds = 1e7;
@@ -33,7 +34,7 @@ struct TuneFlags {
   JobFlags job;
   std::string vary, output;
   std::optional<double> contour_um, vibration_um, seconds;
-  std::uint64_t plans = 0;  ///< 0 = not given
+  std::uint64_t plans = kNotGiven;
   bool json = false;
 };
 
@@ -75,11 +76,12 @@ Result<TuneOptions> options_of(const TuneFlags& flags) {
   if (flags.contour_um) options.contour = *flags.contour_um * kMicro;
   if (flags.vibration_um) options.vibration = *flags.vibration_um * kMicro;
   const std::uint64_t plans = flags.plans;
-  if (plans > kMostPlans) {
+  const bool is_given = plans != kNotGiven;
+  if (is_given && (plans == 0 || plans > kMostPlans)) {
     return tl::unexpected(
         usage_error("bad-flag", fmt::format("--plans is {}, but must be 1 to {}", plans, kMostPlans), ""));
   }
-  options.plans = plans > 0 ? plans : flags.seconds ? kMostPlans : kDefaultPlans;
+  options.plans = is_given ? plans : flags.seconds ? kMostPlans : kDefaultPlans;
   if (flags.seconds) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(*flags.seconds);
     options.is_over = [end] { return std::chrono::steady_clock::now() >= end; };
@@ -220,7 +222,7 @@ void add_tune_command(CommandLine& line) {
       "--vibration-um UM", flags->vibration_um,
       "Largest residual vibration of an axis after a stop that the best may have (a rotary axis: in thousandths of a "
       "degree); default: that of the settings as they are");
-  command.count("--plans N", flags->plans, "Plans that may be made; default 200");
+  command.count("--plans N", flags->plans, "Plans that may be made, from 1; default 200");
   command.number("--seconds S", flags->seconds, "Or the time that may be spent: looked at between plans");
   command.output("-o,--output FILE", flags->output,
                  "Write the machine file with the best settings, its comments kept (.toml); - = standard output");

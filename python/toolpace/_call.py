@@ -69,12 +69,16 @@ def words_of(command, values):
         words.append(b"--json")
     for name, value in values.items():
         flag = command["flags"][name]
+        if flag["kind"] == "toggle" and not isinstance(value, (bool, numpy.bool_, type(None))):
+            raise usage_error("flag-value", f"{name} is {value!r}, but it is either on or off", "give True or False")
         if value is None or (flag["kind"] == "toggle" and not value):
             continue
         if flag["kind"] == "argument":
             arguments.append(_word(name, flag, value))
         elif flag["kind"] == "toggle":
             words.append(flag["name"].encode())
+        elif flag["kind"] == "word" and isinstance(value, (list, tuple)):
+            words.append(flag["name"].encode() + b"=" + b",".join(_word(name, flag, part) for part in value))
         elif flag["kind"] == "words" and not isinstance(value, (str, bytes, os.PathLike)):
             words += [flag["name"].encode() + b"=" + _text(name, part) for part in value]
         else:

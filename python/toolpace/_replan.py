@@ -1,6 +1,7 @@
 """Planning again, from what an earlier plan has left as it was."""
 
 from ._call import call, commands, unknown, usage_error
+from .results import Plan
 
 _READING = "Reading the program"
 
@@ -13,6 +14,8 @@ def replan(plan, *, progress=None, **changes):
         >>> o = toolpace.plan("part.ngc", machine="mill.toml")
         >>> [toolpace.replan(o, lookahead=n).cycle_time_s for n in (1, 2, 4, 8, "all")]
     """
+    if not isinstance(plan, Plan):
+        raise usage_error("flag-value", f"plan is a {type(plan).__name__}", "give what toolpace.plan() returned")
     command = commands()["plan"]
     for name in changes:
         flag = command["flags"].get(name)

@@ -62,6 +62,14 @@ class SameBytes(ModuleTest):
                 self.compare(program, ["--machine", machine, "--law", "seven-phase", "--ramps", "span"],
                              machine=machine, law="seven-phase", ramps="span")
 
+    def test_what_is_no_value_of_a_flag_is_refused_and_lists_are_one_word(self):
+        program = EXAMPLES / "blocks20.ngc"
+        for call in (lambda: toolpace.plan(program, verify="no"), lambda: toolpace.replan(5)):
+            with self.assertRaises(toolpace.UsageError):
+                call()
+        told = toolpace.tune(program, vary=["am", "jm"], plans=2)
+        self.assertEqual(told.summary["plans_evaluated"], 2)
+
     def test_every_flag_and_toggle_is_passed_on(self):
         program = EXAMPLES / "pocket.ngc"
         plan = toolpace.plan(program, machine=MILL, am=1500, corner="blend", tolerance_mm=0.02, verify=True, bound=True, lookahead=8,

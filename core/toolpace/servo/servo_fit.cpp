@@ -191,6 +191,7 @@ Normal normal_at(const FitState& state, const Eigen::MatrixXd& jacobian, const E
   for (int p = 0; p < kFitParameters; ++p) {
     if (state.free[static_cast<std::size_t>(p)] && !is_held(p, here[p], down[p])) n.index.push_back(p);
   }
+  if (n.index.empty()) return n;  // all are held at the ends of their ranges
   const Eigen::MatrixXd j = jacobian(Eigen::all, n.index);
   n.matrix = j.transpose() * j;
   n.gradient = j.transpose() * residual;
@@ -220,7 +221,7 @@ FitResult ServoFit::fit(FitState state, int rounds) const {
   double squares = squares_of(state, residual), damping = 1e-3, growth = 2;
   for (int round = 0; round < rounds && !result.has_converged; ++round) {
     const Normal normal = normal_at(state, jacobian(state), residual);
-    result.has_converged = normal.to_gain() <= kNothing * data_.noise_of(squares);
+    result.has_converged = normal.index.empty() || normal.to_gain() <= kNothing * data_.noise_of(squares);
     for (bool has_moved = false; !has_moved && !result.has_converged;) {
       Eigen::MatrixXd damped = normal.matrix;
       damped.diagonal() += damping * normal.scale;

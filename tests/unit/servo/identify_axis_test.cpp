@@ -1,6 +1,7 @@
 /// Round trips: what a drive with known values did is given, with noise, and its values are asked for.
 
 #include "toolpace/servo/identify_axis.h"
+#include "toolpace/servo/servo_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -109,6 +110,22 @@ TEST(Identification, RefusesWhatNoDriveDoes) {
   const auto still = identify_axis(data, {});
   ASSERT_FALSE(still);
   EXPECT_EQ(still.error().code, "identify-still");
+}
+
+// All that is free lies at the end of its range, and the trace asks for more.
+TEST(ServoFit, StaysWhereEverythingIsHeld) {
+  detail::FitData data;
+  for (int k = 0; k < 200; ++k) data.commanded.push_back(5 * (1 - std::cos(0.05 * k)));
+  for (std::size_t k = 0; k < data.commanded.size(); ++k) data.time.push_back(static_cast<double>(k) * data.period);
+  detail::FitState state;
+  state.axis.velocity_feed_forward = -0.2;
+  data.actual = detail::ServoFit(data).model(state);
+  state.axis.velocity_feed_forward = 0;
+  state.free[detail::kVelocityForward] = true;
+  const detail::FitResult found = detail::ServoFit(data).fit(state, 20);
+  EXPECT_TRUE(found.has_converged);
+  EXPECT_EQ(found.state.axis.velocity_feed_forward, 0);
+  EXPECT_GT(found.squares, 0);
 }
 
 }  // namespace
