@@ -199,6 +199,21 @@ Json vibration_json(const Vibration& vibration) {
   return json;
 }
 
+/// Where only --verify can tell whether the tolerance is kept.
+void warn_of_shaping(const Outcome& outcome, double offset) {
+  const CornerOptions& corner = outcome.job->options.corner;
+  const bool may_leave = offset > corner.tolerance || (corner.rule != CornerRule::stop && offset > 0);
+  if (outcome.job->options.shaper == ShaperKind::none || !may_leave) return;
+  report(Diagnostic{
+      Severity::warning,
+      "shaper-tolerance",
+      fmt::format("shaping takes the setpoints up to {:.3g} mm off the planned way; the tolerance is {:.3g} mm", offset,
+                  corner.tolerance),
+      "--verify tells how far they are from the program; a longer tolerance or less acceleration helps",
+      {},
+      {}});
+}
+
 Json plan_json(const Outcome& outcome, const SetpointPass& pass, const std::optional<VerifyReport>& proof) {
   Json json = outcome_json(outcome);
   json["axes"] = axes_json(pass.peaks);
@@ -207,6 +222,7 @@ Json plan_json(const Outcome& outcome, const SetpointPass& pass, const std::opti
   const bool is_on_path = outcome.plan.splines.empty() && outcome.job->options.shaper == ShaperKind::none;
   json["max_chord_error_mm"] = is_on_path ? Json(pass.chord_error) : Json(nullptr);
   add_shaper(json, outcome);
+  if (outcome.job->options.shaper != ShaperKind::none) json["shaper"]["max_offset_mm"] = pass.shaping;
   add_verification(json, proof);
   return json;
 }
@@ -243,6 +259,7 @@ Done run_plan(const PlanFlags& flags) {
     end_progress();
     if (!written) return tl::unexpected(written.error());
   }
+  if (!flags.verify) warn_of_shaping(*outcome, pass->shaping);
   std::optional<VerifyReport> proof;
   if (flags.verify) {
     auto verified = prove_plan(*outcome, flags);

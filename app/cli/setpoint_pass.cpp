@@ -66,6 +66,7 @@ Result<SetpointPass> pass_over_setpoints(const Outcome& outcome, SetpointWriter*
                            : measure(sampler, uniform_rows_of(sampler, outcome), pass, monitor);
   if (!done) return tl::unexpected(done.error());
   pass.chord_error = sampler.largest_chord_error();
+  pass.shaping = sampler.largest_offset();
   return pass;
 }
 

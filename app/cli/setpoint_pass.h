@@ -12,6 +12,7 @@ struct SetpointPass {
   std::size_t rows = 0;
   AxisPeakMeter peaks;
   double chord_error = 0.0;  ///< [mm]
+  double shaping = 0.0;      ///< [mm] Sampler::largest_offset()
 };
 
 /// Samples the plan once. Without a writer and without measuring nothing but the number of rows is found out, as a slow program

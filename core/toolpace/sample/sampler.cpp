@@ -91,6 +91,12 @@ void Sampler::write_shaped_row(Setpoints& chunk, std::size_t row, std::size_t at
   chunk.jerk[at] = rates.jerk;
   motion_.at(is_last ? motion_.duration() : time - delay_);
   chunk.line[at] = path_.size() > 0 ? moves_.line[motion_.move()] : 0;
+  constexpr Metric kApart = Metric::apart();
+  const AxisMotion planned = motion_.axes();
+  AxisVector off = mean.position - planned.position;
+  const double square = kApart.squared_norm(planned.speed);
+  if (square > 0) off -= planned.speed * (kApart.dot(off, planned.speed) / square);
+  largest_offset_ = std::max(largest_offset_, kApart.norm(off));
 }
 
 AxisMotion Sampler::mean_at(double time) {

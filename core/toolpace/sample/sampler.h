@@ -33,6 +33,8 @@ class Sampler {
   bool next(Setpoints& chunk, std::size_t limit = 65536);
 
   bool is_shaped() const { return !echoes_.empty(); }
+  /// How far shaped rows were from the planned motion at the most so far, across its way [mm; a degree as one].
+  double largest_offset() const { return largest_offset_; }
 
   /// Measures, from here on, how far the chords between rows cut off the path, where the rows lie on it: not of shaped ones. Costs about
   /// as much as sampling again.
@@ -62,6 +64,7 @@ class Sampler {
   bool rotary_;
   std::vector<Echo> echoes_;  // none where nothing is shaped
   double delay_ = 0;          // mean of the impulses' times
+  double largest_offset_ = 0;
   std::optional<ChordErrorMeter> chords_;
 };
 

@@ -138,6 +138,8 @@ class Trace(CommandLineTest):
             self.assertEqual(told["violations"], 0)
             self.assertLess(told["vibration"]["Y"]["residual_um"], 0.06 * hard["vibration"]["Y"]["residual_um"], kind)
             self.assertEqual(told["shaper"]["kind"], kind)
+            self.assertGreater(told["shaper"]["max_offset_mm"], 0.001)
+            self.assertLess(told["max_path_deviation_mm"], told["shaper"]["max_offset_mm"] + 0.001)
             self.assertAlmostEqual(told["cycle_time_s"], hard["cycle_time_s"] + told["shaper"]["time_s"], places=12)
             self.assertAlmostEqual(sum(told["time_by_limit_s"].values()), told["cycle_time_s"], places=6)
             self.assertEqual(told["setpoints"], len((self.folder / "s.csv").read_text().splitlines()) - 1)
