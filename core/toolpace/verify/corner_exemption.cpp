@@ -31,6 +31,7 @@ Allowance CornerExemption::explain(const RowStream& stream, std::size_t local, s
 void CornerExemption::take(const CornerEvent& event, Allowance& sum) {
   sum.speed_step += event.speed_step;
   sum.acceleration_step += event.acceleration_step;
+  sum.place_step += event.place_step;
   const double step = event.speed_step.norm();
   if (step == 0.0 && event.acceleration_step.isZero(0.0)) return;
   largest_step_ = std::max(largest_step_, step);

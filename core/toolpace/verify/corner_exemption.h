@@ -12,6 +12,7 @@ namespace toolpace {
 struct Allowance {
   AxisVector speed_step = AxisVector::Zero();         ///< [mm/s, rad/s]
   AxisVector acceleration_step = AxisVector::Zero();  ///< [mm/s², rad/s²]
+  AxisVector place_step = AxisVector::Zero();         ///< of the place that the path tells [mm/s, rad/s]
 };
 
 /// Corners come from a log, where the program is known, or are seen in the positions.

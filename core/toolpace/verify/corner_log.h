@@ -15,6 +15,8 @@ struct CornerEvent {
   std::int64_t corner = 0;  ///< which one, ever rising; a corner near a row may stand in two intervals
   AxisVector speed_step = AxisVector::Zero();         ///< [mm/s, rad/s]
   AxisVector acceleration_step = AxisVector::Zero();  ///< [mm/s², rad/s²]
+  /// Of the place that the path tells: about the tool's tip that of the tip, elsewhere that of the axes.
+  AxisVector place_step = AxisVector::Zero();  ///< [mm/s, rad/s]
 };
 
 /// How much longer than the straight line between two rows the program's way is where it crosses nodes.

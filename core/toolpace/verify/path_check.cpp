@@ -237,6 +237,7 @@ CornerEvent PathCheck::step_at(const CornerRun& run, const Joint& joint) const {
   const AxisVector turn = (run.leaving - run.arriving).cwiseAbs();
   CornerEvent event;
   if (turn.maxCoeff() > kNegligibleStep) event.speed_step = speed * turn;
+  event.place_step = joint.tip_turn ? AxisVector(speed * *joint.tip_turn) : event.speed_step;
   event.acceleration_step = speed * speed * joint.bend + tangential * turn;
   if (event.acceleration_step.norm() <= kNegligibleStep * speed * speed) event.acceleration_step.setZero();
   return event;
@@ -262,15 +263,18 @@ void PathCheck::log_corner(const RowStream& stream, std::size_t local, const Pat
   run.is_straight = lies_on_line(left, point_of(stream, local - 2)) && lies_on_line(right, point_of(stream, local + 1));
   const double longest = std::max({run.before, run.after, here.length()});
   (run.before < run.after ? run.after : run.before) = longest;
-  const Joint joint{left, (out.second - in.second).cwiseAbs()};
+  Joint joint{left, (out.second - in.second).cwiseAbs(), {}};
+  if (path_.chain_of(left) != nullptr || path_.chain_of(right) != nullptr)
+    joint.tip_turn = (frame_at(path_, right, 0.0).first - frame_at(path_, left, path_.length[left]).first).cwiseAbs();
   CornerEvent event = step_at(run, joint);
   if (!vertices_.rule(left).is_exact && before.length() > 0)
     run.arriving = axes_way(stream, local - 1) / before.length();
   if (!vertices_.rule(right).is_exact && after.length() > 0) run.leaving = axes_way(stream, local + 1) / after.length();
   const CornerEvent as_run = step_at(run, joint);
   event.speed_step = event.speed_step.cwiseMax(as_run.speed_step);
+  event.place_step = event.place_step.cwiseMax(as_run.place_step);
   event.acceleration_step = event.acceleration_step.cwiseMax(as_run.acceleration_step);
-  if (event.speed_step.isZero(0.0) && event.acceleration_step.isZero(0.0)) return;
+  if (event.speed_step.isZero(0.0) && event.place_step.isZero(0.0) && event.acceleration_step.isZero(0.0)) return;
   event.corner = static_cast<std::int64_t>(left);
   const double near = kNearNode * longest;
   const std::int64_t row = stream.row(local);

@@ -66,7 +66,8 @@ class PathCheck {
   /// A node, and by how much each axis' curvature changes there.
   struct Joint {
     std::size_t left;
-    AxisVector bend;  ///< [1/mm, rad/mm²]
+    AxisVector bend;                     ///< [1/mm, rad/mm²]
+    std::optional<AxisVector> tip_turn;  ///< change of the tip's direction; none where the path is the axes'
   };
   std::optional<CornerOptions> rule_behind(std::size_t left) const;
   CornerEvent step_at(const CornerRun& run, const Joint& joint) const;

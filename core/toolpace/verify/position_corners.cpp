@@ -82,7 +82,7 @@ CornerEvent corner_between_straights(const RowStream& stream, std::size_t local,
   const AxisVector arriving = before / from, leaving = after / to, turn = (leaving - arriving).cwiseAbs();
   const CornerPassage passage =
       sight.limit.passage({arriving, leaving, from, to, true}, sight.period, sight.limit.rule());
-  event.speed_step = passage.speed * turn;
+  event.speed_step = event.place_step = passage.speed * turn;
   event.acceleration_step = passage.acceleration * turn;
   return event;
 }
@@ -98,7 +98,7 @@ CornerEvent corner_beside_curve(const RowStream& stream, std::size_t local, cons
                       chord_to(stream, local + 1).length(), true};
   const CornerPassage passage = sight.limit.passage(run, sight.period, sight.limit.rule());
   const AxisVector turn = (corner->leaving - corner->arriving).cwiseAbs();
-  event.speed_step = passage.speed * turn;
+  event.speed_step = event.place_step = passage.speed * turn;
   event.acceleration_step = passage.acceleration * turn + passage.speed * passage.speed * corner->bend;
   return event;
 }

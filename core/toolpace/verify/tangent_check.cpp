@@ -82,7 +82,7 @@ class Judge {
   /// Where the way turns back: as far as the step that a corner explains carries in a period, or a curve that is turned within
   /// it under the axes' limits.
   double detour_of_return(std::size_t interval) const {
-    const AxisVector step = corners_.explain(stream_, interval, 1, noise_).speed_step;
+    const AxisVector step = corners_.explain(stream_, interval, 1, noise_).place_step;
     const double limit = std::max(worst_.acceleration.check().limit, worst_.deceleration.check().limit);
     return chord_to(stream_, interval).metric.norm(step) * period_ + kTightTurn * limit * period_ * period_;
   }
@@ -111,7 +111,7 @@ class Judge {
     const double change = chord_[0].metric.norm(chord_[1].way - chord_[0].way) * per2;
     take(worst, change, 2 * rounding() * per2, local_, [&] {
       const bool in_line = turn(chord_[0], chord_[1]) >= std::numbers::pi - kStraightTurn;
-      const AxisVector step = corners_.explain(stream_, local_, 2, noise_).speed_step;
+      const AxisVector step = corners_.explain(stream_, local_, 2, noise_).place_step;
       return chord_[0].metric.norm(step) / period_ + (in_line ? 0.0 : kOffTangent * worst.check().limit);
     });
   }
@@ -132,7 +132,7 @@ class Judge {
     const AxisVector third = (chord_[2].way - chord_[1].way) - (chord_[1].way - chord_[0].way);
     take(worst_.jerk, chord_[1].metric.norm(third) * per3, 4 * rounding() * per3, local_ + 1, [&] {
       const Allowance steps = corners_.explain(stream_, local_, 3, noise_);
-      return chord_[1].metric.norm(steps.speed_step) * per * per + chord_[1].metric.norm(steps.acceleration_step) * per;
+      return chord_[1].metric.norm(steps.place_step) * per * per + chord_[1].metric.norm(steps.acceleration_step) * per;
     });
   }
 
