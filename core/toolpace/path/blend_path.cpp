@@ -33,8 +33,10 @@ class Blender {
         out_.path.pauses.push_back(path_.pauses[pause]);
         out_.path.pauses.back().node = static_cast<std::uint32_t>(out_.path.size());
       }
-      if (told < path_.tellings.size() && path_.tellings[told].node == i)
+      if (told < path_.tellings.size() && path_.tellings[told].node == i) {
         out_.path.tellings[told++].node = static_cast<std::uint32_t>(out_.path.size());
+        out_.path.node.back() = path_.node[i];  // a curve that took the whole segment before has ended there as told before
+      }
       if (trims_.is_chained(i)) {
         std::size_t last = i;
         while (trims_.is_chained(last)) ++last;

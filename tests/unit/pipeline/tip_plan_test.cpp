@@ -8,6 +8,7 @@
 #include "toolpace/limits/travel.h"
 #include "toolpace/machine/setup.h"
 #include "toolpace/nc/reader.h"
+#include "toolpace/path/axis_curve.h"
 #include "toolpace/pipeline/job.h"
 #include "toolpace/pipeline/prove.h"
 #include "toolpace/sample/motion.h"
@@ -59,6 +60,21 @@ TEST(TipPlan, TheFeedIsTheTipsAndNotTheAxes) {
   const double x = motion.at(1.0).axes().speed[0];
   EXPECT_NEAR(x, 10 + 150 * 10 * kRadiansPerDegree * std::cos(10 * kRadiansPerDegree), 0.1)
       << "X makes up for the tool of 150 mm that swings back at 10 degrees a second, half way at 10 degrees";
+}
+
+TEST(TipPlan, ACurveThatTakesAllOfABlockEndsWhereTheAxesGoOn) {
+  toolpace::Setup setup = machine_named("five-axis");
+  setup.options.corner.rule = CornerRule::blend;
+  setup.options.corner.tolerance = 0.2;
+  const Outcome o =
+      planned(setup, "G90 G21 G94\nG1 B20 F600\nG43.4 H1\nG1 X5 Y3 B30\nG1 X5.1 Y2.9\nG49\nG1 X0 Y0\nM30\n");
+  const Path& path = *o.path;
+  const AxisCurve curve(path);
+  ASSERT_EQ(path.tellings.size(), 2u);
+  EXPECT_EQ(path.kind[path.tellings[1].node - 1], SegmentKind::blend);
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    EXPECT_LT((curve.end_of(i) - curve.begin_of(i + 1)).norm(), 1e-9) << "behind segment " << i;
+  EXPECT_TRUE(is_proven(o));
 }
 
 TEST(TipPlan, RotaryAxesAloneRunInDegreesAMinute) {
