@@ -1,6 +1,7 @@
 #include "toolpace/limits/curve_budget.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace toolpace {
@@ -14,7 +15,7 @@ constexpr int kPlaces = 48;
 constexpr double place(int i) { return 1 - i / (3.0 * kPlaces); }
 
 constexpr double kLeastJerk = 1e-6;  // of what is left at constant speed
-constexpr int kHalvings = 26, kJerkHalvings = 13, kMostSteps = 20;
+constexpr int kHalvings = 13, kMostSteps = 20;
 
 double squared(double x) { return x * x; }
 double cubed(double x) { return x * x * x; }
@@ -29,29 +30,52 @@ double acceleration_at(double speed, const CurveRow& row, double curvature) {
 }
 
 /// The last place before the first one where a rising function is above zero, by halves; from a place where it is not.
-template <int halvings = kHalvings, class F>
+template <class F>
 double last_below(double low, double high, const F& f) {
-  for (int i = 0; i < halvings; ++i) {
+  for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;
     (f(middle) > 0 ? high : low) = middle;
   }
   return low;
 }
 
+/// Newton's steps towards a root of f, given with its slope as {f, f'}, from a side on which they do not pass it.
+template <class F>
+double root_by_newton(double x, const F& f) {
+  for (int i = 0; i < kMostSteps; ++i) {
+    const auto [value, slope] = f(x);
+    const double step = value / slope;
+    if (!(std::abs(step) > kRounding * x)) break;
+    x -= step;
+  }
+  return x;
+}
+
 /// Largest acceleration of a ramp that ends (begins) at the cap with jerk j, by the sum: the first root of
 /// along·a + across·(cap − a²/2j)² = 1. The left side bends downwards up to a² = 2j·cap/3 and upwards from there, so it has one
-/// hump at most, in the first part. No ramp passes a² = j·cap.
+/// hump at most, in the first part, where Newton's steps do not pass a root from below; in the second they do not from above.
+/// No ramp passes a² = j·cap.
 double acceleration_by_sum(double cap, double jerk, const CurveRow& row) {
-  const auto speed = [&](double a) { return cap - a * a / (2 * jerk); };
-  const auto excess = [&](double a) { return row.along * a + row.across * squared(speed(a)) - 1; };
-  const auto falls = [&](double a) { return 2 * row.across * speed(a) * a / jerk - row.along; };
+  struct Line {
+    double value, slope;
+  };
+  const auto excess = [&](double a) {
+    const double speed = cap - a * a / (2 * jerk);
+    return Line{row.along * a + row.across * speed * speed - 1, row.along - 2 * row.across * speed * a / jerk};
+  };
   const double most = std::sqrt(jerk * cap), bend = std::sqrt(2 * jerk * cap / 3);
-  if (excess(0) > 0) return 0;
-  if (falls(bend) > 0) {
-    const double hump = last_below(0.0, bend, falls);
-    if (excess(hump) > 0) return last_below(0.0, hump, excess);
+  if (excess(0).value > 0) return 0;
+  double top = bend;  // of the part that rises
+  if (excess(bend).slope < 0) {
+    const double level = row.along * jerk / (2 * row.across);  // a·speed(a) where the left side is level
+    top = root_by_newton(0.0, [&](double a) {
+      return Line{a * (cap - a * a / (2 * jerk)) - level, cap - 3 * a * a / (2 * jerk)};
+    });
   }
-  return excess(most) > 0 ? last_below(0.0, most, excess) : most;
+  if (excess(top).value > 0) return root_by_newton(0.0, excess);
+  if (!(excess(most).value > 0)) return most;
+  const double root = (1 - kRounding) * root_by_newton(most, excess);
+  return excess(root).value > 0 ? top : root;  // never beyond a root that is hard to find
 }
 
 /// The same by the right angle: y = a² with y + κ²(cap − y/2j)⁴ = 1/plane². The left side is convex in y, so Newton's steps from
@@ -102,14 +126,33 @@ double turning_at(double speed, double jerk, const CurveBudget& b) {
   return least;
 }
 
+/// x²·y at each place but the first, with x = 1 − y the speed as a part of the cap.
+const std::array<double, kPlaces>& rises() {
+  static const std::array<double, kPlaces> all = [] {
+    std::array<double, kPlaces> rise{};
+    for (int i = 0; i < kPlaces; ++i) {
+      const double x = place(i + 1);
+      rise[static_cast<std::size_t>(i)] = x * x * (1 - x);
+    }
+    return rise;
+  }();
+  return all;
+}
+
 /// By how much of the cap a ramp towards it may begin below, so that it keeps the jerk: with x = 1 − y the speed as a part of the
 /// cap, x²·y ≤ (v·a)²/(2j·cap³) all the way. The left side rises in y below a third, ever more slowly, so Newton's steps from
-/// below do not pass the root.
+/// below do not pass the root. The right side rises, too: what holds at one place with the right side of a faster one holds.
 double fall_towards(double cap, double jerk, const CurveBudget& b) {
   const double whole = 2 * jerk * cubed(cap);
-  for (int i = 0; i < kPlaces; ++i) {
-    const double most = squared(turning_at(place(i) * cap, jerk, b)) / whole, next = place(i + 1);
-    if (next * next * (1 - next) <= most) continue;
+  for (int i = 0;;) {
+    const double most = squared(turning_at(place(i) * cap, jerk, b)) / whole;
+    const auto broken = std::upper_bound(rises().begin() + i, rises().end(), most);
+    if (broken == rises().end()) return 1;
+    const int next = static_cast<int>(broken - rises().begin());
+    if (next > i) {
+      i = next;
+      continue;
+    }
     double y = 1 - place(i);
     for (int k = 0; k < kMostSteps; ++k) {
       const double x = 1 - y, step = (most - x * x * y) / (x * (3 * x - 2));
@@ -118,7 +161,6 @@ double fall_towards(double cap, double jerk, const CurveBudget& b) {
     }
     return y;
   }
-  return 1;
 }
 
 /// Largest acceleration beside a cap and a jerk, whatever jerk the axes may have.
@@ -145,7 +187,7 @@ double jerk_beside_all(double cap, double most, AtCap at_cap, const CurveBudget&
   const auto excess = [&](double jerk) {
     return acceleration_beside(cap, jerk, at_cap, b) - acceleration_under(cap, jerk, at_cap, b);
   };
-  return excess(most) > 0 ? last_below<kJerkHalvings>(0.0, most, excess) : most;
+  return excess(most) > 0 ? last_below(0.0, most, excess) : most;
 }
 
 CurveShare along_line(const CurveBudget& b) {
