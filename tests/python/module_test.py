@@ -71,7 +71,7 @@ class SameBytes(ModuleTest):
         self.assertEqual(told.summary["plans_evaluated"], 2)
 
     def test_every_flag_and_toggle_is_passed_on(self):
-        program = EXAMPLES / "pocket.ngc"
+        program = EXAMPLES / "butterfly.ngc"
         plan = toolpace.plan(program, machine=MILL, am=1500, corner="blend", tolerance_mm=0.02, verify=True, bound=True, lookahead=8,
                              work_offset=["G54=1,2,3"], setpoints="b.csv", axis_derivatives=True)
         words = ["plan", program, "--machine", MILL, "--am", 1500, "--corner", "blend", "--tolerance-mm", 0.02, "--verify", "--bound",
@@ -104,22 +104,22 @@ class SameBytes(ModuleTest):
         self.assertEqual(pulses.intervals.sum(), pulses.ticks)
 
     def test_what_is_written_is_proven(self):
-        plan = toolpace.plan(EXAMPLES / "helix.ngc", machine=MILL, setpoints="a.csv")
-        self.assert_same(toolpace.verify("a.csv", machine=MILL, program=EXAMPLES / "helix.ngc", tolerance_mm=0.01), "verify",
-                         "a.csv", "--machine", MILL, "--program", EXAMPLES / "helix.ngc", "--tolerance-mm", 0.01)
-        self.assertTrue(toolpace.verify(plan.setpoints, machine=MILL, program=EXAMPLES / "helix.ngc").passes)
+        plan = toolpace.plan(EXAMPLES / "butterfly.ngc", machine=MILL, setpoints="a.csv")
+        self.assert_same(toolpace.verify("a.csv", machine=MILL, program=EXAMPLES / "butterfly.ngc", tolerance_mm=0.01), "verify",
+                         "a.csv", "--machine", MILL, "--program", EXAMPLES / "butterfly.ngc", "--tolerance-mm", 0.01)
+        self.assertTrue(toolpace.verify(plan.setpoints, machine=MILL, program=EXAMPLES / "butterfly.ngc").passes)
         wrong = plan.setpoints.copy()
         wrong[len(wrong) // 2, 1] += 0.01
-        judged = toolpace.verify(wrong, machine=MILL, program=EXAMPLES / "helix.ngc")
+        judged = toolpace.verify(wrong, machine=MILL, program=EXAMPLES / "butterfly.ngc")
         self.assertEqual((judged.passes, judged.exit_code), (False, LIMIT_BROKEN))
 
     def test_the_other_commands(self):
-        pocket, grbl = EXAMPLES / "pocket.ngc", SOURCE_DIR / "examples/settings/grbl.txt"
-        self.assert_same(toolpace.predict(pocket, settings=grbl, baud=115200), "predict", pocket, "--settings", grbl, "--baud", 115200)
-        self.assert_same(toolpace.simulate(pocket, machine=MILL, trace="t.csv"), "simulate", pocket, "--machine", MILL, "--trace", "t.csv")
-        self.assert_same(toolpace.tune(pocket, machine=MILL, vary="law,ramps", plans=6), "tune", pocket, "--machine", MILL, "--vary",
+        butterfly, grbl = EXAMPLES / "butterfly.ngc", SOURCE_DIR / "examples/settings/grbl.txt"
+        self.assert_same(toolpace.predict(butterfly, settings=grbl, baud=115200), "predict", butterfly, "--settings", grbl, "--baud", 115200)
+        self.assert_same(toolpace.simulate(butterfly, machine=MILL, trace="t.csv"), "simulate", butterfly, "--machine", MILL, "--trace", "t.csv")
+        self.assert_same(toolpace.tune(butterfly, machine=MILL, vary="law,ramps", plans=6), "tune", butterfly, "--machine", MILL, "--vary",
                          "law,ramps", "--plans", 6)
-        self.assert_same(toolpace.compare(pocket, "t.csv", machine=MILL), "compare", pocket, "t.csv", "--machine", MILL)
+        self.assert_same(toolpace.compare(butterfly, "t.csv", machine=MILL), "compare", butterfly, "t.csv", "--machine", MILL)
         blocks = EXAMPLES / "blocks20.ngc"
         self.run_toolpace("simulate", blocks, "--trace", "t.csv")
         self.assert_same(toolpace.identify(blocks, "t.csv"), "identify", blocks, "t.csv")
@@ -140,7 +140,7 @@ class Arrays(ModuleTest):
             toolpace.plan({"u": [0, 1]})
 
     def test_columns_are_views_of_the_one_array(self):
-        plan = toolpace.plan(EXAMPLES / "helix.ngc")
+        plan = toolpace.plan(EXAMPLES / "butterfly.ngc")
         self.assertIs(plan.setpoints, plan.setpoints)
         self.assertIsNotNone(plan.setpoints.base)
         self.assertTrue(numpy.shares_memory(plan.column("x_mm"), plan.setpoints))
@@ -149,7 +149,7 @@ class Arrays(ModuleTest):
             plan.column("u_mm")
 
     def test_an_array_outlives_its_plan(self):
-        rows = toolpace.plan(EXAMPLES / "helix.ngc").setpoints
+        rows = toolpace.plan(EXAMPLES / "butterfly.ngc").setpoints
         kept = rows.copy()
         gc.collect()
         numpy.zeros_like(rows)[:] = 7.0
@@ -170,7 +170,7 @@ class Errors(ModuleTest):
         self.assertIsInstance(error, ValueError)
 
     def test_what_makes_no_sense(self):
-        program = EXAMPLES / "helix.ngc"
+        program = EXAMPLES / "butterfly.ngc"
         for code, keywords in (("bad-limit", {"am": -1}), ("bad-flag", {"law": "cubic"}), ("flag-unknown", {"laws": "quintic"}),
                                ("flag-value", {"am": True}), ("usage", {"am": "fast"})):
             with self.subTest(keywords), self.assertRaises(toolpace.UsageError) as caught:

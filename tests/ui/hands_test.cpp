@@ -133,7 +133,7 @@ class HandsTest : public QObject {
         const Stopped whole = run_and_stop(job, std::numeric_limits<int>::max());
         QVERIFY(!whole.was_cancelled);
         QVERIFY2(whole.told_before > 0, "it tells how far it is");
-        const int step = std::max(whole.told_before / 12, 1);
+        const int step = std::max(whole.told_before / 6, 1);
         for (int at = 0; at + 1 < whole.told_before; at += step) {
           const Stopped stopped = run_and_stop(job, at);
           const QString where = QString("rule %1, ramps %2, after %3 of %4: %5 more")
