@@ -15,6 +15,7 @@ constexpr int kPlaces = 48;
 constexpr double place(int i) { return 1 - i / (3.0 * kPlaces); }
 
 constexpr double kLeastJerk = 1e-6;  // of what is left at constant speed
+constexpr double kFineness = 1e-4;   // of a jerk that is chosen
 constexpr int kHalvings = 13, kMostSteps = 20;
 
 double squared(double x) { return x * x; }
@@ -27,16 +28,6 @@ double acceleration_at(double speed, const CurveRow& row, double curvature) {
   const double apart = row.along > 0 ? left / row.along : left >= 0 ? kUnlimited : 0.0;
   const double together = row.plane > 0 ? root_of(squared(1 / row.plane) - squared(curvature * square)) : 0.0;
   return std::max({apart, together, 0.0});
-}
-
-/// The last place before the first one where a rising function is above zero, by halves; from a place where it is not.
-template <class F>
-double last_below(double low, double high, const F& f) {
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (low + high) / 2;
-    (f(middle) > 0 ? high : low) = middle;
-  }
-  return low;
 }
 
 /// Newton's steps towards a root of f, given with its slope as {f, f'}, from a side on which they do not pass it.
@@ -139,6 +130,34 @@ const std::array<double, kPlaces>& rises() {
   return all;
 }
 
+/// The highest jerk beside which a ramp keeps v·a = √(jerk)·part at a speed.
+double jerk_beside(double speed, double part, const CurveBudget& b) {
+  const double volume = cubed(speed), bent = b.bend * volume;
+  double least = kUnlimited;
+  for (const CurveRow& row : b.rows()) {
+    const double all = 1 - row.rest * volume;
+    double apart = all >= 0 ? kUnlimited : 0.0, together = 0;
+    if (row.jerk > 0 || row.turning > 0) {  // row.jerk·(j + bent) + 3·turning·part·√j = all, a square of √j
+      const double turned = 3 * row.turning * part, left = all - row.jerk * bent;
+      apart = left > 0 ? squared(2 * left / (turned + std::sqrt(squared(turned) + 4 * row.jerk * left))) : 0.0;
+    }
+    if (row.jerk_plane > 0 && all > 0) {  // (j + bent)² + (3κ·part)²·j = (all/jerk_plane)²
+      const double left = squared(all / row.jerk_plane) - squared(bent);
+      const double half = bent + squared(3 * b.curvature * part) / 2;
+      together = left > 0 ? left / (half + std::sqrt(squared(half) + left)) : 0.0;
+    }
+    least = std::min(least, std::max(apart, together));
+  }
+  return least;
+}
+
+double rise_at(int i) { return rises()[static_cast<std::size_t>(i)]; }
+
+/// The first place from i on that rises above some value; kPlaces where none does.
+int first_broken(int i, double most) {
+  return static_cast<int>(std::upper_bound(rises().begin() + i, rises().end(), most) - rises().begin());
+}
+
 /// By how much of the cap a ramp towards it may begin below, so that it keeps the jerk: with x = 1 − y the speed as a part of the
 /// cap, x²·y ≤ (v·a)²/(2j·cap³) all the way. The left side rises in y below a third, ever more slowly, so Newton's steps from
 /// below do not pass the root. The right side rises, too: what holds at one place with the right side of a faster one holds.
@@ -146,9 +165,8 @@ double fall_towards(double cap, double jerk, const CurveBudget& b) {
   const double whole = 2 * jerk * cubed(cap);
   for (int i = 0;;) {
     const double most = squared(turning_at(place(i) * cap, jerk, b)) / whole;
-    const auto broken = std::upper_bound(rises().begin() + i, rises().end(), most);
-    if (broken == rises().end()) return 1;
-    const int next = static_cast<int>(broken - rises().begin());
+    const int next = first_broken(i, most);
+    if (next == kPlaces) return 1;
     if (next > i) {
       i = next;
       continue;
@@ -161,6 +179,19 @@ double fall_towards(double cap, double jerk, const CurveBudget& b) {
     }
     return y;
   }
+}
+
+/// The highest jerk ≤ most with which a ramp towards the cap keeps the jerk from wherever it begins.
+double jerk_from_anywhere(double cap, double most, const CurveBudget& b) {
+  const double whole = 2 * cubed(cap);
+  const auto at = [&](int i) { return jerk_beside(place(i) * cap, std::sqrt(rise_at(i) * whole), b); };
+  double jerk = std::min({most, at(kPlaces / 2), at(kPlaces - 1)});  // most often one of these is nearly the lowest
+  for (int i = 0; i < kPlaces && jerk > 0;) {
+    const int next = first_broken(i, squared(turning_at(place(i) * cap, jerk, b)) / (whole * jerk));
+    if (next == i) jerk = std::min(jerk, at(i));
+    i = std::max(i + 1, next);
+  }
+  return jerk;
 }
 
 /// Largest acceleration beside a cap and a jerk, whatever jerk the axes may have.
@@ -182,12 +213,23 @@ double acceleration_under(double cap, double jerk, AtCap at_cap, const CurveBudg
   return fall < 1 ? std::sqrt(2 * jerk * cap * fall) : kUnlimited;
 }
 
-/// The highest jerk ≤ most that leaves all of the acceleration.
+/// The highest jerk ≤ most that leaves all of the acceleration: up to some jerk turning leaves whatever a ramp could ask for;
+/// above it, where a ramp may begin is bounded, which may still be enough.
 double jerk_beside_all(double cap, double most, AtCap at_cap, const CurveBudget& b) {
-  const auto excess = [&](double jerk) {
-    return acceleration_beside(cap, jerk, at_cap, b) - acceleration_under(cap, jerk, at_cap, b);
+  const auto leaves_all = [&](double jerk) {
+    return acceleration_beside(cap, jerk, at_cap, b) <= acceleration_under(cap, jerk, at_cap, b);
   };
-  return excess(most) > 0 ? last_below(0.0, most, excess) : most;
+  if (leaves_all(most)) return most;
+  double low = 0, high = most;
+  if (at_cap == AtCap::rests) {
+    low = (1 - kRounding) * jerk_from_anywhere(cap, most, b);
+    if (!leaves_all(std::max((1 + kFineness) * low, kFineness * most))) return low;
+  }
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    (leaves_all(middle) ? low : high) = middle;
+  }
+  return low;
 }
 
 CurveShare along_line(const CurveBudget& b) {
