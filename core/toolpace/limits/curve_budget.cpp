@@ -265,11 +265,13 @@ double CurveBudget::top_speed() const {
 
 JerkRange CurveBudget::jerk_range(double cap, AtCap at_cap) const {
   const double most = bends() ? jerk_at(cap, *this) : kUnlimited;
-  return {most < kUnlimited ? jerk_beside_all(cap, most, at_cap, *this) : most, most};
+  const double all = most < kUnlimited ? jerk_beside_all(cap, most, at_cap, *this) : most;
+  return {all, most, acceleration_beside(cap, all, at_cap, *this)};
 }
 
 CurveShare CurveBudget::at(double cap, const JerkRange& range, double split, AtCap at_cap) const {
   if (!bends()) return along_line(*this);
+  if (split == 0 && range.most < kUnlimited && range.beside_all > 0) return {range.acceleration, range.beside_all};
   double jerk = range.most;
   if (jerk < kUnlimited) {
     jerk = split > 0 ? range.beside_all + split * (range.most - range.beside_all) : (1 + split) * range.beside_all;

@@ -25,8 +25,9 @@ enum class AtCap : std::uint8_t {
 
 /// Jerks along the path, on a curve that is run no faster than some cap [mm/s³].
 struct JerkRange {
-  double beside_all;  ///< the highest one that leaves the acceleration what it has beside turning alone
-  double most;        ///< all that is left at constant speed; infinite without a jerk limit
+  double beside_all;    ///< the highest one that leaves the acceleration what it has beside turning alone
+  double most;          ///< all that is left at constant speed; infinite without a jerk limit
+  double acceleration;  ///< what it has with the first of them [mm/s²]
 };
 
 /// The limits of one axis on a curve: largest derivatives of it by path length, as parts of the axis' limits. Zero where it has

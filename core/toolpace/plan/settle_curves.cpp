@@ -18,6 +18,7 @@ using Choice = detail::CurveChoice;
 /// becomes.
 constexpr double kShares[] = {1.0,  0.97, 0.95, 0.93, 0.905, 0.88, 0.84, 0.8, 0.75, 0.7,
                               0.65, 0.6,  0.55, 0.5,  0.45,  0.4,  0.35, 0.3, 0.2,  0.1};
+constexpr std::size_t kUsualShare = 6;  // of these
 constexpr double kSplits[] = {0.95, 0.85, 0.71, 0.5, 0.25, 0.1, 0.0, -0.12, -0.3};
 constexpr double kNarrow = 0.002;
 constexpr double kGolden = 0.6180339887498949;
@@ -25,7 +26,8 @@ constexpr double kGolden = 0.6180339887498949;
 /// first that is found.
 constexpr std::size_t kFewCurves = 3000;
 constexpr std::size_t kMostValleys = 3;
-constexpr std::size_t kInVain = 5;  // shares in a row, where there are many curves
+constexpr std::size_t kInVain = 2;  // shares in a row on either side, where there are many curves
+constexpr int kParabolas = 2;       // by which the lowest place is then sought
 /// Where it costs little each curve's share and part is turned by itself, by such steps.
 constexpr std::size_t kSmallRun = 400;  // blocks times curves
 constexpr double kFirstTurn = 0.1, kLeastTurn = 0.002;
@@ -49,8 +51,10 @@ std::pair<double, double> beside(const double (&values)[count], double value) {
 /// One run of blocks, its curves at changing caps.
 class RunSettler {
  public:
-  RunSettler(const SpeedLimits& all, std::size_t begin, std::size_t end, const CurveUse& use)
-      : use_(use),
+  /// @param share  which of kShares suited the run before; which suits this one is left there
+  RunSettler(const SpeedLimits& all, std::size_t begin, std::size_t end, const CurveUse& use, std::size_t& share)
+      : nearest_(share),
+        use_(use),
         usual_{1.0, usual_split(use.at_cap)},
         is_thorough_(all.curved.size() <= kFewCurves),
         run_(all, begin, end, use, is_thorough_ ? std::size(kShares) : 1),
@@ -61,7 +65,7 @@ class RunSettler {
     if (choice_.empty()) return run_;
     std::vector<Choice> fastest;
     double least = kUnlimited;
-    for (const Choice& start : is_gentle() ? std::vector<Choice>{usual_} : valleys()) {
+    for (const Choice& start : starts()) {
       least_ = time_of(start);
       raise();
       lower();
@@ -101,13 +105,49 @@ class RunSettler {
     return time();
   }
 
+  std::vector<Choice> starts() {
+    if (is_gentle()) return {usual_};
+    return is_thorough_ ? valleys() : std::vector<Choice>{nearest_valley()};
+  }
+
+  /// The lowest share with the usual split, downhill from where that of the last run was: runs of a part are like each other.
+  Choice nearest_valley() {
+    std::array<double, std::size(kShares)> times;
+    times.fill(kUnlimited);
+    const auto try_at = [&](std::size_t k) {
+      times[k] = time_of({kShares[k], usual_.split});
+      if (times[k] < times[nearest_]) nearest_ = k;
+    };
+    const std::size_t first = nearest_;
+    try_at(first);
+    for (std::size_t k = first; k-- > 0 && k + kInVain >= nearest_;) try_at(k);
+    for (std::size_t k = first + 1; k < times.size() && k <= nearest_ + kInVain; ++k) try_at(k);
+    if (nearest_ == 0 || nearest_ + 1 == times.size()) return {kShares[nearest_], usual_.split};
+    std::array<double, 3> share{kShares[nearest_ + 1], kShares[nearest_], kShares[nearest_ - 1]};
+    std::array<double, 3> time{times[nearest_ + 1], times[nearest_], times[nearest_ - 1]};
+    for (int i = 0; i < kParabolas; ++i) {
+      const double low = share[1] - share[0], high = share[2] - share[1];
+      const double falls = (time[0] - time[1]) / low, rises = (time[2] - time[1]) / high;
+      const double x = share[1] + (falls * high - rises * low) / (2 * (falls + rises));
+      if (!(x > share[0] && x < share[2]) || x == share[1]) break;
+      const double t = time_of({x, usual_.split});
+      const std::size_t side = x < share[1] ? 0 : 2;
+      if (t < time[1]) {
+        share[2 - side] = share[1], time[2 - side] = time[1];
+        share[1] = x, time[1] = t;
+      } else {
+        share[side] = x, time[side] = t;
+      }
+    }
+    return {share[1], usual_.split};
+  }
+
   /// Choices, the same for all curves, from which no other one near by is faster; the fastest first.
   std::vector<Choice> valleys() {
     std::array<std::vector<Timed>, std::size(kSplits)> rows;
     for (std::size_t p = 0; p < std::size(kSplits); ++p) {
       const bool may_help = use_.at_cap == AtCap::rests ? kSplits[p] <= 0.5 : kSplits[p] >= 0;
-      if (kSplits[p] == usual_.split || (is_thorough_ && run_.has_jerk() && may_help))
-        rows[p] = timed_shares(kSplits[p], is_thorough_);
+      if (kSplits[p] == usual_.split || (run_.has_jerk() && may_help)) rows[p] = timed_shares(kSplits[p]);
     }
     std::vector<Timed> bottoms;
     for (std::size_t p = 0; p < std::size(kSplits); ++p) {
@@ -123,21 +163,16 @@ class RunSettler {
       }
     }
     std::stable_sort(bottoms.begin(), bottoms.end(), [](const Timed& a, const Timed& b) { return a.time < b.time; });
-    bottoms.resize(std::min(bottoms.size(), is_thorough_ ? kMostValleys : 1));
+    bottoms.resize(std::min(bottoms.size(), kMostValleys));
     std::vector<Choice> choices;
     for (const Timed& bottom : bottoms) choices.push_back(bottom_near(bottom));
     return choices;
   }
 
-  /// All shares with one split of the jerk, or as long as they may become faster yet.
-  std::vector<Timed> timed_shares(double split, bool all) {
+  /// All shares with one split of the jerk.
+  std::vector<Timed> timed_shares(double split) {
     std::vector<Timed> row;
-    std::size_t least = 0;
-    while (row.size() < std::size(kShares) && (all || row.size() <= least + kInVain)) {
-      const Choice choice{kShares[row.size()], split};
-      row.push_back({choice, time_of(choice)});
-      if (row.back().time < row[least].time) least = row.size() - 1;
-    }
+    for (const double share : kShares) row.push_back({{share, split}, time_of({share, split})});
     return row;
   }
 
@@ -246,6 +281,7 @@ class RunSettler {
     return false;
   }
 
+  std::size_t& nearest_;
   CurveUse use_;
   Choice usual_;
   bool is_thorough_;
@@ -277,9 +313,10 @@ SpeedLimits settle_curves(SpeedLimits widest, const CurveUse& use, const Monitor
   DynamicsTable chosen;
   std::vector<std::uint32_t> ramp(n);
   std::vector<double> cap = widest.block_cap;
+  std::size_t share = kUsualShare;
   for (std::size_t begin = 0, end = 0; begin < n && !monitor.is_cancelled(); begin = end) {
     for (end = begin + 1; end < n && use.blocks > 1 && !is_near_rest(widest, end);) ++end;
-    RunSettler settler(widest, begin, end, use);
+    RunSettler settler(widest, begin, end, use, share);
     const CurveRun& run = settler.run();
     for (std::size_t i = begin; i < end; ++i) {
       cap[i] = run.limits().block_cap[i - begin];

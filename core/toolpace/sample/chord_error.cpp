@@ -6,6 +6,16 @@ namespace toolpace {
 namespace {
 
 constexpr Metric kApart = Metric::apart();
+constexpr double kRounding = 1e-12;  // of lengths, squared
+
+double squared(double x) { return x * x; }
+
+bool turns_anywhere(const Path& path) {
+  const auto turns = [&](const AxisVector& a, const AxisVector& b) {
+    return kApart.squared_norm(a - b) != Metric::along(false).squared_norm(a - b);
+  };
+  return std::adjacent_find(path.node.begin(), path.node.end(), turns) != path.node.end();
+}
 
 double distance_to_chord(const AxisVector& point, const AxisVector& begin, const AxisVector& end) {
   const AxisVector chord = end - begin, d = point - begin;
@@ -15,6 +25,9 @@ double distance_to_chord(const AxisVector& point, const AxisVector& begin, const
 }
 
 }  // namespace
+
+ChordErrorMeter::ChordErrorMeter(const Path& path)
+    : path_(path), curve_(path), turns_(!path.tellings.empty() || turns_anywhere(path)) {}
 
 void ChordErrorMeter::compare(const AxisVector& on_path, const AxisVector& place) {
   const double distance =
@@ -35,8 +48,21 @@ void ChordErrorMeter::find_middle(std::size_t segment, const AxisVector& place) 
   middle_ = told_about(*chain, {}, (curve_.axes_of(segment_, point_) + curve_.axes_of(segment, place)) / 2);
 }
 
+double ChordErrorMeter::length_to(std::size_t segment, double s) const {
+  if (segment == segment_) return s - s_;
+  double length = path_.length[segment_] - s_ + s;
+  for (std::size_t i = segment_ + 1; i < segment; ++i) length += path_.length[i];
+  return length;
+}
+
+bool ChordErrorMeter::may_be_larger(std::size_t segment, double s, const AxisVector& place) const {
+  if (turns_) return true;
+  const double length = squared(length_to(segment, s));
+  return length * (1 + kRounding) - kApart.squared_norm(place - point_) > 4 * squared(largest_);
+}
+
 void ChordErrorMeter::add(std::size_t segment, double s, const AxisVector& place) {
-  if (started_) {
+  if (started_ && may_be_larger(segment, s, place)) {
     if (!path_.tellings.empty()) find_middle(segment, place);
     if (segment == segment_) {
       compare_curve(segment, s_, s, place);

@@ -105,7 +105,7 @@ TEST(CurveBudget, AxesKeepTheirLimitsOnRandomArcsAnywhere) {
       ASSERT_GT(s.jerk, 0);
     }
     // At rest at the cap, the same jerk leaves more.
-    const JerkRange same{any.jerk, any.jerk};
+    const JerkRange same{any.jerk, any.jerk, 0};
     EXPECT_GE(b.at(cap, same, 0.0, AtCap::rests).acceleration, any.acceleration * (1 - 1e-6)) << "case " << n;
     for (int m = 0; m < 30; ++m) {
       const Frame f = frame_at(*path, 0, path->length[0] * (1 + unit(random)) / 2);
@@ -177,7 +177,7 @@ TEST(CurveBudget, AHigherLimitOfWhateverAxisNeverLeavesLess) {
       const double jerk = before.at(cap, 1.9 * unit(engine) - 0.95, at_cap).jerk;
       ASSERT_LE(before.jerk_range(cap, at_cap).most, after.jerk_range(cap, at_cap).most) << n;
       // Beside the same jerk.
-      const JerkRange same{jerk, jerk};
+      const JerkRange same{jerk, jerk, 0};
       const double was = before.at(cap, same, 0.0, at_cap).acceleration;
       ASSERT_GE(after.at(cap, same, 0.0, at_cap).acceleration, was * (1 - 1e-6)) << n;
     }
