@@ -188,9 +188,7 @@ void warn_of_what_is_left_out(const PredictFlags& flags, const ProgramText& text
   };
   const Diagnostics left_out = not_counted(text, settings, flags.reading.program);
   warnings.insert(warnings.end(), left_out.begin(), left_out.end());
-  const bool reads_from_disk =
-      settings.controller == Controller::klipper || settings.controller == Controller::linuxcnc;
-  if (reads_from_disk && flags.controller.baud) {
+  if (reads_own_disk(settings.controller) && flags.controller.baud) {
     warn("link-not-used", fmt::format("{} reads programs from its own disk: --baud changes nothing",
                                       controller_title(settings.controller)));
   }

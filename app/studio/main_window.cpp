@@ -79,6 +79,7 @@ MainWindow::MainWindow(bool remember)
   showUnits();
   reading_->setOptions(preferences_.reading);
   workspace_.setReadOptions(preferences_.reading);
+  workspace_.setSupply(preferences_.supply);
   if (const auto map = ui::colour_map_named(preferences_.colour_map)) contour_->setColourMap(*map);
   resize(kFirstSize);
   if (!preferences_.geometry.isEmpty()) restoreGeometry(preferences_.geometry);

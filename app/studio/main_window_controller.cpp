@@ -53,6 +53,10 @@ void MainWindow::connectController() {
           [this](const Error& error) { showFailure(error, controller_file_.path()); });
   connect(settings_, &ui::ControllerSection::resized, this, &MainWindow::showWholeTuning, Qt::QueuedConnection);
   connect(controller_, &ui::ControllerPanel::settingWanted, this, &MainWindow::takeSetting);
+  connect(controller_, &ui::ControllerPanel::supplyWanted, this, [this](const PredictOptions& supply) {
+    preferences_.supply = supply;
+    workspace_.setSupply(supply);
+  });
   connect(runs_menu_, &QMenu::aboutToShow, this, &MainWindow::fillControllers);
 }
 

@@ -135,7 +135,7 @@ void MainWindow::askRewrite() {
   const auto& document = workspace_.document();
   if (!document || rewriter_.isRunning()) return;
   RewriteDialog dialog({document, workspace_.readOptions(), workspace_.tuning().value(), workspace_.controller().text(),
-                        preferences_.units, theme_},
+                        workspace_.controllerView().supply, preferences_.units, theme_},
                        this);
   const QString suffix =
       "." + (QFileInfo(document->name).suffix().isEmpty() ? QString("ngc") : QFileInfo(document->name).suffix());

@@ -64,6 +64,8 @@ Preferences load_preferences() {
   p.language = s.value("window/language").toString();
   p.colour_map = s.value("window/colour_map", "cividis").toString();
   p.reading = load_reading(s);
+  if (const double baud = s.value("controller/baud").toDouble(); baud > 0) p.supply.baud = baud;
+  if (const double time = s.value("controller/block_time_s").toDouble(); time > 0) p.supply.block_time = time;
   p.timer_hz = s.value("export/timer_hz", p.timer_hz).toDouble();
   p.axis_derivatives = s.value("export/axis_derivatives", false).toBool();
   p.decimal_comma = s.value("export/decimal_comma", false).toBool();
@@ -91,6 +93,8 @@ void save_preferences(const Preferences& p) {
   s.setValue("window/language", p.language);
   s.setValue("window/colour_map", p.colour_map);
   save_reading(s, p.reading);
+  s.setValue("controller/baud", p.supply.baud.value_or(0.0));
+  s.setValue("controller/block_time_s", p.supply.block_time.value_or(0.0));
   s.setValue("export/timer_hz", p.timer_hz);
   s.setValue("export/axis_derivatives", p.axis_derivatives);
   s.setValue("export/decimal_comma", p.decimal_comma);

@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include "models/units.h"
+#include "toolpace/controller/prediction.h"
 #include "toolpace/nc/read_options.h"
 
 namespace toolpace::studio {
@@ -20,6 +21,7 @@ struct Preferences {
   QString language;                                      ///< "en", "zh_CN"; empty = that of the system
   QString colour_map;                                    ///< "cividis", "viridis", "turbo"
   ReadOptions reading;                                   ///< of programs
+  PredictOptions supply;                                 ///< how blocks come to a controller
   double timer_hz = 1e6;                                 ///< of the step pulses' timer
   bool axis_derivatives = false, decimal_comma = false;  ///< of exported setpoints
   QByteArray geometry, layout;

@@ -11,13 +11,12 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "models/problem_model.h"
 #include "panels/figure_table.h"
 #include "panels/form_grid.h"
 #include "panels/number_field.h"
+#include "panels/supply_fields.h"
 #include "preview/contour_canvas.h"
 #include "theme/control_name.h"
 #include "theme/role.h"
@@ -30,7 +29,6 @@ namespace {
 constexpr QSize kRewriteSize = {960, 640};
 constexpr int kFormWidth = 330;
 constexpr double kLeastTolerance = 1e-6, kMostTolerance = 100;  // [mm]
-constexpr double kLeastBaud = 1, kMostBaud = 1e9, kMostBlockTime = 10;
 constexpr std::array kFactors = {1, 10, 100, 1000, 10'000};
 const ui::DisplayUnit kPlain = {1.0, {}};
 
@@ -145,27 +143,21 @@ void RewriteDialog::buildFields(ui::FormGrid& grid) {
   tolerance_ = new NumberField("rewriteTolerance", {}, Quantity::length, {kLeastTolerance, kMostTolerance}, this);
   tolerance_->setUnits(start_.units);
   tolerance_->setValue(std::max(start_.setup.options.corner.tolerance, kLeastTolerance));
-  baud_ = new NumberField("rewriteBaud", {}, Quantity::time, {kLeastBaud, kMostBaud, true, true}, this);
-  baud_->setUnit({1.0, tr("bit/s")});
-  baud_->setUnlimitedText(tr("no link"));
-  baud_->setValue(std::numeric_limits<double>::infinity());
-  block_time_ = new NumberField("rewriteBlockTime", {}, Quantity::time, {0, kMostBlockTime}, this);
-  block_time_->setUnit({1e3, "ms"});
+  supply_ = new ui::SupplyFields("rewrite", this);
+  supply_->setValue(start_.supply);
   grid.addWide(0, controller_)->setText(tr("Runs on"));
   grid.addWide(1, dialect_)->setText(tr("Read as"));
   grid.add(2, 0, tolerance_)->setText(tr("Tolerance"));
-  grid.add(3, 0, baud_)->setText(tr("Serial link"));
-  grid.add(4, 0, block_time_)->setText(tr("A block takes"));
+  grid.add(3, 0, supply_->baud())->setText(ui::SupplyFields::baudTitle());
+  grid.add(4, 0, supply_->blockTime())->setText(ui::SupplyFields::blockTimeTitle());
   ui::name_control(controller_, tr("Runs on"),
                    tr("Whose times count; parts that would take it longer stay as they are"));
   ui::name_control(dialect_, tr("Read as"), tr("The dialect that the program is read in"));
   ui::name_control(tolerance_, tr("Tolerance"), tr("How far the new path may be from the old one"));
-  ui::name_control(baud_, tr("Serial link"), tr("Bits a second that blocks come at; empty: they are always there"));
-  ui::name_control(block_time_, tr("A block takes"), tr("What the controller needs to read a block"));
   connect(controller_, &QComboBox::activated, this, &RewriteDialog::chooseController);
   connect(dialect_, &QComboBox::activated, this, &RewriteDialog::work);
-  for (NumberField* field : {tolerance_, baud_, block_time_})
-    connect(field, &NumberField::edited, this, &RewriteDialog::work);
+  connect(tolerance_, &NumberField::edited, this, &RewriteDialog::work);
+  connect(supply_, &ui::SupplyFields::edited, this, &RewriteDialog::work);
 }
 
 QWidget* RewriteDialog::buildResults() {
@@ -242,8 +234,7 @@ ui::RewriteRequest RewriteDialog::request() const {
   target.wants_arcs = arcs_->isChecked();
   target.plans_feeds = feeds_->isChecked();
   if (chosen_ > 0) target.settings = controllers_[static_cast<std::size_t>(chosen_ - 1)].second;
-  if (std::isfinite(baud_->value())) target.predict.baud = baud_->value();
-  if (block_time_->value() > 0) target.predict.block_time = block_time_->value();
+  target.predict = supply_->value();
   const auto dialect = static_cast<Dialect>(dialect_->currentData().toInt());
   if (dialect != Dialect::automatic) {
     request.read_options.dialect = dialect;
@@ -257,8 +248,7 @@ void RewriteDialog::work() {
   found_.reset();
   trouble_.clear();
   progress_->setValue(0);
-  const bool on_controller = chosen_ > 0;
-  for (auto* field : {baud_, block_time_}) field->setEnabled(on_controller);
+  supply_->setEnabled(chosen_ > 0);
   service_.rewrite(request());
   showState();
 }

@@ -21,6 +21,7 @@ namespace toolpace::ui {
 class ContourCanvas;
 class FormGrid;
 class NumberField;
+class SupplyFields;
 }  // namespace toolpace::ui
 
 namespace toolpace::studio {
@@ -31,6 +32,7 @@ struct RewriteStart {
   ReadOptions read_options;
   Setup setup;
   ui::SharedControllerText controller;  ///< that the program runs on; null = Toolpace's own plan
+  PredictOptions supply;                ///< how blocks come to it
   ui::Units units;
   ui::Theme theme;
 };
@@ -71,7 +73,8 @@ class RewriteDialog : public QDialog {
   std::vector<std::pair<QString, ControllerSettings>> controllers_;  // to choose from
   int chosen_ = 0;                                                   // row of the list that counts
   QComboBox *controller_, *dialect_, *enlargement_;
-  ui::NumberField *tolerance_, *baud_, *block_time_;
+  ui::NumberField* tolerance_;
+  ui::SupplyFields* supply_;
   QCheckBox *arcs_, *feeds_;
   QTableWidget *summary_, *ranges_;
   QLabel *notes_, *state_;

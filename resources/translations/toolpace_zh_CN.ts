@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
     <context>
+        <name>toolpace::ui::SupplyFields</name>
+        <message>
+            <source>bit/s</source>
+            <translation>bit/s</translation>
+        </message>
+        <message>
+            <source>no link</source>
+            <translation>无串口</translation>
+        </message>
+        <message>
+            <source>Serial link</source>
+            <translation>串口</translation>
+        </message>
+        <message>
+            <source>A block takes</source>
+            <translation>每段用时</translation>
+        </message>
+        <message>
+            <source>Bits a second that blocks come at; empty: they are always there</source>
+            <translation>程序段到来的速率（比特每秒）；留空：总是已到</translation>
+        </message>
+        <message>
+            <source>What the controller needs to read a block</source>
+            <translation>控制器读取一个程序段所需的时间</translation>
+        </message>
+    </context>
+    <context>
         <name>BlockName</name>
         <message>
             <source>line %1</source>
@@ -6264,6 +6291,10 @@
     <context>
         <name>ControllerNames</name>
         <message>
+            <source>, %1 of it for blocks that have not come</source>
+            <translation>，其中 %1 在等未到的程序段</translation>
+        </message>
+        <message>
             <source>step idle delay</source>
             <translation>步进空闲延时</translation>
         </message>
@@ -6458,6 +6489,10 @@
     <context>
         <name>toolpace::ui::ControllerPanel</name>
         <message>
+            <source>It reads programs from its own disk</source>
+            <translation>它从自己的磁盘读取程序</translation>
+        </message>
+        <message>
             <source>trying… %1 %</source>
             <translation>正在尝试… %1 %</translation>
         </message>
@@ -6608,14 +6643,6 @@
             <translation>按控制器的读法</translation>
         </message>
         <message>
-            <source>bit/s</source>
-            <translation>bit/s</translation>
-        </message>
-        <message>
-            <source>no link</source>
-            <translation>无串口</translation>
-        </message>
-        <message>
             <source>Runs on</source>
             <translation>运行于</translation>
         </message>
@@ -6628,14 +6655,6 @@
             <translation>公差</translation>
         </message>
         <message>
-            <source>Serial link</source>
-            <translation>串口</translation>
-        </message>
-        <message>
-            <source>A block takes</source>
-            <translation>每段用时</translation>
-        </message>
-        <message>
             <source>Whose times count; parts that would take it longer stay as they are</source>
             <translation>以谁的时间为准；会用时更长的部分保持原样</translation>
         </message>
@@ -6646,14 +6665,6 @@
         <message>
             <source>How far the new path may be from the old one</source>
             <translation>新路径与旧路径的最大距离</translation>
-        </message>
-        <message>
-            <source>Bits a second that blocks come at; empty: they are always there</source>
-            <translation>程序段到来的速率（比特每秒）；留空：总是已到</translation>
-        </message>
-        <message>
-            <source>What the controller needs to read a block</source>
-            <translation>控制器读取一个程序段所需的时间</translation>
         </message>
         <message>
             <source>Blue: the program. Red: what is written instead, its deviation enlarged</source>

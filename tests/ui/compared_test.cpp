@@ -168,6 +168,40 @@ class ComparedTest : public QObject {
     QCOMPARE(rows.rowCount(), 0);
   }
 
+  // 40 characters a second for blocks that take a tenth of a second each: the motion waits for them.
+  void a_slow_link_and_slow_reading_cost_time_where_programs_come_by_one() {
+    write(in("grbl.txt"), kGrbl);
+    OnController window;
+    window.openController(in("grbl.txt"));
+    TOOLPACE_EVENTUALLY(window.workspace().pinned());
+    const double before = window.seconds();
+    QVERIFY(!window.the<QLabel>("controllerVerdict").text().contains("have not come"));
+    const auto type = [&](const char* name, const char* text) {
+      auto& field = window.the<NumberField>(name);
+      field.setFocus();
+      field.selectAll();
+      QTest::keyClick(&field, Qt::Key_Delete);
+      QTest::keyClicks(&field, text);
+      QTest::keyClick(&field, Qt::Key_Return);
+    };
+    type("controllerBaud", "400");
+    TOOLPACE_EVENTUALLY(window.seconds() > before && !window.workspace().isBusy());
+    const double linked = window.seconds();
+    QVERIFY(window.the<QLabel>("controllerVerdict").text().contains("have not come"));
+    screenshot(window, "controller-with-a-slow-link");
+    type("controllerBlockTime", "2000");
+    TOOLPACE_EVENTUALLY(window.seconds() > linked);
+    type("controllerBlockTime", "0");
+    type("controllerBaud", "");
+    TOOLPACE_EVENTUALLY(window.seconds() == before);
+    // A program on the controller's own disk comes by no link.
+    write(in("printer.cfg"), "[printer]\nkinematics: cartesian\nmax_velocity: 100\nmax_accel: 1000\n");
+    window.openController(in("printer.cfg"));
+    TOOLPACE_EVENTUALLY(!window.workspace().isBusy());
+    QVERIFY(!window.the<NumberField>("controllerBaud").isEnabled());
+    QVERIFY(window.the<NumberField>("controllerBlockTime").isEnabled());
+  }
+
   void what_cannot_be_read_or_written_is_said_and_changes_nothing() {
     OnController window;
     QSignalSpy failed(&window, &studio::MainWindow::failed);

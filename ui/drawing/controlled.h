@@ -14,6 +14,7 @@ namespace toolpace::ui {
 /// A program on a controller. Immutable.
 struct Controlled {
   SharedControllerText asked;              ///< whose settings these were
+  PredictOptions supply;                   ///< how its blocks came
   std::shared_ptr<const Reading> reading;  ///< in the controller's dialect
   std::shared_ptr<const toolpace::ProgramText> text;
   Prediction prediction;          ///< without its stages
@@ -25,6 +26,7 @@ struct Controlled {
 /// What the window shows of it.
 struct ControllerView {
   SharedControllerText chosen;              ///< null: Toolpace's own plan
+  PredictOptions supply = {};               ///< how blocks come to it
   std::shared_ptr<const Controlled> found;  ///< maybe of settings before; null: not known yet, or it cannot be
   std::optional<double> as_setpoints = {};  ///< [s] as Toolpace's setpoints on the same limits
   std::optional<Error> failure = {};        ///< why nothing is found

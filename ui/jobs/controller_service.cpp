@@ -109,8 +109,8 @@ ControllerService::ControllerService(QObject* parent) : QObject(parent) {
 }
 
 quint64 ControllerService::submit(std::shared_ptr<const Document> document, SharedControllerText settings,
-                                  const ReadOptions& options) {
-  const Request request{std::move(document), std::move(settings), options};
+                                  const ReadOptions& options, const PredictOptions& supply) {
+  const Request request{std::move(document), std::move(settings), options, supply};
   ++latest_;
   if (worker_.isBusy()) {
     pending_ = request;
@@ -148,9 +148,9 @@ void ControllerService::start(const Request& request, quint64 generation) {
   const auto work = [this, request, fail, generation, before = last_](const Monitor& monitor) -> Background::Delivery {
     auto program = read(request, before, part_of(monitor, 0.0, 0.3));
     if (!program) return [fail, error = program.error()] { fail(error); };
-    ControllerRun run{
-        program->reading, request.document->name.toStdString(), *program->text, request.settings->settings, {}};
-    Controlled found{request.settings, program->reading, program->text, {}, {}, {}, {}};
+    ControllerRun run{program->reading, request.document->name.toStdString(), *program->text,
+                      request.settings->settings, request.supply};
+    Controlled found{request.settings, request.supply, program->reading, program->text, {}, {}, {}, {}};
     auto driven = drive(std::move(run), std::move(found), part_of(monitor, 0.3, 1.0));
     return [this, fail, generation, program = std::move(*program), driven = std::move(driven)] {
       last_ = program;

@@ -20,8 +20,10 @@ class ControllerService : public QObject {
   explicit ControllerService(QObject* parent = nullptr);
 
   /// @param options  how the program is read, but for its dialect, which is the controller's
+  /// @param supply   how its blocks come
   /// @return the request's generation; results of older ones are marked stale by isLatest
-  quint64 submit(std::shared_ptr<const Document> document, SharedControllerText settings, const ReadOptions& options);
+  quint64 submit(std::shared_ptr<const Document> document, SharedControllerText settings, const ReadOptions& options,
+                 const PredictOptions& supply);
   /// Drops what waits and stops what runs.
   void cancel();
   bool isBusy() const { return worker_.isBusy(); }
@@ -38,6 +40,7 @@ class ControllerService : public QObject {
     std::shared_ptr<const Document> document;
     SharedControllerText settings;
     ReadOptions options;
+    PredictOptions supply;
   };
   /// A program as it was last read, for the next run to take over.
   struct Read {

@@ -50,7 +50,7 @@ void TuneService::trySingleChanges(std::shared_ptr<const Job> job) {
 void TuneService::trySettings(std::shared_ptr<const Controlled> run) {
   const quint64 number = ++latest_;
   submit(number, [this, run = std::move(run), number](const Monitor& monitor) {
-    auto result = what_if(*run->reading, *run->text, run->asked->settings, {}, monitor);
+    auto result = what_if(*run->reading, *run->text, run->asked->settings, run->supply, monitor);
     return answer(number, std::move(result), &TuneService::settingsTried);
   });
 }

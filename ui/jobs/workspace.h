@@ -44,6 +44,8 @@ class Workspace : public QObject {
   /// Plan B: the one pinned, else what the controller does; empty = none.
   const Planned& pinned() const;
   const ControllerView& controllerView() const { return controller_view_; }
+  /// How blocks come to whatever controller is chosen.
+  void setSupply(const PredictOptions& supply);
   const std::shared_ptr<const Timeline>& timeline() const { return plan_.timeline; }
   const Diagnostics& problems() const { return problems_; }  ///< of reading and of planning
   double cursorTime() const { return cursor_; }

@@ -42,7 +42,7 @@ void Workspace::takeSettings() {
 void Workspace::forgetController() {
   setpoints_.cancel();
   controller_.cancel();
-  controller_view_ = {controller_view_.chosen, nullptr};
+  controller_view_ = {controller_view_.chosen, controller_view_.supply, nullptr};
   oldest_run_ = latest_run_ + 1;
 }
 
@@ -50,7 +50,14 @@ void Workspace::runOnController() {
   if (!document_ || !controller_view_.chosen) return;
   setpoints_.cancel();
   controller_view_.is_stale = true;
-  latest_run_ = controller_.submit(document_, controller_view_.chosen, readOptions());
+  latest_run_ = controller_.submit(document_, controller_view_.chosen, readOptions(), controller_view_.supply);
+  emit controllerChanged();
+}
+
+void Workspace::setSupply(const PredictOptions& supply) {
+  if (supply.baud == controller_view_.supply.baud && supply.block_time == controller_view_.supply.block_time) return;
+  controller_view_.supply = supply;
+  runOnController();
   emit controllerChanged();
 }
 
@@ -71,7 +78,7 @@ void Workspace::takeDriven(const std::shared_ptr<const Controlled>& found, quint
 
 void Workspace::takeUndriven(const Error& error, quint64 generation) {
   if (!controller_.isLatest(generation) || generation < oldest_run_ || error.kind == ErrorKind::cancelled) return;
-  controller_view_ = {controller_view_.chosen, nullptr, {}, error};
+  controller_view_ = {controller_view_.chosen, controller_view_.supply, nullptr, {}, error};
   emit controllerChanged();
   emit pinnedChanged();
   showProblems();

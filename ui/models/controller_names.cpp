@@ -10,6 +10,8 @@
 namespace toolpace::ui {
 namespace {
 
+constexpr double kLeastStarved = 5e-4;  // [s]; less is nothing to a person
+
 // Listed for the translators; looked up by the title itself, without the axis before it.
 constexpr std::array kTitles = {QT_TRANSLATE_NOOP("ControllerNames", "step idle delay"),
                                 QT_TRANSLATE_NOOP("ControllerNames", "junction deviation"),
@@ -82,10 +84,14 @@ QString setting_unit(const std::string& unit) {
 
 QString time_limit_title(TimeLimit limit) { return words(kLimits[static_cast<std::size_t>(limit)]); }
 
-QString controller_verdict(Controller controller, double cycle_time, std::optional<double> as_setpoints) {
-  const auto title = controller_title(controller);
+QString controller_verdict(const Prediction& prediction, std::optional<double> as_setpoints) {
+  const auto title = controller_title(prediction.controller);
   const QString name = QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
-  const QString there = QCoreApplication::translate("ControllerNames", "On %1 %2").arg(name, duration_text(cycle_time));
+  QString there =
+      QCoreApplication::translate("ControllerNames", "On %1 %2").arg(name, duration_text(prediction.cycle_time));
+  if (prediction.starved >= kLeastStarved)
+    there += QCoreApplication::translate("ControllerNames", ", %1 of it for blocks that have not come")
+                 .arg(duration_text(prediction.starved));
   if (!as_setpoints) return there;
   return there + QCoreApplication::translate("ControllerNames", "; as setpoints %1").arg(duration_text(*as_setpoints));
 }

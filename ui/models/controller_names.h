@@ -19,7 +19,8 @@ QString setting_unit(const std::string& unit);
 /// "stops": what holds a controller's motion down.
 QString time_limit_title(TimeLimit limit);
 
-/// "On grbl 2 h 41 min; as setpoints 1 h 58 min". @param as_setpoints  [s]; none = not known yet
-QString controller_verdict(Controller controller, double cycle_time, std::optional<double> as_setpoints);
+/// "On grbl 2 h 41 min, 3 min of it for blocks that have not come; as setpoints 1 h 58 min".
+/// @param as_setpoints  [s]; none = not known yet
+QString controller_verdict(const Prediction& prediction, std::optional<double> as_setpoints);
 
 }  // namespace toolpace::ui

@@ -13,6 +13,7 @@
 #include "models/problem_model.h"
 #include "models/units.h"
 #include "panels/figure_table.h"
+#include "panels/form_grid.h"
 #include "theme/control_name.h"
 #include "toolpace/pipeline/run_on_controller.h"
 
@@ -37,6 +38,8 @@ ControllerPanel::ControllerPanel(QWidget* parent)
     : QWidget(parent),
       verdict_(new QLabel(this)),
       hint_(new QLabel(this)),
+      supply_(new SupplyFields("controller", this)),
+      grid_(new FormGrid(this)),
       bar_(new LimitBar(this)),
       limits_(figure_table("timeLimitTable", 3, this)),
       rows_table_(figure_table("settingTable", kSettingColumns, this)),
@@ -51,6 +54,11 @@ ControllerPanel::ControllerPanel(QWidget* parent)
   verdict_->setWordWrap(true);
   verdict_->setContentsMargins(8, 0, 8, 0);
   column->addWidget(verdict_);
+  grid_->setContentsMargins(8, 0, 8, 0);
+  baud_label_ = grid_->add(0, 0, supply_->baud());
+  block_time_label_ = grid_->add(0, 1, supply_->blockTime());
+  column->addWidget(grid_);
+  connect(supply_, &SupplyFields::edited, this, [this] { emit supplyWanted(supply_->value()); });
   auto* bar_row = new QHBoxLayout;
   bar_row->setContentsMargins(8, 0, 8, 0);
   bar_row->addWidget(bar_);
@@ -89,6 +97,8 @@ ControllerPanel::ControllerPanel(QWidget* parent)
 void ControllerPanel::showController(const ControllerView& view) {
   const bool same = view.found == view_.found && view.chosen == view_.chosen;
   view_ = view;
+  supply_->setValue(view.supply);
+  showSupply();
   if (!same) {
     service_.cancel();
     rows_.clear();
@@ -117,12 +127,17 @@ void ControllerPanel::stop() {
   showHint();
 }
 
+void ControllerPanel::showSupply() {
+  supply_->retranslate();
+  const bool is_linked = !view_.chosen || !reads_own_disk(view_.chosen->settings.controller);
+  grid_->setRowUseless(supply_->baud(), is_linked ? QString() : tr("It reads programs from its own disk"));
+}
+
 void ControllerPanel::showVerdict() {
   if (view_.failure) return verdict_->setText(message_text(view_.failure->code, view_.failure->message));
   if (!view_.found) return verdict_->setText(view_.chosen ? tr("predicting…") : tr("Choose a controller: Runs on"));
   const Prediction& p = view_.found->prediction;
-  verdict_->setText(controller_verdict(p.controller, p.cycle_time, view_.as_setpoints) +
-                    (view_.is_stale ? "  " + tr("(stale)") : QString()));
+  verdict_->setText(controller_verdict(p, view_.as_setpoints) + (view_.is_stale ? "  " + tr("(stale)") : QString()));
 }
 
 void ControllerPanel::showLimits() {
@@ -196,6 +211,9 @@ void ControllerPanel::changeEvent(QEvent* event) {
 void ControllerPanel::retranslate() {
   set_heads(limits_, {tr("Held down by"), tr("Time") + "  s", "%"});
   set_heads(rows_table_, {tr("Setting"), tr("Value"), tr("Saves") + "  s"});
+  showSupply();
+  baud_label_->setText(SupplyFields::baudTitle());
+  block_time_label_->setText(SupplyFields::blockTimeTitle());
   limits_->setAccessibleName(tr("Where the time goes on the controller"));
   rows_table_->setAccessibleName(tr("What each setting would save"));
   name_control(bar_, tr("Where the time goes on the controller"));

@@ -10,9 +10,12 @@
 #include "drawing/plan_view.h"
 #include "jobs/tune_service.h"
 #include "panels/limit_bar.h"
+#include "panels/supply_fields.h"
 #include "theme/theme.h"
 
 namespace toolpace::ui {
+
+class FormGrid;
 
 class ControllerPanel : public QWidget, public PlanView {
   Q_OBJECT
@@ -29,12 +32,14 @@ class ControllerPanel : public QWidget, public PlanView {
   void computed();
   /// Somebody wants this value, in the parameter's unit.
   void settingWanted(const QString& key, double value);
+  void supplyWanted(const toolpace::PredictOptions& supply);
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
   void stop();
+  void showSupply();
   void showVerdict();
   void showLimits();
   void showRows();
@@ -43,7 +48,9 @@ class ControllerPanel : public QWidget, public PlanView {
   void retranslate();
 
   TuneService service_;
-  QLabel *verdict_, *hint_;
+  QLabel *verdict_, *hint_, *baud_label_, *block_time_label_;
+  SupplyFields* supply_;
+  FormGrid* grid_;
   LimitBar* bar_;
   QTableWidget *limits_, *rows_table_;
   QPushButton* button_;

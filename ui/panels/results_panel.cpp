@@ -222,8 +222,7 @@ void ResultsPanel::showVerdict() {
   controller_->setVisible(controller_view_.chosen != nullptr);
   if (controller_view_.failure) return controller_->setText(tr("The controller's time is not known: see Problems"));
   if (!found) return controller_->setText(tr("predicting…"));
-  controller_->setText(
-      controller_verdict(found->prediction.controller, found->prediction.cycle_time, controller_view_.as_setpoints));
+  controller_->setText(controller_verdict(found->prediction, controller_view_.as_setpoints));
 }
 
 void ResultsPanel::setUnits(Units unit) {

@@ -53,6 +53,10 @@ std::optional<Controller> controller_named(std::string_view name) {
 
 std::span<const Controller> all_controllers() { return kAll; }
 
+bool reads_own_disk(Controller controller) {
+  return controller == Controller::klipper || controller == Controller::linuxcnc;
+}
+
 std::optional<Controller> controller_of_settings(std::string_view text) {
   std::optional<Controller> found;
   for_each_line(text, [&](std::string_view line, std::size_t) {

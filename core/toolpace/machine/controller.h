@@ -16,6 +16,8 @@ std::string_view controller_name(Controller controller);
 std::string_view controller_title(Controller controller);
 std::optional<Controller> controller_named(std::string_view name);
 std::span<const Controller> all_controllers();
+/// Whether programs lie on the controller's own disk, so that no link can starve it.
+bool reads_own_disk(Controller controller);
 
 /// Whose settings a text is, by what stands in it: lines such as $110=6000 are grbl's ($ numbers that grbl has not:
 /// grblHAL's), M203 with axes Marlin's, a [printer] with keys of Klipper its, [TRAJ] and its like LinuxCNC's. None where
