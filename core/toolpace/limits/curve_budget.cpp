@@ -50,18 +50,17 @@ double acceleration_by_sum(double cap, double jerk, const CurveRow& row) {
   struct Line {
     double value, slope;
   };
+  const double half = 1 / (2 * jerk);
   const auto excess = [&](double a) {
-    const double speed = cap - a * a / (2 * jerk);
-    return Line{row.along * a + row.across * speed * speed - 1, row.along - 2 * row.across * speed * a / jerk};
+    const double speed = cap - a * a * half;
+    return Line{row.along * a + row.across * speed * speed - 1, row.along - 4 * row.across * speed * a * half};
   };
   const double most = std::sqrt(jerk * cap), bend = std::sqrt(2 * jerk * cap / 3);
   if (excess(0).value > 0) return 0;
   double top = bend;  // of the part that rises
   if (excess(bend).slope < 0) {
     const double level = row.along * jerk / (2 * row.across);  // a·speed(a) where the left side is level
-    top = root_by_newton(0.0, [&](double a) {
-      return Line{a * (cap - a * a / (2 * jerk)) - level, cap - 3 * a * a / (2 * jerk)};
-    });
+    top = root_by_newton(0.0, [&](double a) { return Line{a * (cap - a * a * half) - level, cap - 3 * a * a * half}; });
   }
   if (excess(top).value > 0) return root_by_newton(0.0, excess);
   if (!(excess(most).value > 0)) return most;
@@ -88,9 +87,12 @@ double acceleration_by_right_angle(double cap, double jerk, const CurveRow& row,
   return std::sqrt(y * (1 - 1e-9));
 }
 
-double acceleration_towards(double cap, double jerk, const CurveRow& row, double curvature) {
-  return std::max({acceleration_by_sum(cap, jerk, row), acceleration_by_right_angle(cap, jerk, row, curvature),
-                   acceleration_at(cap, row, curvature)});
+/// The highest of all three, or one that is no less than `enough`: no axis that leaves more than another one decides.
+double acceleration_towards(double cap, double jerk, const CurveRow& row, double curvature, double enough) {
+  const double at_cap = acceleration_at(cap, row, curvature);
+  if (at_cap >= enough) return at_cap;
+  const double square = std::max(at_cap, acceleration_by_right_angle(cap, jerk, row, curvature));
+  return square >= enough ? square : std::max(square, acceleration_by_sum(cap, jerk, row));
 }
 
 /// Jerk that is left at a constant speed.
@@ -110,6 +112,7 @@ double turning_at(double speed, double jerk, const CurveBudget& b) {
   for (const CurveRow& row : b.rows()) {
     const double all = 1 - row.rest * volume, left = all - (row.jerk > 0 ? row.jerk * bent : 0.0);
     const double apart = row.turning > 0 ? left / (3 * row.turning) : left >= 0 ? kUnlimited : 0.0;
+    if (apart >= least) continue;
     const double free = row.jerk_plane > 0 && all > 0 ? root_of(squared(all / row.jerk_plane) - squared(bent)) : 0.0;
     const double together = free > 0 ? free / (3 * b.curvature) : 0.0;  // infinite where nothing turns
     least = std::min(least, std::max({apart, together, 0.0}));
@@ -141,6 +144,7 @@ double jerk_beside(double speed, double part, const CurveBudget& b) {
       const double turned = 3 * row.turning * part, left = all - row.jerk * bent;
       apart = left > 0 ? squared(2 * left / (turned + std::sqrt(squared(turned) + 4 * row.jerk * left))) : 0.0;
     }
+    if (apart >= least) continue;
     if (row.jerk_plane > 0 && all > 0) {  // (j + bent)² + (3κ·part)²·j = (all/jerk_plane)²
       const double left = squared(all / row.jerk_plane) - squared(bent);
       const double half = bent + squared(3 * b.curvature * part) / 2;
@@ -200,7 +204,8 @@ double acceleration_beside(double cap, double jerk, AtCap at_cap, const CurveBud
   double least = kUnlimited;
   for (const CurveRow& row : b.rows()) {
     if (!(row.along > 0) && !(row.across > 0)) continue;  // no limit
-    const double a = rests ? acceleration_towards(cap, jerk, row, b.curvature) : acceleration_at(cap, row, b.curvature);
+    const double a =
+        rests ? acceleration_towards(cap, jerk, row, b.curvature, least) : acceleration_at(cap, row, b.curvature);
     least = std::min(least, a);
   }
   return least;
