@@ -12,10 +12,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
-#include <algorithm>
-#include <map>
 
-#include "drawing/colour_map.h"
 #include "opened.h"
 #include "panels/nc_view.h"
 #include "panels/number_field.h"
@@ -23,6 +20,7 @@
 #include "plots/profile_plot.h"
 #include "support/dialogs.h"
 #include "support/files.h"
+#include "support/legible.h"
 #include "support/screenshot.h"
 #include "support/ui_test.h"
 
@@ -30,53 +28,6 @@ using namespace toolpace;
 using namespace toolpace::ui;
 
 namespace {
-
-constexpr double kLeastContrast = 4.5;
-
-/// Of the pixel that stands out most against the colour that most pixels have.
-double contrast_in(const QImage& image) {
-  std::map<QRgb, int> counts;
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) ++counts[image.pixel(x, y)];
-  }
-  const auto ground =
-      std::max_element(counts.begin(), counts.end(), [](auto& a, auto& b) { return a.second < b.second; });
-  double best = 1;
-  for (const auto& [colour, count] : counts) best = std::max(best, contrast(colour, ground->first));
-  return best;
-}
-
-/// What a person would stumble over.
-QStringList troubles_of(QWidget& window) {
-  QStringList troubles;
-  const QImage picture = window.grab().toImage();
-  const double ratio = picture.devicePixelRatio();
-  std::map<QWidget*, std::vector<QWidget*>> siblings;
-  for (auto* widget : window.findChildren<QWidget*>()) {
-    const bool part = qobject_cast<QLabel*>(widget) || qobject_cast<QAbstractButton*>(widget) ||
-                      qobject_cast<QLineEdit*>(widget) || qobject_cast<QComboBox*>(widget);
-    if (!part || widget->window() != &window || widget->visibleRegion().isEmpty()) continue;
-    if (qobject_cast<QLineEdit*>(widget->parentWidget()) || widget->parentWidget()->inherits("QTabBar")) continue;
-    siblings[widget->parentWidget()].push_back(widget);
-    const auto* label = qobject_cast<QLabel*>(widget);
-    // A single thin character may have no pixel that is nothing but ink.
-    if (!label || label->text().size() < 2 || !label->isEnabled()) continue;
-    const QRect seen = widget->visibleRegion().boundingRect().translated(widget->mapTo(&window, QPoint()));
-    const QRect pixels(seen.topLeft() * ratio, seen.size() * ratio);
-    const double found = contrast_in(picture.copy(pixels));
-    if (seen.height() >= label->fontMetrics().height() && found < kLeastContrast)
-      troubles << QString("contrast %1 of \"%2\"").arg(found).arg(label->text());
-  }
-  for (const auto& [parent, children] : siblings) {
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      for (std::size_t k = i + 1; k < children.size(); ++k) {
-        if (children[i]->geometry().intersects(children[k]->geometry()))
-          troubles << children[i]->objectName() + " lies over " + children[k]->objectName();
-      }
-    }
-  }
-  return troubles;
-}
 
 void click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton, {}, widget.rect().center()); }
 
@@ -105,7 +56,7 @@ class SessionTest : public QObject {
   void look(Opened& window, const QString& name) {
     studio::settle(window);
     screenshot(window, "session-" + name);
-    for (const QString& trouble : troubles_of(window)) troubles_ << name + ": " + trouble;
+    for (const QString& trouble : illegible_in(window)) troubles_ << name + ": " + trouble;
   }
   QStringList troubles_;
 

@@ -13,12 +13,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextDocument>
-#include <QToolBar>
 #include <cmath>
 
 #include "opened.h"
 #include "panels/controller_panel.h"
 #include "support/files.h"
+#include "support/legible.h"
 #include "support/screenshot.h"
 #include "support/ui_test.h"
 
@@ -77,12 +77,7 @@ class TextCheck {
   }
 
   void check(const QAbstractButton& button) {
-    if (button.text().isEmpty()) return;
-    const auto* tool = qobject_cast<const QToolButton*>(&button);
-    if (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull()) return;
-    if (tool && tool->parentWidget() && qobject_cast<QToolBar*>(tool->parentWidget())) {
-      if (tool->toolButtonStyle() == Qt::ToolButtonFollowStyle && !tool->icon().isNull()) return;
-    }
+    if (!shows_text(button)) return;
     need(button, button.text(), button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width(),
          button.width() - 8);
   }
@@ -220,6 +215,7 @@ class TextTest : public QObject {
                              .arg(scale);
     window.the<QDockWidget>("resultsDock").raise();
     screenshot(window, name);
+    troubles += illegible_in(window);
     troubles += troubles_on_controller(window, name);
     QVERIFY2(troubles.isEmpty(), qPrintable(troubles.join('\n')));
     QCOMPARE(window.size(), size);
