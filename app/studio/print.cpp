@@ -10,7 +10,7 @@
 namespace toolpace::studio {
 namespace {
 
-/// Laid out as on a screen, pixels and points alike, and drawn as large as the printer's dots want it.
+/// Laid out as on the screen.
 void print_text(QPainter& painter, QPrinter& printer, const QString& html) {
   const double scale = printer.logicalDpiY() / QGuiApplication::primaryScreen()->logicalDotsPerInchY();
   const QSizeF page = printer.pageRect(QPrinter::DevicePixel).size() / scale;
@@ -42,6 +42,9 @@ void print_drawing(QPainter& painter, QPrinter& printer, const ui::Drawing& draw
 }  // namespace
 
 bool print_pages(QPrinter& printer, const ReportParts& parts, const std::vector<ui::Drawing>& drawings) {
+  // Drawings count their fonts in points and all else in the pixels of a screen: at its resolution both are of one scale. What a
+  // printer gets are lines and letters, not pixels.
+  printer.setResolution(ui::kDotsPerInch);
   QPainter painter;
   if (!painter.begin(&printer)) return false;
   print_text(painter, printer, report_html(parts));

@@ -309,6 +309,7 @@ class ExportTest : public QObject {
       printer.setOutputFormat(QPrinter::PdfFormat);
       printer.setOutputFileName(in("print.pdf"));
       QVERIFY(window.printTo(printer));
+      QCOMPARE(printer.logicalDpiY(), ui::kDotsPerInch);  // so that texts are as large beside the lines as on the screen
       QFile file(in("print.pdf"));
       QVERIFY(file.open(QIODevice::ReadOnly));
       const QByteArray pdf = file.readAll();

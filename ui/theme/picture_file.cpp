@@ -13,7 +13,6 @@
 namespace toolpace::ui {
 namespace {
 
-constexpr int kDotsPerInch = 96;
 constexpr double kPointsPerPixel = 72.0 / kDotsPerInch;
 
 bool draw(QPaintDevice& device, const Drawing& drawing) {

@@ -12,6 +12,9 @@ class QPainter;
 
 namespace toolpace::ui {
 
+/// At which logical pixels and points are of one scale.
+inline constexpr int kDotsPerInch = 96;
+
 /// How a view is drawn into a file.
 struct Drawing {
   QSize size;                                   ///< logical pixels, at 96 a inch
