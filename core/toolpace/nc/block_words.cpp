@@ -99,7 +99,10 @@ std::uint32_t axis_words(const Context& context) {
 
 // G90, G92 and G94 without an end are what G-code system B knows: absolute, the spindle's limit, feed a minute.
 bool read_as_system_b(Context& context, const Block& block, Code code) {
-  if (code == kLatheFacing) context.state.modal.feed_mode = 940;
+  if (code == kLatheFacing) {
+    context.state.modal.feed_mode = 940;
+    context.state.feed_mode_doubtful = true;
+  }
   if (code == kLatheThreading && block.has('s')) context.state.modal.spindle_limit = block.of('s');
   context.faults.warn("lathe-system-b",
                       fmt::format("{} without an end is read as in G-code system B", code_text('G', code)),
@@ -133,7 +136,8 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
                                block.column_of(GGroup::once));
   }
   const bool extruder_alone = context.rules.extruder && once == 920 && block.has('e');
-  if ((once == 920 || once == 520) && !axes && !extruder_alone) {
+  const bool limits_spindle = once == 920 && block.has('s') && !context.rules.refuses_doubtful;
+  if ((once == 920 || once == 520) && !axes && !extruder_alone && !limits_spindle) {
     return context.faults.fail("axes-missing", fmt::format("{} without axis words", code_text('G', once)),
                                "give at least one axis", block.column_of(GGroup::once));
   }

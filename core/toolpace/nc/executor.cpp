@@ -19,6 +19,7 @@
 namespace toolpace::nc {
 namespace {
 
+constexpr Code kHeidenhainTip = 128;
 constexpr std::uint32_t kMotionGroup = 1u << static_cast<unsigned>(GGroup::motion);
 constexpr std::uint32_t kPlainWords = kLinearBits | kRotaryBits | word_bit('f');
 
@@ -99,6 +100,8 @@ bool Executor::run_machine_codes(const Block& block) {
     context_.state.modal.mist = code == 7 || (code == 8 && context_.state.modal.mist);
     context_.state.modal.flood = code == 8 || (code == 7 && context_.state.modal.flood);
   }
+  if (block.has(MGroup::ignored) && block.code(MGroup::ignored) == kHeidenhainTip && !context_.state.tip_code)
+    context_.state.tip_code = CodePlace{flow_.line_number(), context_.out.size()};
   if (block.has(MGroup::user)) {
     context_.faults.warn(
         "m-code-user",

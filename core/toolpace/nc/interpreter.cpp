@@ -6,6 +6,7 @@
 
 #include "toolpace/base/file_name.h"
 #include "toolpace/nc/flow/main_program.h"
+#include "toolpace/nc/last_warnings.h"
 #include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/motion/increments.h"
 #include "toolpace/nc/program_limits.h"
@@ -61,7 +62,9 @@ bool Interpreter::run(const Monitor& monitor) {
   if (end_ == End::cancelled) return false;
   for (std::size_t i = reading_.moves.files.size(); i < files_.size(); ++i)
     reading_.moves.files.push_back(files_.at(i).name);
-  report_mended_arcs();
+  const ReadingEnd end{rules_, state_, reading_.moves, files_, log_};
+  warn_at_the_end(end);
+  if (executor_.has_ended() && flow_.depth() == 0) warn_of_text_behind_end(end, flow_.line_number(), flow_.rest());
   log_.finish(files_.at(0).name);
   reading_.refused = log_.has_errors();
   return true;
@@ -170,16 +173,6 @@ bool Interpreter::must_end() {
   return options_.dialect == rules_.dialect || extension_of(files_.at(0).name) == ".ngc";
 }
 
-void Interpreter::report_mended_arcs() {
-  const MendedArcs& mended = state_.mended;
-  if (mended.count == 0) return;
-  const std::string others = mended.count == 1 ? "" : fmt::format(", the worst of {} arcs", mended.count);
-  log_.add({"arc-mended",
-            fmt::format("the arc ends {:.4f} mm off its radius{}; it is taken as a spiral", mended.worst, others),
-            "give more decimals; --arc-tolerance-mm decides what is refused", 0, Severity::warning},
-           files_.at(mended.file).name, mended.line, {});
-}
-
 bool Interpreter::run_percent() {
   if (flow_.depth() > 0) {
     at_percent_end_ = true;
@@ -240,7 +233,7 @@ bool Interpreter::run_line(std::string_view line) {
   if (c == '/') {
     if (options_.block_delete) return true;
     text.take();
-    if (rules_.macro_statements && is_digit(text.peek())) text.take();
+    if (!rules_.refuses_doubtful && is_digit(text.peek())) text.take();
     c = text.peek();
   }
   while (c == 'n' || (c == ':' && numbers_line(text))) {
@@ -265,6 +258,15 @@ bool Interpreter::run_line(std::string_view line) {
     return true;
   }
   if (c == '<' && rules_.macro_statements && is_program_name(text)) return true;
+  if (!rules_.refuses_doubtful && is_message(text)) {
+    faults_.warn("sender-macro", "a macro of the sender is not followed; it is taken to move nothing", "",
+                 text.column());
+    return true;
+  }
+  if (rules_.macro_statements && begins_channel(text)) {
+    return faults_.fail("several-channels", "here begins or waits a channel of a machine with several of them",
+                        "read the part of each channel as a program of its own", text.column());
+  }
   anything_read_ = anything_read_ || (c != '(' && c != ';' && c != '\0' && !begins_program_number(text));
   if (c == 'o' || (c == ':' && rules_.macro_statements)) {
     text.take();

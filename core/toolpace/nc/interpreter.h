@@ -44,7 +44,6 @@ class Interpreter {
   void end_of_text();
   bool must_end();
   void warn_of_text_behind();
-  void report_mended_arcs();
   bool check_bounds();
   void report_faults(std::string_view line);
 

@@ -185,6 +185,12 @@ Result<Reading> read_program(std::string_view text, const std::string& name, con
   return reading;
 }
 
+// Tapes begin and end with a length without holes.
+std::string_view without_leaders(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of('\0'), text.size()));
+  return text.substr(0, text.find_last_not_of('\0') + 1);
+}
+
 // Old Macintosh files end their lines with a return alone; columns stay what they are.
 bool has_bare_returns(std::string_view text) {
   return text.substr(0, kBinaryCheck).find('\n') == std::string_view::npos &&
@@ -196,6 +202,7 @@ bool has_bare_returns(std::string_view text) {
 Result<Reading> read_text(std::string_view text, const std::string& name, const ReadOptions& options,
                           const Monitor& monitor) {
   if (text.substr(0, kUtf8Mark.size()) == kUtf8Mark) text.remove_prefix(kUtf8Mark.size());
+  text = without_leaders(text);
   if (has_bare_returns(text)) {
     std::string lines(text);
     std::replace(lines.begin(), lines.end(), '\r', '\n');

@@ -33,6 +33,7 @@ bool set_plane(Context& context, const Block& block) {
 
 bool set_units(Context& context, const Block& block) {
   context.state.modal.units = block.code(GGroup::units);
+  context.state.units_given = true;
   return true;
 }
 
@@ -93,8 +94,24 @@ bool set_feed_mode(Context& context, const Block& block) {
   const Code code = block.code(GGroup::feed_mode);
   if (modal.feed_mode != code) modal.feed = modal.feed_linear = 0.0;  // F has another meaning now
   modal.feed_mode = code;
+  context.state.feed_mode_doubtful = false;
   return true;
 }
+
+namespace {
+
+// No lathe feeds so slowly: 0.2 is meant for a turn, and the G94 before for nothing, as in G-code system A.
+void settle_feed_mode(Context& context, double feed, std::size_t column) {
+  constexpr double kSlowestFeed = 2.0;  // [mm/min]
+  State& state = context.state;
+  if (!state.feed_mode_doubtful || feed * state.modal.unit() >= kSlowestFeed) return;
+  state.feed_mode_doubtful = false;
+  state.modal.feed_mode = 950;
+  context.faults.warn("feed-a-turn", fmt::format("F{:g} after G94 alone is read as a feed a turn", feed),
+                      "say G98 or G99, or choose --dialect fanuc-lathe-b for a feed a minute", column);
+}
+
+}  // namespace
 
 bool set_feed(Context& context, const Block& block) {
   Modal& modal = context.state.modal;
@@ -107,6 +124,7 @@ bool set_feed(Context& context, const Block& block) {
     return context.faults.fail("feed-negative", fmt::format("a feedrate of {:g}", feed), "a feedrate is not below 0",
                                block.column_of('f'));
   if (modal.feed_mode == 930) return true;  // belongs to its block alone
+  settle_feed_mode(context, feed, block.column_of('f'));
   modal.feed = feed;
   modal.feed_linear = feed * modal.unit();
   return true;
@@ -133,7 +151,9 @@ bool set_speed(Context& context, const Block& block) {
   if (!(speed >= 0.0))
     return context.faults.fail("speed-negative", fmt::format("a spindle speed of {:g}", speed),
                                "a spindle speed is not below 0", block.column_of('s'));
-  if (block.code(GGroup::once) == kLatheOrigin) {  // G50 S: never faster than that
+  const Code once = block.code(GGroup::once);
+  const bool limits = once == 920 && !context.rules.refuses_doubtful && !block.has_any(kAxisBits | kIncrementBits);
+  if (once == kLatheOrigin || limits) {  // G50 S, G92 S: never faster than that
     context.state.modal.spindle_limit = speed > 0.0 ? speed : std::numeric_limits<double>::infinity();
     return true;
   }

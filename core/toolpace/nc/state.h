@@ -200,6 +200,11 @@ struct TipState {
   bool is_on() const { return !chain.is_identity(); }
 };
 
+/// Where a code stands in the program, and how many rows there were before.
+struct CodePlace {
+  std::size_t line = 0, row = 0;
+};
+
 struct State {
   Modal modal;
   Offsets offsets;
@@ -222,13 +227,16 @@ struct State {
   std::map<int, OtherSpindle> spindles;  ///< by number, from 1
   MendedArcs mended;
   ProgramLimits limits;
-  bool extruder_told = false;     ///< that E is left out has been said
-  bool lathe_level_told = false;  ///< that R of a lathe's drilling cycle is a level has been said
-  bool increments_told = false;   ///< that a peck is read in least increments has been said
-  bool turns_c = false;           ///< the program has moved C as an axis
-  bool tool_table_told = false;   ///< that there is no tool table has been said
-  bool pocket_told = false;       ///< that the radius of a pocket's tool is not known has been said
-  bool chamfer_told = false;      ///< that C of a straight move is a chamfer has been said
+  bool extruder_told = false;         ///< that E is left out has been said
+  bool lathe_level_told = false;      ///< that R of a lathe's drilling cycle is a level has been said
+  bool increments_told = false;       ///< that a peck is read in least increments has been said
+  bool turns_c = false;               ///< the program has moved C as an axis
+  bool tool_table_told = false;       ///< that there is no tool table has been said
+  bool pocket_told = false;           ///< that the radius of a pocket's tool is not known has been said
+  std::optional<CodePlace> tip_code;  ///< of the last M128 that was taken to do nothing
+  bool feed_mode_doubtful = false;    ///< G94 of lathes has been read as a feed a minute
+  bool units_given = false;           ///< by G20 or G21
+  bool chamfer_told = false;          ///< that C of a straight move is a chamfer has been said
 };
 
 Position to_machine(const Offsets& offsets, const Position& work);

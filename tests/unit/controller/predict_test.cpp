@@ -77,7 +77,7 @@ TEST(Predict, KlipperPassesASquareCornerAtItsVelocity) {
 
 TEST(Predict, FHoldsForRapidsOfPrinters) {
   const auto p = predict_with(kKlipper, "G0 X100 F1200\nG0 X0\n", Controller::klipper);
-  EXPECT_NEAR(p.rapid_time, 2 * (100.0 / 20 + 20.0 / 1000), 1e-9);
+  EXPECT_NEAR(p.feed_time, 2 * (100.0 / 20 + 20.0 / 1000), 1e-9);
 }
 
 // Filament is drawn back 2 mm at 40 mm/s between two strokes of 50 mm at 50 mm/s, each from rest to rest: 50/50 +

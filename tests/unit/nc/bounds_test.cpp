@@ -72,7 +72,7 @@ TEST(Bounds, ControlWordsAreFoundAtOnce) {
   std::string loop = "o1 while [#1 LT 100000]\n#1=[#1+1]\no2 if [0]\n";
   for (int i = 3; i < 50'000; ++i) loop += fmt::format("o{} if [0]\no{} endif\n", i, i);
   EXPECT_EQ(codes(read_program("#1=0\n" + loop + "o2 endif\no1 continue\no1 endwhile\nM2\n")), Codes{});
-  std::string numbers = "O1\n#1=0\n";
+  std::string numbers = "O1\nG21\n#1=0\n";
   for (int i = 0; i < 100'000; ++i) numbers += "N1\n";
   const auto jumps = read_program(numbers + "N2 #1=#1+1\nIF[#1LT100000]GOTO2\nM30\n", {.dialect = Dialect::fanuc});
   EXPECT_EQ(codes(jumps), Codes{});

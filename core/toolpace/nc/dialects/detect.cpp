@@ -55,8 +55,9 @@ Dialect choose(const Evidence& evidence, bool named_as_linuxcnc, Dialect& other)
   const int haas = evidence.score(Dialect::haas), mach3 = evidence.score(Dialect::mach3);
   if (linuxcnc > 0) return Dialect::linuxcnc;
   if (evidence.score(Dialect::marlin) > 0 && fanuc <= 0) return Dialect::marlin;
-  // X and Z alone, without another sign, are of no lathe.
-  if (lathe >= kStrong) {
+  // X and Z alone, without another sign, are of no lathe. Mach3 and LinuxCNC turn, too.
+  const bool may_be_other = (mach3 > 0 || named_as_linuxcnc) && fanuc <= 0;
+  if (lathe >= (may_be_other ? kCertain : kStrong)) {
     if (lathe < kCertain && fanuc <= 0) other = Dialect::linuxcnc;
     return evidence.score(Dialect::fanuc_lathe_b) >= kStrong ? Dialect::fanuc_lathe_b : Dialect::fanuc_lathe;
   }

@@ -4,12 +4,19 @@
 
 namespace toolpace::nc {
 
+std::optional<CodeUse<GGroup>> tinyg_g_code(Code code) {
+  if (code == 283) return CodeUse<GGroup>{GGroup::once, false, 920};           // here is X Y Z
+  if (code == 282 || code == 284) return CodeUse<GGroup>{GGroup::kept, true};  // homing
+  return std::nullopt;
+}
+
 std::optional<CodeUse<GGroup>> sender_g_code(Code code) {
   const bool has =
       is_listed(code, {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 210, 280, 281, 300, 301, 382, 383, 384, 385,
                        400, 431, 490, 530, 540, 550, 560, 570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940});
   if (const auto group = common_g_group(code)) return CodeUse<GGroup>{*group, has};
   if (code == 290) return CodeUse<GGroup>{GGroup::ignored};  // printers probe their bed
+  if (const auto use = tinyg_g_code(code)) return use;
   return foreign_g_code(code);
 }
 

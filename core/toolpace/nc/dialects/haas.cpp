@@ -46,7 +46,7 @@ std::optional<CodeUse<MGroup>> haas_m_code(int number) {
 constinit const DialectRules kHaasRules = [] {
   DialectRules rules = fanuc_kind(Dialect::haas);
   rules.repeats_by_k = rules.repeats_within_p = false;  // L repeats
-  rules.scales_in_thousandths = false;
+  rules.scales_in_thousandths = rules.machine_moves_rapid = false;
   rules.pecks_shrink = true;
   rules.g_code = haas_g_code;
   rules.m_code = haas_m_code;

@@ -23,6 +23,7 @@ std::optional<CodeUse<MGroup>> linuxcnc_m_code(int number) {
 std::optional<CodeUse<GGroup>> unmarked_g_code(Code code) {
   if (const auto use = linuxcnc_g_code(code); use && use->by_dialect) return use;
   auto other = fanuc_g_code(code);
+  if (!other) other = tinyg_g_code(code);
   const bool moves = other && other->group != GGroup::ignored && other->group != GGroup::machine;
   if (moves) other->by_dialect = false;
   return other;

@@ -58,6 +58,8 @@ struct DialectRules {
   bool repeats_within_p = false;        ///< M98 P00021000 is twice O1000
   bool g80_keeps_motion = false;        ///< G80 ends cycles alone
   bool motion_beside_home = false;      ///< G0 G28 in one block
+  bool rapids_at_feed = false;          ///< G0 is G1
+  bool machine_moves_rapid = false;     ///< G53 goes as fast as G0 does under G1, but not beside it
   bool machine_moves_incremental = false;  ///< G53 counts from the machine's zero under G91, too
   bool ignores_centre_off_plane = false;   ///< K in G17
   bool linuxcnc_cycles = false;            ///< tapping cycles feed out to the level that they leave at
@@ -102,6 +104,8 @@ std::optional<CodeUse<GGroup>> fanuc_g_code(Code tenths);
 std::optional<CodeUse<GGroup>> foreign_g_code(Code tenths);
 std::optional<CodeUse<GGroup>> fanuc_lathe_g_code(Code tenths);
 const char* fanuc_lathe_unfollowed(Code tenths);
+/// What TinyG and its kin have beside grbl's.
+std::optional<CodeUse<GGroup>> tinyg_g_code(Code tenths);
 std::optional<CodeUse<GGroup>> sender_g_code(Code tenths);
 std::optional<CodeUse<MGroup>> fanuc_m_code(int number);
 std::optional<CodeUse<MGroup>> sender_m_code(int number);
@@ -120,7 +124,8 @@ constexpr DialectRules fanuc_kind(Dialect dialect) {
   rules.macro_statements = rules.corner_words = rules.last_code_wins = true;
   rules.dwells_in_milliseconds = rules.dwells_by_axis_words = true;
   rules.repeats_by_k = rules.repeats_within_p = true;
-  rules.g80_keeps_motion = rules.motion_beside_home = rules.machine_moves_incremental = true;
+  rules.g80_keeps_motion = rules.motion_beside_home = true;
+  rules.machine_moves_rapid = rules.machine_moves_incremental = true;
   rules.ignores_centre_off_plane = rules.incremental_g10 = true;
   rules.scales_in_thousandths = rules.integers_may_count = true;
   return rules;

@@ -30,7 +30,7 @@ std::size_t skip_number(std::string_view text, std::size_t at) {
 // Codes of 3D printers that machine tools do not have.
 bool is_printing(const std::string& text) {
   for (const char* marlin : {"m104s", "m109s", "m140s", "m190s", "m106", "m107", "m110", "m117", "m82", "m83", "m201",
-                             "m203", "m204", "m205", "m420", "m600", "g92e"}) {
+                             "m203", "m204", "m205", "m420", "m600", "m84", "g92e"}) {
     const std::size_t length = std::string_view(marlin).size();
     if (text.compare(0, length, marlin) != 0) continue;
     const char before = marlin[length - 1];
@@ -119,6 +119,10 @@ void SignReader::look_at_words() {
   for (const char* macro : {"set_velocity", "exclude_object", "start_print", "end_print", "print_start", "print_end"}) {
     if (text_.rfind(macro, 0) == 0) add(Dialect::marlin, 3, "a macro of Klipper");
   }
+  if (text_ == "g28x" || text_ == "g28xy" || text_ == "g28xyz" || text_ == "g28z")
+    add(Dialect::marlin, 3, "G28 with letters alone");
+  const bool moves = (has('x') || has('y')) && !has('s') && !has('m') && (has('g', "1") || has('g', "0"));
+  if (has_extruder_ && has('e') && moves) add(Dialect::marlin, 3, "an extruder E");
   if (has_checksum(text_)) add(Dialect::marlin, 3, "a checksum at the end of the line");
   look_at_haas_words();
   const bool no_spindle = !has('s') && !has('x') && !has('z');
@@ -156,16 +160,19 @@ void SignReader::look_at_sender_words() {
 void SignReader::look_at_lathe_words() {
   const auto lathe = [this](int weight, std::string_view what) { add(Dialect::fanuc_lathe, weight, what); };
   const bool motion = has('x') || has('z') || has('u') || has('w');
-  if (has('m', "6")) lathe(-3, "M6");
+  bool has_offset_tool = false;
   for (const Word& word : words_) {
-    if (word.letter == 't' && is_offset_tool(word.number))
-      lathe(2, fmt::format("a tool with its offset, T{}", word.number));
+    if (word.letter != 't' || !is_offset_tool(word.number)) continue;
+    has_offset_tool = true;
+    lathe(2, fmt::format("a tool with its offset, T{}", word.number));
   }
+  if (has('m', "6") && !has_offset_tool) lathe(-3, "M6");
   if (has('g', "65") || has('g', "66") || has('g', "10")) return;
   if (has('g', "50") && has('s')) lathe(3, "G50 S");
-  if (has('g', "96") && has('s')) lathe(1, "G96");
+  if (has('g', "96") && has('s') && !has('d')) lathe(3, "G96");
   const bool contour = has('g', "70") || has('g', "71") || has('g', "72") || has('g', "73");
-  if (contour && has('p') && has('q')) lathe(4, "a turning cycle with P and Q");
+  if (contour && has('p') && has('q')) lathe(has('u') || has('w') ? 7 : 4, "a turning cycle with P and Q");
+  if ((has('g', "28") || has('g', "30")) && (has('u') || has('w'))) lathe(3, "home by U and W");
   if (contour && has('q') && !has('p') && !has('x') && !has('y') && !has('u') && !has('w') && !has('f'))
     add(Dialect::linuxcnc, 3, "a turning cycle with Q");
   if (has('g', "32")) lathe(2, "G32");
@@ -174,6 +181,14 @@ void SignReader::look_at_lathe_words() {
   if ((has('g', "77") || has('g', "78") || has('g', "79")) && (has('x') || has('u')) && has('z'))
     add(Dialect::fanuc_lathe_b, 3, "a cycle G77, G78 or G79");
   if ((has('u') || has('w')) && !has('g', "4") && !contour && motion) lathe(2, "increments U and W");
+}
+
+// Feeds of a turn are small: 0.2 mm, 0.01 in.
+void SignReader::note_feed(std::string_view number) {
+  number.remove_prefix(std::min(number.find_first_not_of(" 0"), number.size()));
+  const std::size_t digits = std::min(number.find_first_not_of("0123456789"), number.size());
+  if (digits > 1 || (digits == 1 && number.front() > '2')) has_large_feed_ = true;
+  if (digits == 0 && !number.empty() && number.front() == '.') has_small_feed_ = true;
 }
 
 bool SignReader::is_plain(std::string_view line) {
@@ -192,6 +207,7 @@ bool SignReader::is_plain(std::string_view line) {
       if (at < line.size() && line[at] >= '1' && line[at] <= '3') ++at;
       if (at == i + 1 || (at < line.size() && ((line[at] >= '0' && line[at] <= '9') || line[at] == '.'))) return false;
     } else if (folded >= 'A' && folded <= 'Z') {
+      if (folded == 'F') note_feed(line.substr(i + 1));
       if (std::string_view("XYZIJKFN").find(folded) == std::string_view::npos) return false;
     } else if (std::string_view("0123456789.-+ \r\t").find(c) == std::string_view::npos) {
       return false;
@@ -212,6 +228,8 @@ const std::vector<Sign>& SignReader::look_at_axes(bool may_be_linuxcnc) {
     add(Dialect::fanuc_lathe, 5, "arcs with K, and nowhere Y or a plane");
   if (has_y_) add(Dialect::fanuc_lathe, -3, "Y");
   if (has_x_ && has_z_ && !has_y_) add(Dialect::fanuc_lathe, 1, "X and Z, and nowhere Y");
+  if (has_small_feed_ && !has_large_feed_ && has_x_ && has_z_ && !has_y_ && !may_be_linuxcnc)
+    add(Dialect::fanuc_lathe, 2, "feeds below 1, as of a turn");
   return signs_;
 }
 
@@ -220,6 +238,7 @@ const std::vector<Sign>& SignReader::look_at(std::string_view line) {
   words_.clear();
   look_at_comments(line);
   text_ = fold(line);
+  has_extruder_ = line.find(" E") != std::string_view::npos;  // and no exponent: X1e5
   if (text_.rfind("%wait", 0) == 0 || text_.rfind("%msg", 0) == 0) add(Dialect::grbl, 1, "a macro of a sender, %");
   if (text_.empty() || text_.front() == '%') return signs_;
   if (text_.front() == '<' && !seen_block_ && text_.back() == '>') add(Dialect::fanuc, 3, "a program name <>");
@@ -242,6 +261,9 @@ const std::vector<Sign>& SignReader::look_at(std::string_view line) {
         if (end > at + 1) words_.push_back({c, std::string_view(text_).substr(at + 1, end - at - 1)});
       }
       at = end;
+    }
+    for (const Word& word : words_) {
+      if (word.letter == 'f') note_feed(word.number);
     }
     has_x_ = has_x_ || has('x');
     has_y_ = has_y_ || has('y');

@@ -36,6 +36,7 @@ class SignReader {
   void look_at_haas_words();
   void look_at_sender_words();
   void look_at_lathe_words();
+  void note_feed(std::string_view number);
   void add(Dialect dialect, int weight, std::string_view what);
   bool has(char letter) const;
   bool has(char letter, std::string_view number) const;
@@ -44,9 +45,11 @@ class SignReader {
   std::string text_;  ///< the line in small letters, without blanks and comments
   std::vector<Word> words_;
   bool seen_block_ = false;
+  bool has_extruder_ = false;  ///< the line's word E stands by itself
   bool incremental_ = false;
   bool has_x_ = false, has_y_ = false, has_z_ = false;
   bool has_plane_ = false, turns_in_xz_ = false;
+  bool has_small_feed_ = false, has_large_feed_ = false;
 };
 
 }  // namespace toolpace::nc

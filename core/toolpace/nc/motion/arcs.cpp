@@ -7,6 +7,7 @@
 
 #include "toolpace/nc/motion/compensation.h"
 #include "toolpace/nc/motion/corners.h"
+#include "toolpace/nc/motion/end_point.h"
 #include "toolpace/nc/motion/motion.h"
 #include "toolpace/nc/scaling.h"
 #include "toolpace/nc/text/whole_number.h"
@@ -143,7 +144,7 @@ bool check_words(Context& context, const Block& block, const PlaneAxes& plane) {
                 "check G17 G18 G19; --dialect grbl and others leave the word out");
   }
   const bool in_plane =
-      block.has(kAxisLetters[plane.first]) || block.has(kAxisLetters[plane.second]) || block.has_any(kPolarBits);
+      names_axis(context, block, plane.first) || names_axis(context, block, plane.second) || block.has_any(kPolarBits);
   if (!by_radius && !block.has_any(kCentreBits)) {
     return fail("arc-incomplete", "an arc without radius and centre", "give R, or I J K");
   }

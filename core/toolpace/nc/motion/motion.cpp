@@ -4,6 +4,7 @@
 #include "toolpace/nc/motion/compensation.h"
 #include "toolpace/nc/motion/corners.h"
 #include "toolpace/nc/motion/cycles.h"
+#include "toolpace/nc/motion/end_point.h"
 #include "toolpace/nc/motion/probing.h"
 #include "toolpace/nc/motion/splines.h"
 #include "toolpace/nc/motion/threading.h"
@@ -24,6 +25,8 @@ bool run_straight(Context& context, const Block& block, Code code) {
   Position end;
   if (!find_end(context, block, end)) return false;
   if (points_tool(context, block) && !point_tool(context, block, end)) return false;
+  if (code == 0 && context.rules.rapids_at_feed) code = 10;
+  if (machine_coordinates && context.rules.machine_moves_rapid && !block.has(GGroup::motion)) code = 0;
   if (code == 10 && meets_corner(context, block)) return run_cornered_line(context, block, code, end);
   return go_straight(context, block, code, end);
 }
@@ -32,6 +35,13 @@ bool run_straight(Context& context, const Block& block, Code code) {
 bool run_straight_move(Context& context, const Block& block, Code code) {
   if (!context.rules.lathe_words || !may_mean_corner(block)) return run_straight(context, block, code);
   return run_straight(context, with_corner_words(context, block, code), code);
+}
+
+// Group 00: the motion code before goes on behind them.
+bool run_once_cycle(Context& context, const Block& block, Code code, Code before) {
+  const bool good = code == kLatheThreads ? run_threads(context, block) : run_grooving(context, block, code);
+  context.state.modal.motion = before;
+  return good;
 }
 
 }  // namespace
@@ -53,6 +63,7 @@ bool go_straight(Context& context, const Block& block, Code code, const Position
 
 bool run_motion(Context& context, const Block& block, Code code) {
   if (code == 0 || code == 10 || code == 20 || code == 30) context.state.plain_motion = code;
+  const Code before = context.state.modal.motion;
   // On Fanuc controllers G80 ends cycles alone; the motion code before them goes on.
   context.state.modal.motion = code == 800 && context.rules.g80_keeps_motion ? context.state.plain_motion : code;
   if (code < kForeignCodes) context.state.turning.code = kNoCode;
@@ -81,8 +92,8 @@ bool run_motion(Context& context, const Block& block, Code code) {
     case 800: return true;
     case kLatheThread: return run_lathe_thread(context, block);
     case kLatheFaceGroove:
-    case kLatheGroove: return run_grooving(context, block, code);
-    case kLatheThreads: return run_threads(context, block);
+    case kLatheGroove:
+    case kLatheThreads: return run_once_cycle(context, block, code, before);
     case kLatheTurning:
     case kLatheFacing:
     case kLatheThreading: return run_turning(context, block, code);

@@ -36,6 +36,27 @@ std::string code_text(char letter, Code code) {
                                          : fmt::format("{}{}.{}", letter, code / 10, code % 10);
 }
 
+// G90 and G94 of lathes beside G0 to G3: as G-code system B has them, absolute and feed a minute.
+bool BlockReader::take_system_b(Code code, std::size_t column, Block& block) {
+  constexpr auto kMotion = static_cast<std::size_t>(GGroup::motion);
+  const auto is_cycle = [](Code c) { return c == kLatheTurning || c == kLatheFacing; };
+  const auto is_plain = [](Code c) { return c == 0 || c == 10 || c == 20 || c == 30; };
+  const Code other = block.g[kMotion];
+  const bool both = is_cycle(code) && is_cycle(other) && code != other;
+  if (!both && !(is_cycle(code) && is_plain(other)) && !(is_plain(code) && is_cycle(other))) return false;
+  const Code cycle = both ? kLatheTurning : is_cycle(code) ? code : other;
+  block.g[kMotion] = both ? kLatheFacing : is_cycle(code) ? other : code;
+  const auto group = cycle == kLatheFacing ? GGroup::feed_mode : GGroup::distance;
+  block.g_groups |= 1u << static_cast<unsigned>(group);
+  block.g[static_cast<std::size_t>(group)] = cycle == kLatheFacing ? 940 : 900;
+  if (both) return true;  // G94 without an end is told of later
+  faults_.warn("lathe-system-b",
+               fmt::format("{} beside {} is read as in G-code system B", code_text('G', cycle),
+                           code_text('G', block.g[kMotion])),
+               "in system A it is a cycle: give X and Z", column);
+  return true;
+}
+
 bool BlockReader::read_g(double value, std::size_t column, Block& block) {
   const double tenths = std::round(value * 10.0);
   const bool plausible = std::fabs(value * 10.0 - tenths) < kCodeWithin && tenths >= 0.0 && tenths < 10000.0;
@@ -80,6 +101,7 @@ bool BlockReader::read_g(double value, std::size_t column, Block& block) {
     if (code != 800) block.g[group] = code;  // G80 beside another motion code only ends what cycle is on
     return true;
   }
+  if (use->group == GGroup::motion && block.has(GGroup::motion) && take_system_b(code, column, block)) return true;
   if (block.has(use->group) && rules_.last_code_wins) {
     faults_.warn("modal-group-twice",
                  fmt::format("{} and {} belong to the same modal group; the last counts",

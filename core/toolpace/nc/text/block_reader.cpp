@@ -123,7 +123,7 @@ bool BlockReader::read(Scanner& text, Block& block) {
       text.move_to(text.end());  // M30%
     } else if (c == '<' && (block.has(MGroup::subprogram) || block.has(GGroup::macro)) && rules_.macro_statements) {
       if (!read_name(text, faults_, block.called)) return false;
-    } else if (c == '/' && rules_.macro_statements) {
+    } else if (c == '/' && !rules_.refuses_doubtful) {
       skip_slash(text);
     } else {
       return faults_.fail("bad-character", fmt::format("{} begins no word", shown_character(text.rest())),

@@ -42,6 +42,7 @@ class BlockReader {
   bool fail_without_value(const Scanner& text, char letter, std::size_t column);
   bool read_corner(Scanner& text, Block& block);
   void skip_slash(Scanner& text);
+  bool take_system_b(Code code, std::size_t column, Block& block);
   bool read_g(double value, std::size_t column, Block& block);
   bool read_m(double value, std::size_t column, Block& block);
   void note_form(std::string_view number, char letter, Block& block) const;

@@ -142,7 +142,7 @@ bool ExpressionReader::read_target(Scanner& text, Target& target) {
     return faults_.fail("parameter-not-integer", fmt::format("parameter number {:g} is not a whole number", number),
                         "use a whole number behind #", column);
   }
-  if (!(whole >= 0.0 && whole < parameters_.count()) || !parameters_.has_number(static_cast<int>(whole))) {
+  if (!(whole >= 0.0 && whole < kParameterNumbers) || !parameters_.has_number(static_cast<int>(whole))) {
     return faults_.fail("parameter-out-of-range", fmt::format("there is no parameter #{:.15g}", whole),
                         fmt::format("parameters go from #1 to #{}", parameters_.count() - 1), column);
   }

@@ -1,6 +1,10 @@
 #pragma once
 /// Lines that are no blocks: heads of programs, macros of senders and printers. Cursors stand on the first character.
 
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
 #include "toolpace/nc/text/scanner.h"
 
 namespace toolpace::nc {
@@ -13,6 +17,15 @@ bool is_program_name(Scanner text);
 
 /// "%wait", "%X0=posx" of senders.
 bool is_sender_macro(Scanner text);
+
+/// MSG "…", DLGMSG "…": what the operator shall read.
+bool is_message(Scanner text);
+
+/// "$1" alone, "!L1", "!2": of machines that run several programs side by side.
+bool begins_channel(Scanner text);
+
+/// The first line that moves an axis, from 0, in a text that holds no sub-program.
+std::optional<std::size_t> find_stray_motion(std::string_view text);
 
 /// START_PRINT BED=60: three letters in a row, or an underscore, begin no block.
 bool is_macro_line(Scanner text);

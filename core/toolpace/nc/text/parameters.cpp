@@ -24,7 +24,9 @@ double Parameters::numbered(int index) const {
   if (index >= 3000 && numbered_state) {
     if (const auto value = numbered_state(index)) return *value;
   }
-  return numbered_[static_cast<std::size_t>(index)];
+  if (index < kFirstDistant) return numbered_[static_cast<std::size_t>(index)];
+  const auto found = distant_.find(index);
+  return found == distant_.end() ? vacant() : found->second;
 }
 
 bool Parameters::is_read_only(int index) const {

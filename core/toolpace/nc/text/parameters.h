@@ -13,6 +13,7 @@
 namespace toolpace::nc {
 
 inline constexpr int kParameterCount = 5602;       ///< #1 … #5601
+inline constexpr int kParameterNumbers = 1000000;  ///< no dialect has a higher number
 inline constexpr int kMacroVariables = 150000;     ///< the same of Fanuc's kind
 inline constexpr int kLinuxcncLocals = 30;         ///< #1 … #30 belong to the call
 inline constexpr int kFanucLocals = 33;            ///< #1 … #33 belong to the macro call
@@ -53,8 +54,12 @@ class Parameters {
   void use_macro_variables();
 
   double numbered(int index) const;
-  void set_numbered(int index, double value) { numbered_[static_cast<std::size_t>(index)] = value; }
-  bool has_number(int index) const { return index >= (vacant_locals_ ? 0 : 1) && index < count(); }
+  void set_numbered(int index, double value) {
+    (index < kFirstDistant ? numbered_[static_cast<std::size_t>(index)] : distant_[index]) = value;
+  }
+  bool has_number(int index) const {
+    return index >= (vacant_locals_ ? 0 : 1) && (index < count() || (vacant_locals_ && is_distant(index)));
+  }
   int count() const { return count_; }
   bool is_read_only(int index) const;
 
@@ -85,6 +90,10 @@ class Parameters {
     std::unordered_map<std::string, double> names;
   };
 
+  static constexpr int kFirstDistant = 900000;  ///< of builders' macros: few of them are used
+  static bool is_distant(int index) { return index >= kFirstDistant && index < kParameterNumbers; }
+
+  std::unordered_map<int, double> distant_;
   std::vector<double> numbered_;  ///< more than programs may use: the systems of G54.1 have room in every dialect
   int count_ = kParameterCount;
   std::vector<Frame> frames_;

@@ -18,8 +18,8 @@ constexpr std::array<char, 256> make_fold_table() {
   for (std::size_t c = 0; c < table.size(); ++c) table[c] = static_cast<char>(c);
   for (std::size_t c = 'A'; c <= 'Z'; ++c) table[c] = static_cast<char>(c - 'A' + 'a');
   for (const char c : {' ', '\t', '\r', '\v', '\f'}) table[static_cast<unsigned char>(c)] = kBlank;
-  for (const std::size_t c : {0x11u, 0x12u, 0x13u, 0x14u, 0x1Au})
-    table[c] = kBlank;  // device controls, DOS's end of file
+  for (const std::size_t c : {0x11u, 0x12u, 0x13u, 0x14u, 0x1Au, 0x7Fu})
+    table[c] = kBlank;  // device controls, DOS's end of file, what is rubbed out on tapes
   return table;
 }
 inline constexpr std::array<char, 256> kFold = make_fold_table();
