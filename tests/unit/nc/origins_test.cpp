@@ -48,6 +48,21 @@ TEST(Lathes, GoOnAsBeforeBehindThreadsAndGrooves) {
   EXPECT_EQ(reading.moves.kind[last], MoveKind::rapid);
 }
 
+// R10 is 0.001 in, as 0.01 in of the first cut are Q100: 0.4995 in - 0.01 in is the first diameter's half.
+TEST(Lathes, TakeTheLastCutOfAThreadInIncrements) {
+  const auto reading =
+      read_as(Dialect::fanuc_lathe,
+              "G20 G97 S500 M3\nG0 X1.1 Z.2\nG76 P010060 Q20 R10\nG76 X.923 Z-1. P380 Q100 F.0625\nM30\n");
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < reading.moves.size(); ++i) {
+    if (reading.moves.kind[i] == MoveKind::feed) depths.push_back(reading.moves.end[i][0] / 25.4);
+  }
+  ASSERT_EQ(depths.size(), 14u);  // n cuts are √n·0.01 in deep, each 0.002 in at least: 13 to 0.037, and the last one
+  EXPECT_NEAR(depths.front(), 0.4995 - 0.01, 1e-9);
+  EXPECT_NEAR(depths[12], 0.4995 - 0.037, 1e-9);
+  EXPECT_NEAR(depths.back(), 0.4615, 1e-9);
+}
+
 TEST(Lathes, TurnArcsByRadiusToIncrements) {
   const auto reading = read_as(Dialect::fanuc_lathe, "G21 G98\nG0 X20. Z0.\nG3 U10. W-5. R5. F100\nM30\n");
   EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
@@ -165,6 +180,7 @@ TEST(Foreign, LanguagesThatLookLikeGCodeAreNamed) {
     EXPECT_EQ(reading.error().code, "language-unsupported");
     EXPECT_NE(reading.error().message.find(c.name), std::string::npos) << reading.error().message;
   }
+  EXPECT_FALSE(read_program("#1=2\no1 if [#1 GT 1.5]\nG0 X1\no1 endif\nM2\n").refused);
   EXPECT_FALSE(read_program("(IF PART 5 IS LOOSE)\nG21 G83 Z-5 R1 Q1 I.5 F100 G98\nM30\n", {}, "a.nc").refused);
 }
 

@@ -134,11 +134,12 @@ std::string statement(const std::string& words) {
 
 /// T1.1 is tool 1 with offset 1, and I of a cycle its depth, which begins at Z.
 bool is_of_fagor(const std::string& statement) {
+  if (statement.find_first_of("[#<") != std::string::npos) return false;
   const std::size_t tool = statement.find('T');
   const auto digit_at = [&](std::size_t at) {
     return at < statement.size() && statement[at] >= '0' && statement[at] <= '9';
   };
-  if (tool != std::string::npos && digit_at(tool + 1)) {
+  if (tool != std::string::npos && (tool == 0 || digit_at(tool - 1)) && digit_at(tool + 1)) {
     const std::size_t point = statement.find_first_not_of("0123456789", tool + 1);
     if (point < statement.size() && statement[point] == '.' && digit_at(point + 1)) return true;
   }

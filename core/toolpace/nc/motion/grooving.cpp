@@ -58,6 +58,9 @@ bool check_steps(Context& context, const Block& block, const Groove& groove, con
   return fail(context, block, "cycle-peck", "too many steps in one groove", "give larger steps");
 }
 
+// From these on, R without a point counts least increments.
+constexpr double kLargestLastCut = 1.0, kLargestRetract = 20.0;
+
 }  // namespace
 
 bool run_grooving(Context& context, const Block& block, Code code) {
@@ -67,7 +70,7 @@ bool run_grooving(Context& context, const Block& block, Code code) {
   if (!find_end(context, block, end)) return false;
   const bool names_end = names_axis(context, block, 0) || names_axis(context, block, 2);
   if (!names_end) {  // the first block of two
-    if (block.has('r')) state.turning_setup.retract = length_of(state, block, 'r');
+    if (block.has('r')) state.turning_setup.retract = increments_of(state, block, 'r', kLargestRetract);
     return true;
   }
   const Position start = state.position;
@@ -115,7 +118,7 @@ bool run_threads(Context& context, const Block& block) {
       setup.flank_angle = *word % 100 / 2.0 * kRadiansPerDegree;
     }
     if (block.has('q')) setup.least_cut = increments_of(state, block, 'q');
-    if (block.has('r')) setup.last_cut = length_of(state, block, 'r');
+    if (block.has('r')) setup.last_cut = std::fabs(increments_of(state, block, 'r', kLargestLastCut));
     return true;
   }
   const bool one_block = block.has('k') || block.has('d');
