@@ -1573,6 +1573,26 @@
             <translation>无小数点的坐标按长度读取</translation>
         </message>
         <message>
+            <source>several-channels</source>
+            <translation>程序含有多个通道</translation>
+        </message>
+        <message>
+            <source>units-missing</source>
+            <translation>没有给出单位</translation>
+        </message>
+        <message>
+            <source>text-behind-end</source>
+            <translation>程序结束之后还有运动</translation>
+        </message>
+        <message>
+            <source>feed-a-turn</source>
+            <translation>按每转进给读取</translation>
+        </message>
+        <message>
+            <source>tip-doubtful</source>
+            <translation>旋转轴是否绕刀尖运动不明</translation>
+        </message>
+        <message>
             <source>language-unsupported</source>
             <translation>不支持这种语言</translation>
         </message>
@@ -2098,6 +2118,22 @@
         <message>
             <source>check the rights of the file and its directory</source>
             <translation>检查文件及其文件夹的权限</translation>
+        </message>
+        <message>
+            <source>read the part of each channel as a program of its own</source>
+            <translation>把每个通道的部分作为单独的程序读取</translation>
+        </message>
+        <message>
+            <source>remove what stands behind the end, or the end</source>
+            <translation>删去程序结束之后的内容，或删去该结束</translation>
+        </message>
+        <message>
+            <source>write G20 for inches, or G21 for mm, at the beginning</source>
+            <translation>在开头写 G20（英寸）或 G21（毫米）</translation>
+        </message>
+        <message>
+            <source>say G98 or G99, or choose --dialect fanuc-lathe-b for a feed a minute</source>
+            <translation>写 G98 或 G99；若要每分钟进给，请选 --dialect fanuc-lathe-b</translation>
         </message>
         <message>
             <source>check what your controller does with it</source>
