@@ -138,8 +138,10 @@ bool find_motion(Context& context, const Block& block, Code& motion) {
   const bool extruder_alone = context.rules.extruder && once == 920 && block.has('e');
   const bool limits_spindle = once == 920 && block.has('s') && !context.rules.refuses_doubtful;
   if ((once == 920 || once == 520) && !axes && !extruder_alone && !limits_spindle) {
-    return context.faults.fail("axes-missing", fmt::format("{} without axis words", code_text('G', once)),
-                               "give at least one axis", block.column_of(GGroup::once));
+    const std::string what = fmt::format("{} without axis words", code_text('G', once));
+    if (context.rules.refuses_doubtful)
+      return context.faults.fail("axes-missing", what, "give at least one axis", block.column_of(GGroup::once));
+    context.faults.warn("axes-missing", what, "give at least one axis", block.column_of(GGroup::once));
   }
   if (context.rules.lathe_words && !axes &&
       (named == kLatheTurning || named == kLatheFacing || named == kLatheThreading))

@@ -134,6 +134,13 @@ TEST(TinyG, TellsWhereItStands) {
 }
 
 // The spindle turns no faster than 1000: at X20 100 m/min are 1592 turns a minute.
+TEST(Systems, WithoutAxesDoNothingOutsideOfLinuxcnc) {
+  const auto reading = read_program("G21 G90\nG52\nG92\nG0 X1\nM30\n", {}, "a.nc");
+  EXPECT_EQ(codes(reading), (Codes{"axes-missing@2:1", "axes-missing@3:1"}));
+  EXPECT_EQ(ends(reading), (Values{1}));
+  EXPECT_TRUE(read_as(Dialect::linuxcnc, "G52\nM2\n").refused);
+}
+
 TEST(Spindles, AreLimitedByG92Too) {
   const auto reading = read_as(Dialect::fanuc_lathe_b, "G21 G92 S1000\nG96 S100 M3\nG0 X20. Z2.\nG1 Z0 F.6\nM30\n");
   EXPECT_FALSE(reading.refused) << testing::PrintToString(codes(reading));
@@ -173,7 +180,9 @@ TEST(Foreign, LanguagesThatLookLikeGCodeAreNamed) {
                         {"G50 S2500\nNAT01\nG0 X1\n", "Okuma"},
                         {"'SHOPBOT FILE\nSA\n", "ShopBot"},
                         {"M3,1,1,-0.1\n", "ShopBot"},
-                        {"%@MACRO\n#1 := 5;\n", "Syntec"}};
+                        {"%@MACRO\n#1 := 5;\n", "Syntec"},
+                        {"G0 X1\nG41 X25 Y=12+10\n", "Siemens"},
+                        {"N5 G18 G54 DIAMON\n", "Siemens"}};
   for (const Case& c : cases) {
     const auto reading = read_text(c.text, "a.nc", {});
     ASSERT_FALSE(reading.has_value()) << c.text;

@@ -51,6 +51,14 @@ constexpr Mark kMarks[] = {{"BEGIN PGM", kHeidenhain, false},
                            {"GOTOF ", kSiemens, false},
                            {"GOTOB ", kSiemens, false},
                            {"STOPRE", kSiemens, false},
+                           {"DIAMON", kSiemens, false},
+                           {"DIAMOF", kSiemens, false},
+                           {"LIMS=", kSiemens, false},
+                           {"SPOS=", kSiemens, false},
+                           {"ROT ", kSiemens, true},
+                           {"TRANS ", kSiemens, true},
+                           {"ATRANS ", kSiemens, true},
+                           {"AROT ", kSiemens, true},
                            {"CALL O", kOkuma, false},
                            {"VC1=", kOkuma, false},
                            {"PARTNO", kApt, true},
@@ -150,6 +158,18 @@ bool is_of_fagor(const std::string& statement) {
   return !digit_at(cycle + 3) && has('Z') && has('I') && !has('R') && !has('Q');
 }
 
+/// Y=12+10: Siemens' words have '=' where a number does not follow at once. Lines of printers' macros begin with a name.
+bool assigns_words(const std::string& statement) {
+  const auto is_capital = [&](std::size_t at) { return statement[at] >= 'A' && statement[at] <= 'Z'; };
+  if (statement.size() < 3 || (is_capital(0) && is_capital(1))) return false;
+  for (std::size_t at = statement.find('='); at != std::string::npos; at = statement.find('=', at + 1)) {
+    if (at > 0 && std::string_view("XYZABCIJKFH").find(statement[at - 1]) != std::string_view::npos &&
+        (at == 1 || !is_capital(at - 2)))
+      return statement.find_first_of("#<[_@") == std::string::npos;
+  }
+  return false;
+}
+
 /// "L100" alone: where a sub-program begins, or its call.
 bool is_label(const std::string& statement) {
   return statement.size() > 1 && statement.front() == 'L' &&
@@ -178,6 +198,7 @@ std::optional<ForeignLanguage> find_foreign_language(std::string_view text) {
     text.remove_prefix(std::min(length + 1, text.size()));
     if (words.empty() || words.front() == ';') continue;
     const std::string said = statement(words);
+    if (assigns_words(said)) return ForeignLanguage{kSiemens, line, 1};
     if (is_of_fagor(said)) return ForeignLanguage{kFagor, line, 1};
     if (label == 0 && is_label(said)) label = line;
     if (label != 0 && said == "M17") return ForeignLanguage{kFadal, label, 1};
