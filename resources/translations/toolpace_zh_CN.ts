@@ -2136,6 +2136,10 @@
             <translation>写 G98 或 G99；若要每分钟进给，请选 --dialect fanuc-lathe-b</translation>
         </message>
         <message>
+            <source>repeat the whole sub-program, or call it several times</source>
+            <translation>重复整个子程序，或多次调用它</translation>
+        </message>
+        <message>
             <source>check what your controller does with it</source>
             <translation>查明你的控制器如何处理它</translation>
         </message>

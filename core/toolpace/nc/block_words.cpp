@@ -83,7 +83,7 @@ std::uint32_t words_of_settings(const Block& block) {
   if (block.has(MGroup::io)) words |= word_bit('p') | word_bit('q') | word_bit('e') | word_bit('l');
   if (block.has(MGroup::override_) || block.has(MGroup::user)) words |= word_bit('p') | word_bit('q');
   if (block.has(MGroup::spindle)) words |= word_bit('r') | word_bit('q') | word_bit('p') | kSpindleBit;
-  if (block.has(MGroup::subprogram)) words |= word_bit('p') | word_bit('l') | word_bit('q');
+  if (block.has(MGroup::subprogram)) words |= word_bit('p') | word_bit('l') | word_bit('q') | word_bit('h');
   if (block.has(MGroup::ignored) || block.has(MGroup::limits) || block.has(GGroup::ignored)) words |= ~0u;
   if (block.has(GGroup::kept) || block.has(GGroup::machine)) words |= ~0u;
   return words;

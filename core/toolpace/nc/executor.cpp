@@ -159,6 +159,16 @@ bool Executor::run_stop(const Block& block) {
   return !block.has(MGroup::subprogram) || run_subprogram_code(block);
 }
 
+// M98 P2 Q10: from N10 of O2 on.
+bool Executor::begin_at(const Block& block, int times) {
+  const std::size_t column = block.column_of('q');
+  if (times > 1) {
+    return context_.faults.fail("call-repeats", "a call that begins at a line of its own is not repeated here",
+                                "repeat the whole sub-program, or call it several times", column);
+  }
+  return times == 0 || flow_.go_to_number(block.of('q'), column);
+}
+
 bool Executor::run_subprogram_code(const Block& block) {
   const std::size_t column = block.column_of(MGroup::subprogram);
   if (block.code(MGroup::subprogram) == 99) {
@@ -174,7 +184,8 @@ bool Executor::run_subprogram_code(const Block& block) {
     ended_ = true;
     return true;
   }
-  if (!block.has('p') && block.called.empty())
+  const bool calls_line = !block.has('p') && block.has('h') && context_.rules.macro_statements;  // M98 H10: as M97 P10
+  if (!block.has('p') && !calls_line && block.called.empty())
     return context_.faults.fail("m98-without-p", "M98 without P", "name the sub-program with P", column);
   double number = block.of('p', 0.0);
   double repeats = block.of('l', 1.0);
@@ -187,9 +198,11 @@ bool Executor::run_subprogram_code(const Block& block) {
   if (!times)
     return context_.faults.fail("call-repeats", fmt::format("{:g} repeats of a call", repeats),
                                 "L is a whole number from 0 to 999999999", column);
+  if (calls_line) return flow_.call_line(block.of('h'), *times, block.column_of('h'));
   if (block.code(MGroup::subprogram) == 97) return flow_.call_line(number, *times, block.column_of('p'));
   if (!block.called.empty()) return flow_.call_numbered(block.called, *times, column, std::nullopt);
-  return flow_.call_numbered(label_of(number), *times, block.column_of('p'), std::nullopt);
+  if (!flow_.call_numbered(label_of(number), *times, block.column_of('p'), std::nullopt)) return false;
+  return !block.has('q') || !context_.rules.macro_statements || begin_at(block, *times);
 }
 
 }  // namespace toolpace::nc

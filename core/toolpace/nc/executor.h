@@ -27,6 +27,7 @@ class Executor {
   bool run_dwell(const Block& block);
   bool run_stop(const Block& block);
   bool run_subprogram_code(const Block& block);
+  bool begin_at(const Block& block, int times);
 
   Context& context_;
   Flow& flow_;

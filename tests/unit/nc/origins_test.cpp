@@ -156,6 +156,12 @@ TEST(Macros, OfBuildersHaveNumbersFromNineHundredThousand) {
   EXPECT_TRUE(read_as(Dialect::fanuc, "#200000=1\nM30\n").refused);
 }
 
+TEST(Calls, BeginAtALineOfTheirOwn) {
+  EXPECT_EQ(ends(read_as(Dialect::fanuc, "G21\nM98 P2 Q10\nM30\nO2\nG0 X1.\nN10 X2.\nM99\n")), (Values{2}));
+  EXPECT_TRUE(read_as(Dialect::fanuc, "G21\nM98 P2 Q10 L2\nM30\nO2\nN10 G0 X2.\nM99\n").refused);
+  EXPECT_EQ(ends(read_as(Dialect::fanuc, "G21\nM98 H10 L2\nM30\nN10 G91 G0 X5.\nM99\n")), (Values{5, 10}));
+}
+
 TEST(Text, TapesBeginAndEndWithoutHoles) {
   using namespace std::string_literals;
   const auto reading = read_program("\0\0%\n\x7F\x7FO1\nG21 G0 X1.\nM30\n%\0\0"s, {}, "a.nc");

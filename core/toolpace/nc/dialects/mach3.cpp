@@ -36,6 +36,7 @@ const char* mach3_unfollowed(Code code) {
 const DialectRules kMach3Rules{.dialect = Dialect::mach3,
                                .first_retract = 980,
                                .last_code_wins = true,
+                               .dwells_by_size = true,  // its setting is to be seen nowhere
                                .dwells_by_axis_words = true,
                                .g80_keeps_motion = true,
                                .motion_beside_home = true,
