@@ -183,6 +183,7 @@ TEST(Foreign, LanguagesThatLookLikeGCodeAreNamed) {
                         {"N10 T4.4\nN20 G0 X1\n", "Fagor"},
                         {"N10 G0 X1\nN20 G81 G99 X25 Y0 Z0 I-28 F100\n", "Fagor"},
                         {"N40 (IF P0 GT 5 GOTO N20)\n", "Fagor"},
+                        {"N40 (P1=P1+2.5)\n", "Fagor"},
                         {"G50 S2500\nNAT01\nG0 X1\n", "Okuma"},
                         {"'SHOPBOT FILE\nSA\n", "ShopBot"},
                         {"M3,1,1,-0.1\n", "ShopBot"},
@@ -196,6 +197,9 @@ TEST(Foreign, LanguagesThatLookLikeGCodeAreNamed) {
     EXPECT_NE(reading.error().message.find(c.name), std::string::npos) << reading.error().message;
   }
   EXPECT_FALSE(read_program("#1=2\no1 if [#1 GT 1.5]\nG0 X1\no1 endif\nM2\n").refused);
+  for (const char* text : {"M204 P500 T1500.5\n", "M117 Z=0.2\n", "M117 T1.5 DIAMOND\n", "SET_PIN P=1\n",
+                           "(P1=START)\n", "(CALL 555-1234)\n", "(IF P1 IS LOOSE)\n"})
+    EXPECT_FALSE(read_program(std::string(text) + "G28\nG1 X1 E1 F600\n", {}, "a.gcode").refused) << text;
   EXPECT_FALSE(read_program("(IF PART 5 IS LOOSE)\nG21 G83 Z-5 R1 Q1 I.5 F100 G98\nM30\n", {}, "a.nc").refused);
 }
 

@@ -51,8 +51,6 @@ constexpr Mark kMarks[] = {{"BEGIN PGM", kHeidenhain, false},
                            {"GOTOF ", kSiemens, false},
                            {"GOTOB ", kSiemens, false},
                            {"STOPRE", kSiemens, false},
-                           {"DIAMON", kSiemens, false},
-                           {"DIAMOF", kSiemens, false},
                            {"LIMS=", kSiemens, false},
                            {"SPOS=", kSiemens, false},
                            {"ROT ", kSiemens, true},
@@ -115,18 +113,27 @@ bool is_iso_of_heidenhain(const std::string& text) {
   return last != std::string::npos && text[last] == '*' && text[0] == '%' && text.find(" G7") != std::string::npos;
 }
 
-/// "(IF P0 GT 5 GOTO N20)", "(RPT N10,N20)": what stands in parentheses acts.
+/// "(IF P0 GT 5 GOTO N20)", "(RPT N10,N20)", "(CALL 5)", "(P1=P2+3)": what stands in parentheses acts.
 bool acts_in_parentheses(std::string_view line) {
   std::string text;
-  for (const char c : line) text.push_back(static_cast<char>(c >= 'a' && c <= 'z' ? c - 32 : c));
-  for (const std::string_view word : {"(IF P", "(RPT N", "(GOTO N", "(CALL ", "(PCALL ", "(P"}) {
-    const std::size_t at = text.find(word);
-    const std::size_t digit = at + word.size();
-    if (at == std::string::npos || digit >= text.size() || text[digit] < '0' || text[digit] > '9') continue;
-    const std::size_t behind = text.find_first_not_of("0123456789", digit);
-    if (word != "(P" || (behind != std::string::npos && text[behind] == '=')) return true;
+  for (const char c : line) {
+    if (static_cast<unsigned char>(c) > ' ') text.push_back(static_cast<char>(c >= 'a' && c <= 'z' ? c - 32 : c));
   }
-  return false;
+  const std::size_t open = text.find('('), close = text.find(')');
+  if (open == std::string::npos || close == std::string::npos || close < open) return false;
+  const std::string inside = text.substr(open + 1, close - open - 1);
+  const auto begins = [&](std::string_view word) {
+    return inside.size() > word.size() && inside.compare(0, word.size(), word) == 0 && inside[word.size()] >= '0' &&
+           inside[word.size()] <= '9';
+  };
+  const auto has_only = [&](std::size_t from, const char* characters) {
+    return inside.find_first_not_of(characters, from) == std::string::npos;
+  };
+  if (begins("IFP")) return inside.find("GOTON") != std::string::npos;
+  if (begins("RPTN")) return has_only(4, "0123456789,N");
+  if (begins("GOTON")) return has_only(5, "0123456789");
+  if (begins("CALL")) return has_only(4, "0123456789");
+  return begins("P") && inside.find('=') != std::string::npos && has_only(1, "0123456789P=+-*/.");
 }
 
 /// The line without its number and blanks.
@@ -142,7 +149,8 @@ std::string statement(const std::string& words) {
 
 /// T1.1 is tool 1 with offset 1, and I of a cycle its depth, which begins at Z.
 bool is_of_fagor(const std::string& statement) {
-  if (statement.find_first_of("[#<") != std::string::npos) return false;
+  if (statement.empty() || statement.front() == 'M' || statement.find_first_of("[#<") != std::string::npos)
+    return false;
   const std::size_t tool = statement.find('T');
   const auto digit_at = [&](std::size_t at) {
     return at < statement.size() && statement[at] >= '0' && statement[at] <= '9';
@@ -158,14 +166,20 @@ bool is_of_fagor(const std::string& statement) {
   return !digit_at(cycle + 3) && has('Z') && has('I') && !has('R') && !has('Q');
 }
 
-/// Y=12+10: Siemens' words have '=' where a number does not follow at once. Lines of printers' macros begin with a name.
-bool assigns_words(const std::string& statement) {
+/// Siemens' words have '=' where a number does not follow at once, Y=12+10; DIAMON stands without one. Lines of printers' macros begin with a name.
+bool speaks_siemens(const std::string& statement) {
   const auto is_capital = [&](std::size_t at) { return statement[at] >= 'A' && statement[at] <= 'Z'; };
-  if (statement.size() < 3 || (is_capital(0) && is_capital(1))) return false;
+  if (statement.size() < 3 || (is_capital(0) && is_capital(1) && statement.rfind("DIAM", 0) != 0) ||
+      statement.rfind("M11", 0) == 0)
+    return false;
+  for (const std::string_view word : {"DIAMON", "DIAMOF"}) {
+    if (statement.size() >= word.size() && statement.compare(statement.size() - word.size(), word.size(), word) == 0)
+      return true;
+  }
   for (std::size_t at = statement.find('='); at != std::string::npos; at = statement.find('=', at + 1)) {
     if (at > 0 && std::string_view("XYZABCIJKFH").find(statement[at - 1]) != std::string_view::npos &&
         (at == 1 || !is_capital(at - 2)))
-      return statement.find_first_of("#<[_@") == std::string::npos;
+      return statement.find_first_of("#<[_@\"{") == std::string::npos;
   }
   return false;
 }
@@ -198,7 +212,7 @@ std::optional<ForeignLanguage> find_foreign_language(std::string_view text) {
     text.remove_prefix(std::min(length + 1, text.size()));
     if (words.empty() || words.front() == ';') continue;
     const std::string said = statement(words);
-    if (assigns_words(said)) return ForeignLanguage{kSiemens, line, 1};
+    if (speaks_siemens(said)) return ForeignLanguage{kSiemens, line, 1};
     if (is_of_fagor(said)) return ForeignLanguage{kFagor, line, 1};
     if (label == 0 && is_label(said)) label = line;
     if (label != 0 && said == "M17") return ForeignLanguage{kFadal, label, 1};
