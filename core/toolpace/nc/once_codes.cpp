@@ -19,6 +19,7 @@ bool run_once_code(Context& context, const Block& block) {
     case 301: store_home(context, kHomeG30); return true;
     case kToReference: return go_to_reference(context, block);
     case kFromReference: return leave_reference(context, block);
+    case kToolMove: return change_tool_on_the_way(context, block);
     case kPocketRight:
     case kPocketLeft: return mill_circular_pocket(context, block, code);
     case kHolesOnCircle:

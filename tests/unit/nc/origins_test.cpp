@@ -162,6 +162,20 @@ TEST(Calls, BeginAtALineOfTheirOwn) {
   EXPECT_EQ(ends(read_as(Dialect::fanuc, "G21\nM98 H10 L2\nM30\nN10 G91 G0 X5.\nM99\n")), (Values{5, 10}));
 }
 
+TEST(Brother, ChangesToolsOnTheWay) {
+  const auto reading = read_as(Dialect::fanuc, "G21 G90\nG0 Z9.\nG100 T2 X1. Y2. Z50. G43 H2 S8000 M3\nG100\nM30\n");
+  EXPECT_EQ(std::count(reading.moves.kind.begin(), reading.moves.kind.end(), MoveKind::tool), 1);
+  EXPECT_EQ(ends(reading, 0), (Values{0, 1, 1}));
+  EXPECT_EQ(ends(reading, 2), (Values{9, 9, 50}));
+  EXPECT_TRUE(has_code(reading, "g-code-machine"));
+}
+
+TEST(Arcs, MayBeSmallerThanLinuxcncsLeast) {
+  const std::string text = "G21 G90\nG2 X0.001 Y0.001 I0.001 J0 F100\nM30\n";
+  EXPECT_FALSE(read_program(text, {}, "a.nc").refused);
+  EXPECT_TRUE(read_program(text).refused);
+}
+
 TEST(Text, TapesBeginAndEndWithoutHoles) {
   using namespace std::string_literals;
   const auto reading = read_program("\0\0%\n\x7F\x7FO1\nG21 G0 X1.\nM30\n%\0\0"s, {}, "a.nc");

@@ -21,6 +21,7 @@ std::optional<CodeUse<GGroup>> fanuc_g_code(Code code) {
     case 130: return CodeUse<GGroup>{GGroup::once, true, kPocketLeft};
     case 270: return CodeUse<GGroup>{GGroup::once, true, kToReference};
     case 290: return CodeUse<GGroup>{GGroup::once, true, kFromReference};
+    case 1000: return CodeUse<GGroup>{GGroup::once, true, kToolMove};
     case 434:
     case 435:
     case 440: return CodeUse<GGroup>{GGroup::tool_length};

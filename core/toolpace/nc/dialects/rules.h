@@ -97,6 +97,13 @@ inline constexpr ArcTolerance kLinuxcncArcs{.metric = 0.02828427124746190,
                                             .most = 100.0,
                                             .least_radius = 0.00127};
 
+/// The same, but however small: what CAM systems round is no error on other controllers.
+inline constexpr ArcTolerance kSmallArcs{.metric = kLinuxcncArcs.metric,
+                                         .inch = kLinuxcncArcs.inch,
+                                         .relative = kLinuxcncArcs.relative,
+                                         .most = kLinuxcncArcs.most,
+                                         .least_radius = 0.0001};
+
 // What several dialects share.
 std::optional<GGroup> common_g_group(Code tenths);
 std::optional<CodeUse<GGroup>> fanuc_g_code(Code tenths);
@@ -116,7 +123,7 @@ const char* nothing_unfollowed(Code tenths);
 /// What all of Fanuc's kind have in common: a dialect of it tells what is otherwise.
 constexpr DialectRules fanuc_kind(Dialect dialect) {
   DialectRules rules{.dialect = dialect,
-                     .arc = kLinuxcncArcs,
+                     .arc = kSmallArcs,
                      .g_code = fanuc_g_code,
                      .m_code = fanuc_m_code,
                      .unfollowed = fanuc_unfollowed};

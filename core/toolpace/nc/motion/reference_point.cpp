@@ -1,6 +1,7 @@
 #include "toolpace/nc/motion/reference_point.h"
 
 #include "toolpace/nc/motion/end_point.h"
+#include "toolpace/nc/tool_table.h"
 
 namespace toolpace::nc {
 namespace {
@@ -58,6 +59,22 @@ bool leave_reference(Context& context, const Block& block) {
   go_fast(context, way);
   Position end;
   if (!find_end(context, block, end)) return false;
+  go_fast(context, end);
+  return true;
+}
+
+bool change_tool_on_the_way(Context& context, const Block& block) {
+  if (!block.has('t')) {
+    context.faults.warn("g-code-machine", "G100 is defined by the machine; it is taken to move nothing", "",
+                        block.column_of(GGroup::once));
+    return true;
+  }
+  Position end;
+  if (!may_leave_contour(context, block) || !change_tool(context, block) || !find_end(context, block, end))
+    return false;
+  Position above = end;
+  above[2] = context.state.position[2];
+  go_fast(context, above);
   go_fast(context, end);
   return true;
 }

@@ -12,6 +12,9 @@ bool go_home(Context& context, const Block& block, int stored);
 /// G28.1 and G30.1: keeps the point where the machine stands.
 void store_home(Context& context, int stored);
 
+/// G100 T of Brother: to X Y at once, the tool is changed on the way, then to Z. Without T it is the machine's own.
+bool change_tool_on_the_way(Context& context, const Block& block);
+
 /// G27: to the given point, where the controller would check that it is the reference point.
 bool go_to_reference(Context& context, const Block& block);
 

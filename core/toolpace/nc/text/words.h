@@ -39,6 +39,7 @@ inline constexpr Code kHolesOnLine = kMillCodes + 720;    ///< G72 of Haas
 inline constexpr Code kContourControl = kMillCodes + 51;  ///< G5.1 of Fanuc
 inline constexpr Code kSmoothness = 1870;                 ///< G187 of Haas
 inline constexpr Code kToReference = kMillCodes + 270;    ///< G27
+inline constexpr Code kToolMove = kMillCodes + 1000;      ///< G100 of Brother
 inline constexpr Code kFromReference = kMillCodes + 290;  ///< G29
 
 /// Modal groups of G codes (RS-274/NGC numbering where it has one).
