@@ -1593,6 +1593,10 @@
             <translation>旋转轴是否绕刀尖运动不明</translation>
         </message>
         <message>
+            <source>program-number</source>
+            <translation>程序号缺少字母 O</translation>
+        </message>
+        <message>
             <source>language-unsupported</source>
             <translation>不支持这种语言</translation>
         </message>
@@ -2138,6 +2142,10 @@
         <message>
             <source>repeat the whole sub-program, or call it several times</source>
             <translation>重复整个子程序，或多次调用它</translation>
+        </message>
+        <message>
+            <source>write O before it</source>
+            <translation>在它前面写 O</translation>
         </message>
         <message>
             <source>check what your controller does with it</source>

@@ -106,6 +106,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "check the path"),
     QT_TRANSLATE_NOOP("remedies", "check the rights of the file and its directory"),
     QT_TRANSLATE_NOOP("remedies", "check what your controller does with it"),
+    QT_TRANSLATE_NOOP("remedies", "write O before it"),
     QT_TRANSLATE_NOOP("remedies", "repeat the whole sub-program, or call it several times"),
     QT_TRANSLATE_NOOP("remedies", "read the part of each channel as a program of its own"),
     QT_TRANSLATE_NOOP("remedies", "remove what stands behind the end, or the end"),

@@ -258,6 +258,11 @@ bool Interpreter::run_line(std::string_view line) {
     return true;
   }
   if (c == '<' && rules_.macro_statements && is_program_name(text)) return true;
+  if (is_digit(c) && !anything_read_ && !rules_.refuses_doubtful && is_number_alone(text)) {
+    faults_.warn("program-number", "a number alone at the head of the program is taken for its number",
+                 "write O before it", text.column());
+    return true;
+  }
   if (!rules_.refuses_doubtful && is_message(text)) {
     faults_.warn("sender-macro", "a macro of the sender is not followed; it is taken to move nothing", "",
                  text.column());

@@ -176,6 +176,13 @@ TEST(Arcs, MayBeSmallerThanLinuxcncsLeast) {
   EXPECT_TRUE(read_program(text).refused);
 }
 
+TEST(Heads, MayHaveZerosForTheLetterO) {
+  const auto reading = read_program("%\n00024 (SIGN)\nG21 G0 X1\nM30\n%\n", {}, "a.nc");
+  EXPECT_EQ(codes(reading), (Codes{"program-number@2:1"}));
+  EXPECT_EQ(ends(reading), (Values{1}));
+  EXPECT_TRUE(read_program("G21 G0 X1\n00024\nM30\n", {}, "a.nc").refused);
+}
+
 TEST(Text, TapesBeginAndEndWithoutHoles) {
   using namespace std::string_literals;
   const auto reading = read_program("\0\0%\n\x7F\x7FO1\nG21 G0 X1.\nM30\n%\0\0"s, {}, "a.nc");

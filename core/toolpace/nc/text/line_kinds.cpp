@@ -40,6 +40,12 @@ bool is_message(Scanner text) {
   return false;
 }
 
+bool is_number_alone(Scanner text) {
+  while (is_digit(text.peek())) text.take();
+  const char next = text.peek();
+  return next == '\0' || next == '(' || next == ';';
+}
+
 bool begins_channel(Scanner text) {
   const char mark = text.peek();
   if (mark != '$' && mark != '!') return false;

@@ -21,6 +21,9 @@ bool is_sender_macro(Scanner text);
 /// MSG "…", DLGMSG "…": what the operator shall read.
 bool is_message(Scanner text);
 
+/// "00024": digits, and comments at most.
+bool is_number_alone(Scanner text);
+
 /// "$1" alone, "!L1", "!2": of machines that run several programs side by side.
 bool begins_channel(Scanner text);
 
