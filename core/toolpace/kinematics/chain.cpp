@@ -12,83 +12,105 @@ using Side = ChainSide;
 
 Vector3d turned(const Vector3d& v, const Vector3d& axis, double angle) { return Eigen::AngleAxisd(angle, axis) * v; }
 
-// Taylor coefficients to the third order: the k-th derivative divided by k!.
-using Series = std::array<double, 4>;
-using VectorSeries = std::array<Vector3d, 4>;
+// Taylor coefficients: the k-th derivative divided by k!. Of n = 4 to the third order, of n = 1 the value alone.
+template <std::size_t n>
+using Series = std::array<double, n>;
+template <std::size_t n>
+using VectorSeries = std::array<Vector3d, n>;
 constexpr std::array<double, 4> kFactorial = {1, 1, 2, 6};
 
-VectorSeries product(const Series& a, const VectorSeries& b) {
-  VectorSeries c;
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    c[k].setZero();
-    for (std::size_t i = 0; i <= k; ++i) c[k] += a[i] * b[k - i];
-  }
-  return c;
-}
-
+template <std::size_t n>
 struct Turn {
-  Series sine, cosine;
+  Series<n> sine, cosine;
 };
 
 // s' = c·t', c' = −s·t', coefficient by coefficient.
-Turn turn_of(const Series& angle) {
-  Turn t{{std::sin(angle[0])}, {std::cos(angle[0])}};
-  for (std::size_t k = 1; k < angle.size(); ++k) {
-    for (std::size_t i = 1; i <= k; ++i) {
-      const double weight = static_cast<double>(i) / static_cast<double>(k) * angle[i];
-      t.sine[k] += weight * t.cosine[k - i];
-      t.cosine[k] -= weight * t.sine[k - i];
-    }
+template <std::size_t n>
+Turn<n> turn_of(const Series<n>& angle) {
+  const double s = std::sin(angle[0]), c = std::cos(angle[0]);
+  if constexpr (n == 1) {
+    return {{s}, {c}};
+  } else {
+    const double a = angle[1], b = 2 * angle[2], d = 3 * angle[3];
+    const double s1 = a * c, c1 = -a * s;
+    const double s2 = (a * c1 + b * c) / 2, c2 = -(a * s1 + b * s) / 2;
+    return {{s, s1, s2, (a * c2 + b * c1 + d * c) / 3}, {c, c1, c2, -(a * s2 + b * s1 + d * s) / 3}};
   }
-  return t;
 }
 
-// Rodrigues' formula, the part along the axis apart.
-VectorSeries turned(const VectorSeries& v, const RotaryJoint& joint, const Turn& turn) {
-  VectorSeries along, across, cross;
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    const Vector3d arm = k == 0 ? Vector3d(v[0] - joint.point) : v[k];
-    along[k] = joint.direction * joint.direction.dot(arm);
-    across[k] = arm - along[k];
-    cross[k] = joint.direction.cross(arm);
+// Rodrigues' formula, the part along the axis apart: v = along + cos·across + sin·cross, by products of series.
+template <std::size_t n>
+void turn(VectorSeries<n>& v, const RotaryJoint& joint, const Turn<n>& t) {
+  const Vector3d& u = joint.direction;
+  v[0] -= joint.point;
+  VectorSeries<n> across, cross;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vector3d along = u * u.dot(v[k]);
+    across[k] = v[k] - along;
+    cross[k] = u.cross(v[k]);
+    v[k] = along;
+    for (std::size_t i = 0; i <= k; ++i) v[k] += t.cosine[k - i] * across[i] + t.sine[k - i] * cross[i];
   }
-  const VectorSeries a = product(turn.cosine, across), b = product(turn.sine, cross);
-  VectorSeries result;
-  for (std::size_t k = 0; k < v.size(); ++k) result[k] = along[k] + a[k] + b[k];
-  result[0] += joint.point;
-  return result;
+  v[0] += joint.point;
 }
 
-Series angle_of(const Derivatives<AxisVector>& axes, std::size_t axis, double sign) {
-  Series s;
-  for (std::size_t k = 0; k < s.size(); ++k) s[k] = sign * axes[k][static_cast<Eigen::Index>(axis)] / kFactorial[k];
+// The same of a point that stands still.
+template <std::size_t n>
+void turn_fixed(VectorSeries<n>& v, const RotaryJoint& joint, const Turn<n>& t) {
+  const Vector3d& u = joint.direction;
+  const Vector3d arm = v[0] - joint.point, along = u * u.dot(arm), across = arm - along, cross = u.cross(arm);
+  for (std::size_t k = 0; k < n; ++k) v[k] = t.cosine[k] * across + t.sine[k] * cross;
+  v[0] += along;
+  v[0] += joint.point;
+}
+
+template <std::size_t n>
+Series<n> angle_of(const AxisVector* axes, std::size_t axis, double sign) {
+  Series<n> s;
+  for (std::size_t k = 0; k < n; ++k) s[k] = sign * axes[k][static_cast<Eigen::Index>(axis)] / kFactorial[k];
   return s;
-}
-
-VectorSeries series_of(const Derivatives<Vector3d>& d) {
-  VectorSeries s;
-  for (std::size_t k = 0; k < s.size(); ++k) s[k] = d[k] / kFactorial[k];
-  return s;
-}
-
-// Outermost first: it carries the point, and is itself carried by those before it.
-VectorSeries carried(const Chain& chain, Side side, VectorSeries v, const Derivatives<AxisVector>& axes) {
-  for (auto joint = chain.joints.rbegin(); joint != chain.joints.rend(); ++joint) {
-    if (joint->side == side) v = turned(v, *joint, turn_of(angle_of(axes, joint->axis, 1)));
-  }
-  return v;
 }
 
 // From the spindle's nose at all angles 0, where it is the origin, to the tip as the heads turn it.
-VectorSeries tool_shift(const Chain& chain, const Derivatives<AxisVector>& axes) {
+// @param axes  n of them
+template <std::size_t n>
+VectorSeries<n> tool_shift(const Chain& chain, const AxisVector* axes) {
   const Vector3d length(0, 0, chain.tool_length);
-  VectorSeries v = carried(chain, Side::head, {-length, Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()}, axes);
+  VectorSeries<n> v;
+  v.fill(Vector3d::Zero());
+  v[0] = -length;
+  bool moves = false;
+  // Outermost first: it carries the point, and is itself carried by those before it.
+  for (auto joint = chain.joints.rbegin(); joint != chain.joints.rend(); ++joint) {
+    if (joint->side != Side::head) continue;
+    (moves ? turn<n> : turn_fixed<n>)(v, *joint, turn_of<n>(angle_of<n>(axes, joint->axis, 1)));
+    moves = true;
+  }
   v[0] += length;
   return v;
 }
 
-Derivatives<AxisVector> at_rest(const AxisVector& axes) {
-  return {axes, AxisVector::Zero(), AxisVector::Zero(), AxisVector::Zero()};
+// The linear axes where the tip is told so.
+template <std::size_t n>
+VectorSeries<n> linear_axes(const Chain& chain, VectorSeries<n> tip, const AxisVector* rotary) {
+  for (auto joint = chain.joints.rbegin(); joint != chain.joints.rend(); ++joint) {
+    if (joint->side == Side::table) turn<n>(tip, *joint, turn_of<n>(angle_of<n>(rotary, joint->axis, 1)));
+  }
+  const VectorSeries<n> shift = tool_shift<n>(chain, rotary);
+  for (std::size_t k = 0; k < n; ++k) tip[k] -= shift[k];
+  return tip;
+}
+
+// The tip where the axes are so.
+template <std::size_t n>
+VectorSeries<n> tip_of(const Chain& chain, VectorSeries<n> linear, const AxisVector* axes) {
+  const VectorSeries<n> shift = tool_shift<n>(chain, axes);
+  for (std::size_t k = 0; k < n; ++k) linear[k] += shift[k];
+  // Back through the tables, innermost first.
+  for (const RotaryJoint& joint : chain.joints) {
+    if (joint.side == Side::table) turn<n>(linear, joint, turn_of<n>(angle_of<n>(axes, joint.axis, -1)));
+  }
+  return linear;
 }
 
 }  // namespace
@@ -98,7 +120,7 @@ bool Chain::swings_tool() const {
 }
 
 ToolPose forward(const Chain& chain, const AxisVector& axes) {
-  ToolPose pose{tip_along(chain, at_rest(axes))[0], Vector3d::UnitZ()};
+  ToolPose pose{tip_of<1>(chain, {axes.head<3>()}, &axes)[0], Vector3d::UnitZ()};
   const auto angle = [&](const RotaryJoint& j) { return axes[static_cast<Eigen::Index>(j.axis)]; };
   for (auto j = chain.joints.rbegin(); j != chain.joints.rend(); ++j) {
     if (j->side == Side::head) pose.tool = turned(pose.tool, j->direction, angle(*j));
@@ -110,7 +132,9 @@ ToolPose forward(const Chain& chain, const AxisVector& axes) {
 }
 
 AxisVector axes_at(const Chain& chain, const Vector3d& tip, const AxisVector& rotary) {
-  return axes_along(chain, {tip, Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()}, at_rest(rotary))[0];
+  AxisVector axes = rotary;
+  axes.head<3>() = linear_axes<1>(chain, {tip}, &rotary)[0];
+  return axes;
 }
 
 AxisVector told_about(const Chain& to, const Chain& from, const AxisVector& place) {
@@ -122,25 +146,20 @@ AxisVector told_about(const Chain& to, const Chain& from, const AxisVector& plac
 
 Derivatives<AxisVector> axes_along(const Chain& chain, const Derivatives<Vector3d>& tip,
                                    const Derivatives<AxisVector>& rotary) {
-  const VectorSeries in_machine = carried(chain, Side::table, series_of(tip), rotary);
-  const VectorSeries shift = tool_shift(chain, rotary);
+  VectorSeries<4> series;
+  for (std::size_t k = 0; k < series.size(); ++k) series[k] = tip[k] / kFactorial[k];
+  const VectorSeries<4> linear = linear_axes<4>(chain, series, rotary.data());
   Derivatives<AxisVector> axes = rotary;
-  for (std::size_t k = 0; k < axes.size(); ++k) {
-    axes[k].head<3>() = (in_machine[k] - shift[k]) * kFactorial[k];
-  }
+  for (std::size_t k = 0; k < axes.size(); ++k) axes[k].head<3>() = linear[k] * kFactorial[k];
   return axes;
 }
 
 Derivatives<Vector3d> tip_along(const Chain& chain, const Derivatives<AxisVector>& axes) {
-  const VectorSeries shift = tool_shift(chain, axes);
-  VectorSeries v;
-  for (std::size_t k = 0; k < v.size(); ++k) v[k] = axes[k].head<3>() / kFactorial[k] + shift[k];
-  // Back through the tables, innermost first.
-  for (const RotaryJoint& joint : chain.joints) {
-    if (joint.side == Side::table) v = turned(v, joint, turn_of(angle_of(axes, joint.axis, -1)));
-  }
+  VectorSeries<4> series;
+  for (std::size_t k = 0; k < series.size(); ++k) series[k] = axes[k].head<3>() / kFactorial[k];
+  const VectorSeries<4> moved = tip_of<4>(chain, series, axes.data());
   Derivatives<Vector3d> tip;
-  for (std::size_t k = 0; k < tip.size(); ++k) tip[k] = v[k] * kFactorial[k];
+  for (std::size_t k = 0; k < tip.size(); ++k) tip[k] = moved[k] * kFactorial[k];
   return tip;
 }
 

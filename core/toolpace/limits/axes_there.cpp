@@ -20,10 +20,10 @@ bool is_described(const AxisLimits& axis) {
 /// A curve that comes back to its start moves both axes of its plane all the same.
 bool moves_axis(const Path& path, std::size_t segment, Eigen::Index axis) {
   const AxisCurve curve(path);
-  if (!curve.is_path(segment)) {
-    return std::abs(curve.end_of(segment)[axis] - curve.begin_of(segment)[axis]) > kNoMotion ||
-           (axis < 3 && std::abs(curve.point_at(segment, path.length[segment] / 3)[axis] -
-                                 curve.begin_of(segment)[axis]) > kNoMotion);
+  if (!curve.is_path(segment) && axis < 3) {
+    const double from = curve.begin_of(segment)[axis];
+    return std::abs(curve.end_of(segment)[axis] - from) > kNoMotion ||
+           std::abs(curve.point_at(segment, path.length[segment] / 3)[axis] - from) > kNoMotion;
   }
   const double from = path.node[segment][axis];
   if (path.end_of(segment)[axis] != from) return true;

@@ -198,10 +198,10 @@ double jerk_from_anywhere(double cap, double most, const CurveBudget& b) {
   return jerk;
 }
 
-/// Largest acceleration beside a cap and a jerk, whatever jerk the axes may have.
-double acceleration_beside(double cap, double jerk, AtCap at_cap, const CurveBudget& b) {
+/// Largest acceleration ≤ `most` beside a cap and a jerk, whatever jerk the axes may have.
+double acceleration_beside(double cap, double jerk, AtCap at_cap, const CurveBudget& b, double most = kUnlimited) {
   const bool rests = at_cap == AtCap::rests && jerk < kUnlimited;
-  double least = kUnlimited;
+  double least = most;
   for (const CurveRow& row : b.rows()) {
     if (!(row.along > 0) && !(row.across > 0)) continue;  // no limit
     const double a =
@@ -218,6 +218,22 @@ double acceleration_under(double cap, double jerk, AtCap at_cap, const CurveBudg
   return fall < 1 ? std::sqrt(2 * jerk * cap * fall) : kUnlimited;
 }
 
+/// The highest jerk ≤ most beside which turning_at() leaves a part v·a.
+double jerk_beside_turning(double speed, double most, double part, const CurveBudget& b) {
+  const double volume = cubed(speed), bent = b.bend * volume;
+  double least = most + bent;
+  for (const CurveRow& row : b.rows()) {
+    const double all = 1 - row.rest * volume, left = all - 3 * row.turning * part;
+    const double apart = row.jerk > 0 ? left / row.jerk : left >= 0 ? kUnlimited : 0.0;
+    if (apart >= least) continue;
+    const double turned = 3 * b.curvature * part;
+    const double together =
+        row.jerk_plane > 0 && all > 0 ? root_of(squared(all / row.jerk_plane) - squared(turned)) : 0.0;
+    least = std::min(least, std::max({apart, together, 0.0}));
+  }
+  return std::max(0.0, least - bent);
+}
+
 /// The highest jerk ≤ most that leaves all of the acceleration: up to some jerk turning leaves whatever a ramp could ask for;
 /// above it, where a ramp may begin is bounded, which may still be enough.
 double jerk_beside_all(double cap, double most, AtCap at_cap, const CurveBudget& b) {
@@ -225,11 +241,12 @@ double jerk_beside_all(double cap, double most, AtCap at_cap, const CurveBudget&
     return acceleration_beside(cap, jerk, at_cap, b) <= acceleration_under(cap, jerk, at_cap, b);
   };
   if (leaves_all(most)) return most;
-  double low = 0, high = most;
-  if (at_cap == AtCap::rests) {
-    low = (1 - kRounding) * jerk_from_anywhere(cap, most, b);
-    if (!leaves_all(std::max((1 + kFineness) * low, kFineness * most))) return low;
+  if (at_cap == AtCap::changes) {  // what there is beside turning is the same beside all jerks
+    const double all = acceleration_beside(cap, most, at_cap, b);
+    return all < kUnlimited ? (1 - kFineness) * jerk_beside_turning(cap, most, cap * all, b) : 0.0;
   }
+  double low = (1 - kRounding) * jerk_from_anywhere(cap, most, b), high = most;
+  if (!leaves_all(std::max((1 + kFineness) * low, kFineness * most))) return low;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;
     (leaves_all(middle) ? low : high) = middle;
@@ -282,9 +299,8 @@ CurveShare CurveBudget::at(double cap, const JerkRange& range, double split, AtC
     jerk = split > 0 ? range.beside_all + split * (range.most - range.beside_all) : (1 + split) * range.beside_all;
     if (!(jerk > 0)) jerk = kLeastJerk * range.most;  // turning takes all
   }
-  const double a =
-      std::min(acceleration_beside(cap, jerk, at_cap, *this), acceleration_under(cap, jerk, at_cap, *this));
-  return {a, jerk};
+  const double under = acceleration_under(cap, jerk, at_cap, *this);
+  return {acceleration_beside(cap, jerk, at_cap, *this, under), jerk};
 }
 
 void CurveBudgets::add(const CurveBudget& budget) {

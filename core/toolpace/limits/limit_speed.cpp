@@ -134,20 +134,16 @@ class Limiter {
 
  private:
   double node_speed(const CornerOptions& corner, std::size_t i) const {
-    const AxisVector arriving = curve_.end_direction(i - 1), leaving = curve_.start_direction(i);
     // Curves meet their neighbours with one direction and one curvature, whatever rounding leaves of short lines.
     const bool is_curve = path_.kind[i - 1] >= SegmentKind::spline || path_.kind[i] >= SegmentKind::spline;
-    if (is_curve && corner.rule == CornerRule::blend && turn_of_path(i, arriving, leaving) < kSmoothJoint)
-      return kUnlimited;
+    if (is_curve && corner.rule == CornerRule::blend && turn_of_path(i) < kSmoothJoint) return kUnlimited;
+    const AxisVector arriving = curve_.end_direction(i - 1), leaving = curve_.start_direction(i);
     const double speed = speed_under(commands_[i - 1].ceiling, corner, arriving, leaving);
     if (commands_[i - 1].ceiling == commands_[i].ceiling) return speed;
     return std::min(speed, speed_under(commands_[i].ceiling, corner, arriving, leaving));
   }
 
-  double turn_of_path(std::size_t i, const AxisVector& arriving, const AxisVector& leaving) const {
-    if (curve_.is_path(i - 1) && curve_.is_path(i)) return (leaving - arriving).norm();
-    return (start_direction(path_, i) - end_direction(path_, i - 1)).norm();
-  }
+  double turn_of_path(std::size_t i) const { return (start_direction(path_, i) - end_direction(path_, i - 1)).norm(); }
 
   double speed_under(std::uint16_t index, const CornerOptions& corner, const AxisVector& arriving,
                      const AxisVector& leaving) const {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "toolpace/limits/peak_search.h"
 #include "toolpace/path/axis_curve.h"
+#include "toolpace/path/curve_sampler.h"
 
 namespace toolpace {
 namespace {
@@ -67,7 +69,10 @@ AxisVector point_at_share(const Path& path, std::size_t i, double share) {
 /// Derivatives by length at shares of a segment.
 class AxisSampler {
  public:
-  AxisSampler(const Path& path, std::size_t segment) : curve_(path), segment_(segment) {}
+  AxisSampler(const Path& path, std::size_t segment)
+      : curve_(path), segment_(segment), chain_(*path.chain_of(segment)) {
+    if (path.kind[segment] >= SegmentKind::spline) tip_.emplace(path, segment);
+  }
 
   template <int rows>
   ParameterDerivatives at_share(double share) const {
@@ -80,12 +85,14 @@ class AxisSampler {
   Frame frame_at_share(double share) const {
     const Path& path = curve_.path();
     if (path.kind[segment_] < SegmentKind::spline) return curve_.frame_at(segment_, share * path.length[segment_]);
-    const ParameterDerivatives d = derivatives_at_share(path, segment_, share);
-    return through(*path.chain_of(segment_), {point_at_share(path, segment_, share), d.first, d.second, d.third});
+    const ParameterDerivatives d = tip_->at_share(share);
+    return through(chain_, {point_at_share(path, segment_, share), d.first, d.second, d.third});
   }
 
   AxisCurve curve_;
   std::size_t segment_;
+  const Chain& chain_;
+  std::optional<CurveSampler> tip_;
 };
 
 CurveBounds sampled_bounds(const Path& path, std::size_t i) {

@@ -18,13 +18,44 @@ namespace {
 constexpr double kTravelRounding = 1e-9;
 constexpr int kPlaces = 4;  // looked at on what is about the tool's tip
 
-/// Calls f with points that include every extreme of every axis on the segment.
+/// About the tool's tip, no axis goes farther from where it is at a segment's end.
+struct Reach {
+  double linear, rotary;  ///< [mm], [rad]
+};
+
+/// The tip moves by no more than the length, and what turns takes it along on arms no longer than from the farthest joint.
+Reach reach_of(const Path& path, std::size_t i) {
+  double turn = (path.end_of(i) - path.node[i]).tail<3>().cwiseAbs().sum();
+  if (path.kind[i] >= SegmentKind::spline) {
+    if (path.kind[i] == SegmentKind::spline || path.detail[i] >= Path::kCurveBlend) return {kUnlimited, kUnlimited};
+    const CornerBlend& blend = path.corner_blends[path.detail[i]];
+    turn = (blend.before.tail<3>().cwiseAbs() + blend.after.tail<3>().cwiseAbs()).sum();
+  }
+  const Chain& chain = *path.chain_of(i);
+  double arm = path.end_of(i).head<3>().norm() + path.length[i] + chain.tool_length;
+  for (const RotaryJoint& joint : chain.joints) arm += 2 * joint.point.norm();
+  return {path.length[i] + turn * arm, turn};
+}
+
+bool is_inside(const AxisVector& p, const Reach& reach, const Machine& machine) {
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    const double value = p[static_cast<Eigen::Index>(k)], margin = is_rotary(k) ? reach.rotary : reach.linear;
+    const AxisLimits& axis = machine.axes[k];
+    if (!(value - margin >= axis.travel_min && value + margin <= axis.travel_max)) return false;
+  }
+  return true;
+}
+
+/// Calls f with points that include every extreme of every axis on the segment, or with fewer where no axis comes near its ends.
 template <class F>
-void for_extremes(const Path& path, std::size_t i, F f) {
+void for_extremes(const Path& path, std::size_t i, const Machine& machine, F f) {
   const AxisCurve curve(path);
   if (!curve.is_path(i)) {
-    const int places = curve.is_straight(i) ? 1 : kPlaces;
-    for (int k = 1; k <= places; ++k) f(curve.point_at(i, path.length[i] * k / places));
+    const AxisVector end = curve.end_of(i);
+    if (!curve.is_straight(i) && !is_inside(end, reach_of(path, i), machine)) {
+      for (int k = 1; k < kPlaces; ++k) f(curve.point_at(i, path.length[i] * k / kPlaces));
+    }
+    f(end);
     return;
   }
   f(path.end_of(i));
@@ -61,7 +92,7 @@ std::vector<TravelExcess> find_travel_excess(const Path& path, const Machine& ma
     return axis.travel_min > -kUnlimited || axis.travel_max < kUnlimited;
   });
   for (std::size_t i = 0; any_limit && i < path.size(); ++i) {
-    for_extremes(path, i, [&](const AxisVector& p) {
+    for_extremes(path, i, machine, [&](const AxisVector& p) {
       for (std::size_t k = 0; k < kAxisCount; ++k) {
         const double value = p[static_cast<Eigen::Index>(k)];
         const std::array<double, 2> beyond = {machine.axes[k].travel_min - value, value - machine.axes[k].travel_max};

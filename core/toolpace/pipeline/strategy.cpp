@@ -41,7 +41,7 @@ bool takes_any(const Job&, std::size_t) { return true; }
 Result<SpeedLimits> settled(const PlanTask& task, const PlanOptions& o, std::size_t depth, const Monitor& monitor) {
   if (task.limits.curved.empty()) return std::move(task.limits);
   const AtCap at_cap = o.ramps == Ramps::block && !o.hold_at ? AtCap::rests : AtCap::changes;
-  SpeedLimits limits = settle_curves(task.limits, {o.law, at_cap, depth}, {monitor.stop, {}});
+  SpeedLimits limits = settle_curves(task.limits, {o.law, at_cap, depth, is_about_tip(task.job)}, {monitor.stop, {}});
   if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());  // half settled they fit nothing
   return limits;
 }

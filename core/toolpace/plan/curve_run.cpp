@@ -15,11 +15,11 @@ CurveRun::CurveRun(const SpeedLimits& all, std::size_t begin, std::size_t end, c
   const auto last = std::lower_bound(first, all.curved.end(), end);
   first_ = static_cast<std::size_t>(first - all.curved.begin());
   const auto count = static_cast<std::size_t>(last - first);
-  budget_.reserve(count);
+  top_.reserve(count);
   for (std::size_t c = 0; c < count; ++c) {
-    budget_.push_back(all.budget[first_ + c]);
-    top_.push_back(budget_.back().top_speed());
-    for (const CurveRow& row : budget_.back().rows()) has_jerk_ = has_jerk_ || row.jerk > 0;
+    const CurveBudget budget = all.budget[first_ + c];
+    top_.push_back(budget.top_speed());
+    for (const CurveRow& row : budget.rows()) has_jerk_ = has_jerk_ || row.jerk > 0;
   }
   range_.resize(count * memory_, {0.0, {}});
   oldest_.resize(count, 0);
@@ -48,19 +48,20 @@ void CurveRun::put(std::size_t c) {
 
 CurveRun::Applied CurveRun::make(std::size_t c, const CurveChoice& choice) {
   const double cap = std::min(widest_cap(c), choice.share * top_[c]);
-  const CurveShare share = budget_[c].at(cap, range(c, cap), choice.split, use_.at_cap);
+  const CurveBudget budget = all_.budget[first_ + c];
+  const CurveShare share = budget.at(cap, range(c, budget, cap), choice.split, use_.at_cap);
   return {choice, cap, within(along(c).dynamics, share)};
 }
 
 /// The same one serves all splits that are tried with a cap.
-const JerkRange& CurveRun::range(std::size_t c, double cap) {
+const JerkRange& CurveRun::range(std::size_t c, const CurveBudget& budget, double cap) {
   const auto first = range_.begin() + static_cast<std::ptrdiff_t>(c * memory_);
   const auto last = first + static_cast<std::ptrdiff_t>(memory_);
   const auto known = std::find_if(first, last, [&](const auto& entry) { return entry.first == cap; });
   if (known != last) return known->second;
   auto& entry = range_[c * memory_ + oldest_[c]];
   oldest_[c] = static_cast<std::uint32_t>((oldest_[c] + 1) % memory_);
-  entry = {cap, budget_[c].jerk_range(cap, use_.at_cap)};
+  entry = {cap, budget.jerk_range(cap, use_.at_cap)};
   return entry.second;
 }
 

@@ -23,7 +23,7 @@ class CurveRun {
   CurveRun(const SpeedLimits& all, std::size_t begin, std::size_t end, const CurveUse& use, std::size_t memory);
 
   std::size_t blocks() const { return limits_.size(); }
-  std::size_t curves() const { return budget_.size(); }
+  std::size_t curves() const { return top_.size(); }
   std::size_t block(std::size_t curve) const { return all_.curved[first_ + curve] - begin_; }
   double top(std::size_t curve) const { return top_[curve]; }
   /// What the feed and the widest budget allow.
@@ -44,17 +44,16 @@ class CurveRun {
   };
   Applied make(std::size_t curve, const CurveChoice& choice);
   void put(std::size_t curve);
-  const JerkRange& range(std::size_t curve, double cap);
+  const JerkRange& range(std::size_t curve, const CurveBudget& budget, double cap);
   const AlongPath& along(std::size_t curve) const { return all_.along[all_.ceiling[first_ + curve]]; }
 
   const SpeedLimits& all_;
   std::size_t begin_;
   CurveUse use_;
   SpeedLimits limits_;
-  std::size_t first_;                // of the run's curves
-  std::size_t shared_;               // dynamics of lines; those of the curves stand behind them
-  std::vector<CurveBudget> budget_;  // one entry a curve
-  std::vector<double> top_;
+  std::size_t first_;                  // of the run's curves
+  std::size_t shared_;                 // dynamics of lines; those of the curves stand behind them
+  std::vector<double> top_;            // one entry a curve
   std::vector<Applied> now_, before_;  // what stands in the limits, and what stood there before
   std::size_t memory_;
   std::vector<std::pair<double, JerkRange>> range_;  // by cap, `memory_` of each curve

@@ -41,13 +41,13 @@ MotionPlan plan_with(const SpeedLimits& limits, std::size_t blocks, const Monito
 }
 
 template <class Law>
-double time_with(const SpeedLimits& limits, std::size_t blocks) {
+double time_with(const SpeedLimits& limits, std::size_t blocks, std::size_t margin) {
   const std::vector<double> cap = joined_caps(limits);
   const std::vector<MoveTerms> terms = terms_of<Law>(limits.dynamics);
   const Chain chain{limits.length, limits.ramp, limits.dynamics, terms, cap};
   const std::vector<double> v = node_speeds<Law>(chain, blocks, {});
   double sum = 0;
-  for (std::size_t i = 0; i < limits.size(); ++i) {
+  for (std::size_t i = margin; i + margin < limits.size(); ++i) {
     sum += stretch_time({limits.length[i], limits.block_cap[i], v[i], v[i + 1]}, terms[limits.ramp[i]]);
   }
   return sum;
@@ -60,17 +60,20 @@ BlockSpeeds block_ramp_speeds(const SpeedLimits& limits, LawKind law, std::size_
     using Law = decltype(chosen);
     const std::vector<double> cap = joined_caps(limits);
     const std::vector<MoveTerms> terms = terms_of<Law>(limits.dynamics);
-    BlockSpeeds v{node_speeds<Law>({limits.length, limits.ramp, limits.dynamics, terms, cap}, blocks, {}), {}};
+    BlockSpeeds v{node_speeds<Law>({limits.length, limits.ramp, limits.dynamics, terms, cap}, blocks, {}), {}, 0.0};
+    v.peak.reserve(limits.size());
     for (std::size_t i = 0; i < limits.size(); ++i) {
-      v.peak.push_back(
-          peak_speed(Stretch{limits.length[i], limits.block_cap[i], v.node[i], v.node[i + 1]}, terms[limits.ramp[i]]));
+      const Stretch stretch{limits.length[i], limits.block_cap[i], v.node[i], v.node[i + 1]};
+      const MoveTerms& t = terms[limits.ramp[i]];
+      v.peak.push_back(peak_speed(stretch, t));
+      v.time += stretch_time(stretch, v.peak.back(), t);
     }
     return v;
   });
 }
 
-double time_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks) {
-  return visit_law(law, [&](auto chosen) { return time_with<decltype(chosen)>(limits, blocks); });
+double time_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks, std::size_t margin) {
+  return visit_law(law, [&](auto chosen) { return time_with<decltype(chosen)>(limits, blocks, margin); });
 }
 
 MotionPlan plan_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks, const Monitor& monitor) {

@@ -17,12 +17,14 @@ std::vector<double> joined_caps(const SpeedLimits& limits);
 
 /// Cycle time of plan_block_ramps, without the plan [s].
 /// @param blocks  look-ahead, ≥ 1
-double time_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks);
+/// @param margin  blocks at either end whose time is left out
+double time_block_ramps(const SpeedLimits& limits, LawKind law, std::size_t blocks, std::size_t margin = 0);
 
-/// Speeds of that plan [mm/s].
+/// Speeds of that plan [mm/s], and its time [s].
 struct BlockSpeeds {
   std::vector<double> node;
   std::vector<double> peak;  ///< of each block
+  double time;
 };
 BlockSpeeds block_ramp_speeds(const SpeedLimits& limits, LawKind law, std::size_t blocks);
 

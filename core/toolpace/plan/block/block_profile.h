@@ -47,12 +47,16 @@ inline double peak_speed(const Stretch& s, const MoveTerms& terms) {
   return peak > ends * (1 + kLeastChange) ? peak : ends;
 }
 
-/// Time of the stretch's fastest profile [s].
-inline double stretch_time(const Stretch& s, const MoveTerms& terms) {
-  const double peak = peak_speed(s, terms);
+/// Time of a stretch's fastest profile [s].
+/// @param peak  its peak_speed()
+inline double stretch_time(const Stretch& s, double peak, const MoveTerms& terms) {
   const double up = terms.up.duration(peak - s.entry), down = terms.down.duration(peak - s.exit);
   const double rest = s.length - (s.entry + peak) / 2 * up - (peak + s.exit) / 2 * down;
   return up + down + std::max(0.0, rest) / peak;
+}
+
+inline double stretch_time(const Stretch& s, const MoveTerms& terms) {
+  return stretch_time(s, peak_speed(s, terms), terms);
 }
 
 /// Appends the stretch's fastest profile, counted from its start: one of the seven shapes.
