@@ -56,16 +56,6 @@ CurveBounds line_bounds(const Chain& chain, const Path& path, std::size_t i) {
   return b;
 }
 
-AxisVector point_at_share(const Path& path, std::size_t i, double share) {
-  const std::uint32_t detail = path.detail[i];
-  if (path.kind[i] == SegmentKind::spline) {
-    const SplinePiece& piece = path.spline_pieces[detail];
-    return spline_point(path.splines[piece.spline], piece.begin + share * (piece.end - piece.begin));
-  }
-  if (detail < Path::kCurveBlend) return blend_point(path.corner_blends[detail], share);
-  return blend_point(path.curve_blends[detail - Path::kCurveBlend], share);
-}
-
 /// Derivatives by length at shares of a segment.
 class AxisSampler {
  public:

@@ -86,6 +86,16 @@ Frame frame_at(const Path& path, std::size_t i, double s) {
   return frame;
 }
 
+AxisVector point_at_share(const Path& path, std::size_t i, double share) {
+  const std::uint32_t detail = path.detail[i];
+  if (path.kind[i] == SegmentKind::spline) {
+    const SplinePiece& piece = path.spline_pieces[detail];
+    return spline_point(path.splines[piece.spline], piece.begin + share * (piece.end - piece.begin));
+  }
+  if (detail < Path::kCurveBlend) return blend_point(path.corner_blends[detail], share);
+  return blend_point(path.curve_blends[detail - Path::kCurveBlend], share);
+}
+
 ParameterDerivatives derivatives_at_share(const Path& path, std::size_t i, double share) {
   const std::uint32_t detail = path.detail[i];
   if (path.kind[i] == SegmentKind::spline) {

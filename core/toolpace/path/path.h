@@ -90,6 +90,9 @@ AxisVector point_at(const Path& path, std::size_t segment, double s);
 /// Point and derivatives. Accuracy 1e-12 relative for lines and circular arcs, 1e-10 for spirals and splines.
 Frame frame_at(const Path& path, std::size_t segment, double s);
 
+/// Point at a share 0 … 1 of the own parameter of a spline or blend.
+AxisVector point_at_share(const Path& path, std::size_t segment, double share);
+
 /// Derivatives by path length at a share 0 … 1 of the own parameter of a spline or blend: for sampling, where it does not
 /// matter how long the way to the point is.
 ParameterDerivatives derivatives_at_share(const Path& path, std::size_t segment, double share);

@@ -116,7 +116,8 @@ bool has_rounded_corners(const Job& job) {
   return job.program && (blends_everywhere(job) || asks_for_blends(job.program->moves));
 }
 
-bool has_curves(const Job& job) { return has_rounded_corners(job) || has_programmed_curves(job); }
+/// About the tool's tip lines are curves of the axes.
+bool has_curves(const Job& job) { return has_rounded_corners(job) || has_programmed_curves(job) || is_about_tip(job); }
 
 /// Rounded corners by a quick motion through the tube: as what is timed anew, but of any length.
 bool goes_quickly_through_tube(const Job& job, std::size_t) {
@@ -128,7 +129,7 @@ bool goes_quickly_through_tube(const Job& job, std::size_t) {
 bool may_be_timed_anew(const Job& job, std::size_t segments) {
   const PlanOptions& o = job.options;
   return job.refined && o.ramps == Ramps::span && sees_all(job) && !o.hold_at && segments <= kMostRetimed &&
-         has_curves(job) && !is_about_tip(job);
+         has_curves(job);
 }
 
 /// Rounded corners alone are left to the tube, which does them better and sooner, but where it is the feed that decides, and on

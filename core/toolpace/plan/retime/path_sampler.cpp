@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "toolpace/path/axis_curve.h"
+
 namespace toolpace::detail::retime {
 namespace {
 
@@ -35,6 +37,7 @@ CurveDerivatives<rows> PathSampler::derivatives() const {
   const auto first_rows = [](const auto& d) -> CurveDerivatives<rows> {
     return {d.first.template head<rows>(), d.second.template head<rows>(), d.third.template head<rows>()};
   };
+  if (chain_ != nullptr) return first_rows(about_tip());
   switch (path_.kind[segment_]) {
     case SegmentKind::line: return first_rows(line_);
     case SegmentKind::arc: return first_rows(frame_at(path_, segment_, at_));
@@ -45,7 +48,21 @@ CurveDerivatives<rows> PathSampler::derivatives() const {
 template CurveDerivatives<3> PathSampler::derivatives<3>() const;
 template CurveDerivatives<static_cast<int>(kAxisCount)> PathSampler::derivatives<static_cast<int>(kAxisCount)>() const;
 
+ParameterDerivatives PathSampler::about_tip() const {
+  Frame tip;
+  if (path_.kind[segment_] < SegmentKind::spline) {
+    tip = frame_at(path_, segment_, at_);
+  } else {
+    const double at = share();
+    const ParameterDerivatives d = curve_->at_share(at);
+    tip = {point_at_share(path_, segment_, at), d.first, d.second, d.third};
+  }
+  const Frame axes = through(*chain_, tip);
+  return {axes.first, axes.second, axes.third};
+}
+
 void PathSampler::enter() {
+  chain_ = path_.chain_of(segment_);
   if (path_.kind[segment_] == SegmentKind::line) {
     const Frame f = frame_at(path_, segment_, 0.0);
     line_ = {f.first, f.second, f.third};

@@ -1,5 +1,5 @@
 #pragma once
-/// Derivatives along a path for planning: where on a curve a path length lies is good to about
+/// What the axes do along a path, for planning: where on a curve a path length lies is good to about
 /// a ten-thousandth of the piece.
 
 #include <array>
@@ -25,7 +25,7 @@ class PathSampler {
   /// To a place of the present segment; positions beyond its ends mean these.
   void go_inside(double position);
 
-  /// Derivatives by path length at the place gone to.
+  /// Derivatives of the axes by path length at the place gone to.
   /// @tparam rows  axes: all, or X Y Z
   template <int rows>
   CurveDerivatives<rows> derivatives() const;
@@ -33,10 +33,12 @@ class PathSampler {
  private:
   void enter();
   void tabulate(std::size_t knots);
+  ParameterDerivatives about_tip() const;
   double share() const;
 
   const Path& path_;
   std::size_t segment_;
+  const Chain* chain_ = nullptr;  // about whose tip the segment is
   double start_ = 0, at_ = 0;     // of the segment; of the place, from there
   std::size_t knots_ = 0;         // of the table
   std::array<double, 9> length_;  // up to even shares of a curve's own parameter

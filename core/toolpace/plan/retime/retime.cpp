@@ -6,6 +6,7 @@
 #include "toolpace/law/law_table.h"
 #include "toolpace/limits/ceilings.h"
 #include "toolpace/limits/curve_axes.h"
+#include "toolpace/path/axis_curve.h"
 #include "toolpace/plan/plan.h"
 #include "toolpace/plan/retime/stretch_retimer.h"
 
@@ -30,6 +31,7 @@ class PlanRetimer {
  public:
   PlanRetimer(const RetimeTask& task, const MotionPlan& plan, const MotionPlan& start)
       : path_(task.path),
+        curve_(task.path),
         limits_(task.limits),
         keeps_jerk_(law_row(task.options.law).bounds_jerk),
         task_(task),
@@ -42,7 +44,7 @@ class PlanRetimer {
     // The caps of curves are what is to be beaten; on lines they are what is commanded and what the axes can do.
     speed_.reserve(path_.size());
     for (std::size_t i = 0; i < path_.size(); ++i) {
-      speed_.push_back(path_.kind[i] == SegmentKind::line ? limits_.block_cap[i] : task.commands[i].speed);
+      speed_.push_back(curve_.is_straight(i) ? limits_.block_cap[i] : task.commands[i].speed);
     }
     corner_.assign(path_.size() + 1, kUnlimited);
     for (std::size_t i = 1; i < path_.size(); ++i) {
@@ -226,7 +228,7 @@ class PlanRetimer {
   bool has_slow_curves(const Stretch& s) const {
     double commanded = 0, planned = 0;
     for (std::size_t i = s.begin; i < s.end; ++i) {
-      if (path_.kind[i] == SegmentKind::line) continue;
+      if (curve_.is_straight(i)) continue;
       commanded += path_.length[i] / speed_[i];
       planned += node_time_[i + 1] - node_time_[i];
     }
@@ -253,7 +255,8 @@ class PlanRetimer {
   bool moves(std::size_t axis, std::size_t begin, std::size_t end) const {
     const auto a = static_cast<Eigen::Index>(axis);
     for (std::size_t i = begin; i < end; ++i) {
-      if (path_.node[i][a] != path_.node[i + 1][a] || (path_.kind[i] == SegmentKind::arc)) return true;
+      if (path_.node[i][a] != path_.node[i + 1][a] || path_.kind[i] == SegmentKind::arc || !curve_.is_path(i))
+        return true;
     }
     return false;
   }
@@ -294,6 +297,7 @@ class PlanRetimer {
   }
 
   const Path& path_;
+  AxisCurve curve_;
   const SpeedLimits& limits_;
   bool keeps_jerk_;
   const RetimeTask& task_;

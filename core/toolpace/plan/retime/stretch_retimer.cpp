@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "toolpace/path/axis_curve.h"
+
 namespace toolpace::detail::retime {
 namespace {
 
@@ -63,9 +65,9 @@ StretchRetimer::StretchRetimer(const StretchTask& task) : task_(task) {
   for (std::size_t a = 0; a < kAxisCount; ++a) {
     const auto i = static_cast<Eigen::Index>(a);
     bool moves = high[i] > low[i];
-    // A full circle returns to where it began.
+    // A full circle returns to where it began, and about the tool's tip every axis may go along with what turns.
     for (std::size_t k = task.begin; k < task.end && !moves && a < 3; ++k) {
-      moves = task.path.kind[k] == SegmentKind::arc;
+      moves = task.path.kind[k] == SegmentKind::arc || task.path.chain_of(k) != nullptr;
     }
     if (moves) axes_.push_back(a);
   }
@@ -196,7 +198,7 @@ void StretchRetimer::measure(const ArcMotion& motion, int samples) {
 /// may add is judged by the second differences.
 double StretchRetimer::peak_of_piece(const ArcMotion& motion, std::size_t k, double from, double to,
                                      PathSampler& sampler) const {
-  const bool is_line = task_.path.kind[sampler.segment()] == SegmentKind::line;
+  const bool is_line = AxisCurve(task_.path).is_straight(sampler.segment());
   const int parts =
       is_line ? 1 : std::clamp(static_cast<int>(std::ceil((to - from) * kMostPlaces)), kLeastPlaces, kMostPlaces);
   const double h = motion.step(0), part = (to - from) / parts * motion.step(k);
