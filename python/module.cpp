@@ -71,12 +71,12 @@ Ran run(const std::vector<std::string>& words, std::shared_ptr<const Outcome> be
 }
 
 /// (names, values, lines)
-py::tuple setpoints(const Outcome& outcome) {
+py::tuple setpoints(const Outcome& outcome, const std::optional<Chain>& tip_of) {
   Attention attention{py::none()};
   Result<SetpointArray> array;
   {
     const py::gil_scoped_release released;
-    work_beside([&](const Monitor& monitor) { array = setpoint_array(outcome, monitor); },
+    work_beside([&](const Monitor& monitor) { array = setpoint_array(outcome, tip_of, monitor); },
                 [&] { return attention.look({}); });
   }
   attention.throw_again();
@@ -103,6 +103,7 @@ py::array_t<std::uint32_t> ticks(const PulseTable& table) {
 PYBIND11_MODULE(_core, m) {
   using namespace toolpace;
   using namespace toolpace::python;
+  py::class_<Chain>(m, "Chain");
   py::class_<Outcome, std::shared_ptr<Outcome>>(m, "Plan").def("setpoints", &setpoints);
   py::class_<PulseTable>(m, "Pulses").def("ticks", &ticks);
   py::class_<Ran>(m, "Ran")
@@ -111,6 +112,7 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("json", [](const Ran& ran) { return py::bytes(ran.json); })
       .def_property_readonly("told", [](const Ran& ran) { return py::bytes(ran.told); })
       .def_property_readonly("plan", [](const Ran& ran) { return std::const_pointer_cast<Outcome>(ran.plan); })
+      .def_readonly("tip_of", &Ran::tip_of)
       .def_readonly("pulses", &Ran::pulses);
   m.def("grammar", &grammar);
   m.def("version", &version);

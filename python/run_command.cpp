@@ -29,7 +29,10 @@ class Listener final : public cli::Console {
     return {stop_, [this](double fraction) { fraction_ = fraction; }};
   }
   const Outcome* before() const override { return before_.get(); }
-  void planned(Outcome outcome) override { ran_.plan = std::make_shared<const Outcome>(std::move(outcome)); }
+  void planned(Outcome outcome, const std::optional<Chain>& tip_of) override {
+    ran_.plan = std::make_shared<const Outcome>(std::move(outcome));
+    ran_.tip_of = tip_of;
+  }
   void pulsed(const PulseTable& table) override { ran_.pulses = table; }
 
   Progress progress() const { return {what_, fraction_}; }

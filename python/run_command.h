@@ -19,6 +19,7 @@ struct Ran {
   std::string json;         ///< empty where the command has none
   std::string told;         ///< what the command line would print to stderr, such as warnings
   std::shared_ptr<const Outcome> plan;
+  std::optional<Chain> tip_of;  ///< whose tip its setpoints tell, too
   std::optional<PulseTable> pulses;
 };
 

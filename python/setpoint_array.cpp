@@ -6,9 +6,10 @@
 
 namespace toolpace::python {
 
-Result<SetpointArray> setpoint_array(const Outcome& outcome, const Monitor& monitor) {
+Result<SetpointArray> setpoint_array(const Outcome& outcome, const std::optional<Chain>& tip_of,
+                                     const Monitor& monitor) {
   Sampler sampler = sampler_of(outcome);
-  SetpointTable table(false);
+  SetpointTable table(false, tip_of);
   SetpointArray array;
   array.lines.reserve(sampler.rows());
   std::size_t filled = 0;

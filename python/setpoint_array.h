@@ -2,6 +2,7 @@
 /// All setpoints of a plan in memory, as .npy files hold them.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,9 @@ struct SetpointArray {
   std::vector<std::int64_t> lines;  ///< NC line of each row
 };
 
+/// @param tip_of  as SetpointTable takes it
 /// Errors: cancelled; those of SetpointTable::load.
-Result<SetpointArray> setpoint_array(const Outcome& outcome, const Monitor& monitor);
+Result<SetpointArray> setpoint_array(const Outcome& outcome, const std::optional<Chain>& tip_of,
+                                     const Monitor& monitor);
 
 }  // namespace toolpace::python

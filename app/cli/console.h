@@ -1,6 +1,7 @@
 #pragma once
 /// Who hears what a command says, and who may stop it: the terminal, or a program that runs commands within itself.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +28,8 @@ class Console {
 
   /// The plan from which to plan again, or null: a program that was read from the same file is not read once more.
   virtual const Outcome* before() const = 0;
-  /// What was planned, as a value; and the pulses that were made.
-  virtual void planned(Outcome outcome) = 0;
+  /// What was planned, as a value, and whose tip its setpoints tell (--tip); and the pulses that were made.
+  virtual void planned(Outcome outcome, const std::optional<Chain>& tip_of) = 0;
   virtual void pulsed(const PulseTable& table) = 0;
 };
 

@@ -55,21 +55,21 @@ struct Target {
 /// Where --tip is given.
 Result<std::optional<Chain>> tip_chain(const PlanFlags& flags, const Kinematics& kinematics) {
   if (!flags.tip) return std::nullopt;
-  const auto& joints = kinematics.chain.joints;
-  const bool has_head =
-      std::any_of(joints.begin(), joints.end(), [](const RotaryJoint& j) { return j.side == ChainSide::head; });
-  if (joints.empty()) {
+  if (kinematics.chain.is_identity()) {
     return tl::unexpected(usage_error("kinematics-missing", "--tip needs a machine file with [kinematics]",
                                       "name it with --machine, or add rotary = [...] to it"));
-  }
-  if (has_head && !kinematics.tells_tool_length) {
-    return tl::unexpected(usage_error("tool-length-missing", "--tip needs the length of the tool, which a head swings",
-                                      "add tool_mm to [kinematics]"));
   }
   return kinematics.chain;
 }
 
-Result<Target> open_target(const PlanFlags& flags, const Kinematics& kinematics) {
+/// The length of a tool that a head swings is told by the machine, or by a program about its tip.
+Result<void> check_tool_length(const PlanFlags& flags, const Kinematics& kinematics, const Moves& moves) {
+  if (!flags.tip || !kinematics.chain.swings_tool() || kinematics.tells_tool_length || moves.has_tip()) return {};
+  return tl::unexpected(usage_error("tool-length-missing", "--tip needs the length of the tool, which a head swings",
+                                    "add tool_mm to [kinematics]"));
+}
+
+Result<Target> open_target(const PlanFlags& flags, const std::optional<Chain>& tip_of) {
   Target target;
   if (flags.setpoints.empty()) return target;
   if (is_pulse_file(flags.setpoints)) {
@@ -87,9 +87,7 @@ Result<Target> open_target(const PlanFlags& flags, const Kinematics& kinematics)
   options.axis_derivatives = flags.axis_derivatives;
   options.decimal_comma = flags.decimal_comma;
   options.program_name = flags.reading.program;
-  auto chain = tip_chain(flags, kinematics);
-  if (!chain) return tl::unexpected(std::move(chain.error()));
-  options.tip_of = std::move(*chain);
+  options.tip_of = tip_of;
   auto setpoints = open_setpoint_writer(flags.setpoints, options, terminal_monitor("writing"));
   if (!setpoints) return tl::unexpected(setpoints.error());
   target.setpoints = std::move(*setpoints);
@@ -238,10 +236,14 @@ Done run_plan(const PlanFlags& flags) {
                                       "step pulses are those of the plan: --shaper does not shape them",
                                       "write setpoints, or leave out --shaper"));
   }
-  auto target = open_target(flags, setup->kinematics);
+  const auto tip_of = tip_chain(flags, setup->kinematics);
+  if (!tip_of) return tl::unexpected(tip_of.error());
+  auto target = open_target(flags, *tip_of);
   if (!target) return tl::unexpected(target.error());
   auto outcome = plan_program(flags.reading, *setup);
   if (!outcome) return tl::unexpected(outcome.error());
+  if (auto told = check_tool_length(flags, setup->kinematics, outcome->job->program->moves); !told)
+    return tl::unexpected(told.error());
   std::optional<double> bound;
   if (flags.bound) {
     const auto found = lower_bound(*outcome, terminal_monitor("bound"));
@@ -288,7 +290,7 @@ Done run_plan(const PlanFlags& flags) {
     if (!to_stdout) print_summary(*outcome, bound, *pass, flags);
     if (proof) print_proof(to_stdout ? stderr : stdout, *proof);
   }
-  if (console()) console()->planned(std::move(*outcome));
+  if (console()) console()->planned(std::move(*outcome), *tip_of);
   return proof && !proof->passes() ? kLimitBroken : kFine;
 }
 

@@ -93,7 +93,7 @@ def call(command, values, before=None, progress=None):
         raise error_of(summary)
     told = ran.told.decode("utf-8", "replace")
     if command["name"] == "plan":
-        return Plan(summary, ran.exit_code, told, ran.plan, values)
+        return Plan(summary, ran.exit_code, told, ran.plan, values, ran.tip_of)
     if command["name"] == "steps":
         return Pulses(summary, ran.exit_code, told, ran.pulses)
     return Result(summary, ran.exit_code, told)

@@ -41,18 +41,19 @@ class Result:
 class Plan(Result):
     """A planned program, with its setpoints. toolpace.replan() plans it again under other flags."""
 
-    def __init__(self, summary, exit_code, told, core, asked):
+    def __init__(self, summary, exit_code, told, core, asked, tip_of):
         super().__init__(summary, exit_code, told)
-        self._core, self._asked, self._table = core, asked, None
+        self._core, self._asked, self._tip_of, self._table = core, asked, tip_of, None
 
     def _tabled(self):
         if self._table is None:
-            self._table = self._core.setpoints()
+            self._table = self._core.setpoints(self._tip_of)
         return self._table
 
     @property
     def columns(self):
-        """Names of the columns: t_s, x_mm, y_mm, z_mm, (a_deg, b_deg, c_deg,) v_mm_s, a_mm_s2, j_mm_s3."""
+        """Names of the columns: t_s, x_mm, y_mm, z_mm, (a_deg, b_deg, c_deg,) v_mm_s, a_mm_s2, j_mm_s3;
+        with tip=True tip_x_mm, tip_y_mm, tip_z_mm."""
         return self._tabled()[0]
 
     @property

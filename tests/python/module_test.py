@@ -148,6 +148,14 @@ class Arrays(ModuleTest):
         with self.assertRaises(KeyError):
             plan.column("u_mm")
 
+    def test_columns_of_the_tip_are_those_of_the_file(self):
+        plan = toolpace.plan(EXAMPLES / "blade-head-bc.nc", machine=MACHINES / "head-bc.toml", corner="servo", ramps="block",
+                             tip=True, setpoints="a.csv")
+        self.assertEqual(plan.columns[-3:], ("tip_x_mm", "tip_y_mm", "tip_z_mm"))
+        self.assertTrue((plan.column("tip_x_mm") == numpy.genfromtxt("a.csv", delimiter=",", names=True)["tip_x_mm"]).all())
+        again = toolpace.replan(plan, corner="stop")
+        self.assertEqual(again.columns, plan.columns)
+
     def test_an_array_outlives_its_plan(self):
         rows = toolpace.plan(EXAMPLES / "butterfly.ngc").setpoints
         kept = rows.copy()

@@ -126,12 +126,14 @@ void SetpointTable::fill(const Setpoints& chunk) {
 
 void SetpointTable::find_tip(const Setpoints& chunk) {
   for (auto& column : tip_) column.resize(rows_);
+  Chain chain = *tip_of_;
   for (std::size_t k = 0; k < rows_; ++k) {
     AxisVector axes = AxisVector::Zero();
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       if (given_[axis]) axes[static_cast<Eigen::Index>(axis)] = chunk.position[axis][k];
     }
-    const Eigen::Vector3d tip = forward(*tip_of_, axes).tip;
+    if (!chunk.tool_length.empty()) chain.tool_length = chunk.tool_length[k];
+    const Eigen::Vector3d tip = forward(chain, axes).tip;
     for (std::size_t i = 0; i < tip_.size(); ++i) tip_[i][k] = tip[static_cast<Eigen::Index>(i)];
   }
   for (const auto& column : tip_) columns_.push_back(column.data());

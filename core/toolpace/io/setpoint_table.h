@@ -31,7 +31,8 @@ class SetpointTable {
  public:
   /// @param axis_derivatives  adds v, a, j of each axis, as backward differences of the positions over one period: what
   ///                          the drives see. Before the first row the machine is taken to rest.
-  /// @param tip_of  adds tip_x_mm, tip_y_mm, tip_z_mm: where the chain has the tip, in the workpiece
+  /// @param tip_of  adds tip_x_mm, tip_y_mm, tip_z_mm: where the chain has the tip, in the workpiece; with the tool's length
+  ///                of the setpoints, where they have one
   explicit SetpointTable(bool axis_derivatives, std::optional<Chain> tip_of = {})
       : axis_derivatives_(axis_derivatives), tip_of_(std::move(tip_of)) {}
 

@@ -19,7 +19,7 @@ struct SetpointFileOptions {
   const SetpointFormat* format = nullptr;  ///< null = by the name, see format_of()
   bool axis_derivatives = false;           ///< add v, a, j of each axis by differences (not in halstream)
   bool decimal_comma = false;              ///< semicolon only
-  std::optional<Chain> tip_of = {};        ///< add where that chain has the tip, in formats that name their columns
+  std::optional<Chain> tip_of = {};        ///< add where that chain has the tip (setpoint_table.h), in formats that name their columns
   std::string program_name = {};           ///< stands in the "meta" of .npz
 };
 

@@ -17,12 +17,20 @@ bool moves_rotary(const Path& path) {
          !path.node.front().tail<3>().isZero(0.0);
 }
 
-void resize(Setpoints& chunk, std::size_t count, bool rotary) {
+void resize(Setpoints& chunk, std::size_t count, bool rotary, bool tells_tool) {
   for (std::size_t k = 0; k < kAxisCount; ++k) chunk.position[k].resize(is_rotary(k) && !rotary ? 0 : count);
   chunk.speed.resize(count);
   chunk.acceleration.resize(count);
   chunk.jerk.resize(count);
   chunk.line.resize(count);
+  chunk.tool_length.resize(tells_tool ? count : 0);
+}
+
+std::optional<double> first_tool_length(const Path& path) {
+  for (const Path::Telling& t : path.tellings) {
+    if (!t.chain.is_identity()) return t.chain.tool_length;
+  }
+  return std::nullopt;
 }
 
 AxisMotion at_rest(const AxisVector& position) {
@@ -41,7 +49,8 @@ Sampler::Sampler(const Path& path, const MotionPlan& plan, const Moves& moves, d
       motion_(path, plan),
       period_(period),
       rows_(row_count(plan.cycle_time() + duration_of(impulses), period)),
-      rotary_(moves_rotary(path)) {
+      rotary_(moves_rotary(path)),
+      tool_length_(first_tool_length(path)) {
   if (impulses.size() < 2) return;
   for (const Impulse& i : impulses) echoes_.push_back({i, Motion(path, plan)});
   delay_ = mean_delay(impulses);
@@ -51,7 +60,7 @@ bool Sampler::next(Setpoints& chunk, std::size_t limit) {
   const std::size_t count = std::min(limit, rows_ - next_row_);
   chunk.first_row = next_row_;
   chunk.period = period_;
-  resize(chunk, count, rotary_);
+  resize(chunk, count, rotary_, tool_length_.has_value());
   for (std::size_t i = 0; i < count; ++i) {
     if (is_shaped()) {
       write_shaped_row(chunk, next_row_ + i, i);
@@ -61,6 +70,14 @@ bool Sampler::next(Setpoints& chunk, std::size_t limit) {
   }
   next_row_ += count;
   return count > 0;
+}
+
+/// Where in the program the motion is.
+void Sampler::write_names(Setpoints& chunk, std::size_t at) {
+  chunk.line[at] = path_.size() > 0 ? moves_.line[motion_.move()] : 0;
+  if (!tool_length_) return;
+  if (const Chain* const chain = path_.chain_of(motion_.segment())) tool_length_ = chain->tool_length;
+  chunk.tool_length[at] = *tool_length_;
 }
 
 void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
@@ -76,7 +93,7 @@ void Sampler::write_row(Setpoints& chunk, std::size_t row, std::size_t at) {
   chunk.speed[at] = state.speed;
   chunk.acceleration[at] = state.acceleration;
   chunk.jerk[at] = state.jerk;
-  chunk.line[at] = path_.size() > 0 ? moves_.line[motion_.move()] : 0;
+  write_names(chunk, at);
 }
 
 void Sampler::write_shaped_row(Setpoints& chunk, std::size_t row, std::size_t at) {
@@ -90,7 +107,7 @@ void Sampler::write_shaped_row(Setpoints& chunk, std::size_t row, std::size_t at
   chunk.acceleration[at] = rates.acceleration;
   chunk.jerk[at] = rates.jerk;
   motion_.at(is_last ? motion_.duration() : time - delay_);
-  chunk.line[at] = path_.size() > 0 ? moves_.line[motion_.move()] : 0;
+  write_names(chunk, at);
   constexpr Metric kApart = Metric::apart();
   const AxisMotion planned = motion_.axes();
   AxisVector off = mean.position - planned.position;

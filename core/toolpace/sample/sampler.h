@@ -54,6 +54,7 @@ class Sampler {
   void write_row(Setpoints& chunk, std::size_t row, std::size_t at);
   void write_shaped_row(Setpoints& chunk, std::size_t row, std::size_t at);
   AxisMotion mean_at(double time);
+  void write_names(Setpoints& chunk, std::size_t at);
 
   const Path& path_;
   const Moves& moves_;
@@ -62,8 +63,9 @@ class Sampler {
   std::size_t rows_;
   std::size_t next_row_ = 0;
   bool rotary_;
-  std::vector<Echo> echoes_;  // none where nothing is shaped
-  double delay_ = 0;          // mean of the impulses' times
+  std::optional<double> tool_length_;  // as the program has told it last, or will tell it
+  std::vector<Echo> echoes_;           // none where nothing is shaped
+  double delay_ = 0;                   // mean of the impulses' times
   double largest_offset_ = 0;
   std::optional<ChordErrorMeter> chords_;
 };

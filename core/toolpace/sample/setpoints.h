@@ -17,6 +17,9 @@ struct Setpoints {
   std::array<std::vector<double>, kAxisCount> position;  ///< [mm, rad]; rotary columns empty when unused
   std::vector<double> speed, acceleration, jerk;         ///< along the path [mm/s, mm/s², mm/s³]
   std::vector<std::uint32_t> line;                       ///< NC line
+  /// Of the tool whose tip the program is about [mm], where it is about one: as it was last told, before that as it will be. Empty
+  /// where none is told.
+  std::vector<double> tool_length;
 
   std::size_t size() const { return speed.size(); }
   double time(std::size_t row) const { return static_cast<double>(first_row + row) * period; }

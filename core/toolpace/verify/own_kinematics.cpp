@@ -63,11 +63,14 @@ AxisVector axes_for(const Chain& chain, const AxisVector& place) {
 Frame axes_frame(const Chain& chain, const Frame& place) {
   const double rate = place.first.tail<3>().cwiseAbs().maxCoeff();
   const double bend = place.second.tail<3>().cwiseAbs().maxCoeff(), twist = place.third.tail<3>().cwiseAbs().maxCoeff();
-  // Neither the turn nor its change may be large in a step; where nothing turns the axes go as straight as the tip.
-  const double h = std::min({1.0, kStep / std::max(rate, kStep), std::sqrt(kStep / std::max(bend, kStep)),
-                             std::cbrt(kStep / std::max(twist, kStep))});
+  // Neither the turn nor its change may be large in a step, nor the step beside the tip's radius.
+  const double h = std::min({1.0, 1 / std::max(place.second.head<3>().norm(), 1.0), kStep / std::max(rate, kStep),
+                             std::sqrt(kStep / std::max(bend, kStep)), std::cbrt(kStep / std::max(twist, kStep))});
+  // The third derivative of the tip would only stay in the difference that is meant for its first.
+  AxisVector third = place.third;
+  third.head<3>().setZero();
   const auto at = [&](double s) {
-    return axes_for(chain, place.point + s * (place.first + s / 2 * (place.second + s / 3 * place.third)));
+    return axes_for(chain, place.point + s * (place.first + s / 2 * (place.second + s / 3 * third)));
   };
   const AxisVector before = at(-h), here = at(0), behind = at(h);
   Frame axes = place;

@@ -59,6 +59,24 @@ class Output(CommandLineTest):
             refused = self.run_toolpace("plan", "tilt.ngc", "--tip", *flags)
             self.assertEqual(refused.code, BAD_USAGE, refused.err)
 
+    def test_the_tip_is_that_of_the_tool_that_the_program_tells(self):
+        machine = (EXAMPLES.parent.parent / "resources" / "machines" / "head-bc.toml").read_text()
+        self.file("head.toml", "".join(line for line in machine.splitlines(True) if not line.startswith("tool_mm")))
+        self.file("tools.tbl", "T1 P1 Z100\nT2 P2 Z40\n")
+        told = ["plan", "tools.nc", "--dialect", "fanuc", "--tools", "tools.tbl", "--machine", "head.toml", "--tip"]
+        self.file("tools.nc", "G21 G90 G94\nG43.4 H1\nG1 X5 B20 C30 F3000\nX10 B30\nG49\nG0 B0 C0\nG43.4 H2\nG1 X3 Y4 Z5 B40\nM30\n")
+        run = self.run_toolpace(*told, "--setpoints", "tip.csv", "--verify")
+        self.assertEqual(run.code, FINE, run.err)
+        rows = [row.split(",") for row in (self.folder / "tip.csv").read_text().splitlines()[1:]]
+        for line, tip in (("4", (10, 0, 0)), ("8", (3, 4, 5))):
+            last = [row for row in rows if row[-1] == line][-1]
+            for value, expected in zip(last[10:13], tip):
+                self.assertAlmostEqual(float(value), expected, delta=0.01)
+        self.file("tools.nc", "G21 G90 G94\nG1 X5 B20 F3000\nM30\n")
+        refused = self.run_toolpace(*told, "--setpoints", "none.csv")
+        self.assertEqual(refused.code, BAD_USAGE, refused.err)
+        self.assertFalse((self.folder / "none.csv").exists())
+
     def test_an_hour_of_setpoints_fits_into_less_memory_than_its_rows(self):
         # 36 moves of 100 mm at 60 mm/min: 3.6 million rows of eight numbers are 230 MB.
         moves = [f"G1 X{100 * (i % 2)} Y{i % 7}" for i in range(1, 37)]
