@@ -100,8 +100,11 @@ std::string broken_limit(const Outcome& o) {
   const bool keeps_jerk = law_row(o.ran.law).bounds_jerk;
   Motion motion(*o.path, o.plan);
   const double end = motion.duration();
+  constexpr double kMoving =
+      1e-6;  // [mm/s] below it the motion rests at a node, and is on the one segment or the other
   for (int k = 0; k < 997; ++k) {
     const AxisMotion axes = motion.at(end * (k + 0.5) / 997).axes();
+    if (motion.along().speed < kMoving) continue;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       const auto i = static_cast<Eigen::Index>(axis);
       const AxisLimits& limits = o.job->machine.axes[axis];

@@ -20,7 +20,7 @@ using Choice = detail::CurveChoice;
 constexpr std::size_t kFewCurves = 3000;
 constexpr std::size_t kSharesKept = 20;  // of each curve of few
 /// In runs of many curves, of which all are tried together, samples of so many blocks tell what suits them.
-constexpr std::size_t kSampledBlocks = 1024, kSamples = 4;
+constexpr std::size_t kSampledBlocks = 1024, kSamples = 8;
 /// Where it costs little each curve's share and part is turned by itself, by such steps.
 constexpr std::size_t kSmallRun = 400;  // blocks times curves
 constexpr double kFirstTurn = 0.1, kLeastTurn = 0.002;
