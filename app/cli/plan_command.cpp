@@ -179,7 +179,7 @@ void print_summary(const Outcome& outcome, std::optional<double> bound, const Se
   }
 }
 
-/// Of axes with a resonance.
+/// Of axes with modes; the first one under the names of a resonance.
 Json vibration_json(const Vibration& vibration) {
   Json json = Json::object();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -187,12 +187,19 @@ Json vibration_json(const Vibration& vibration) {
     const AxisVibration& v = *vibration[axis];
     const double thousandth = axis_unit(axis).size * 1e-3;
     const std::string unit = is_rotary(axis) ? "mdeg" : "um";
-    json[std::string(1, kAxisNames[axis])] = {{"resonance_hz", v.resonance},
-                                              {"damping", v.damping},
+    Json modes = Json::array();
+    for (const ModeVibration& m : v.modes) {
+      Json mode = mode_json(m.mode);
+      mode["residual_" + unit] = m.residual / thousandth;
+      modes.push_back(std::move(mode));
+    }
+    json[std::string(1, kAxisNames[axis])] = {{"resonance_hz", v.modes.front().mode.frequency},
+                                              {"damping", v.modes.front().mode.damping},
                                               {"peak_" + unit, v.peak / thousandth},
                                               {"residual_" + unit, v.residual / thousandth},
                                               {"peak_t_s", v.peak_time},
-                                              {"residual_t_s", v.residual_time}};
+                                              {"residual_t_s", v.residual_time},
+                                              {"modes", std::move(modes)}};
   }
   return json;
 }
@@ -200,7 +207,7 @@ Json vibration_json(const Vibration& vibration) {
 /// Where only --verify can tell whether the tolerance is kept.
 void warn_of_shaping(const Outcome& outcome, double offset) {
   const CornerOptions& corner = outcome.job->options.corner;
-  const bool may_leave = offset > corner.tolerance || (corner.rule != CornerRule::stop && offset > 0);
+  const bool may_leave = offset > corner.tolerance || (outcome.ran.corner.rule != CornerRule::stop && offset > 0);
   if (outcome.job->options.shaper == ShaperKind::none || !may_leave) return;
   report(Diagnostic{
       Severity::warning,

@@ -6,6 +6,7 @@
 #include "interrupt.h"
 #include "job_flags.h"
 #include "planned_program.h"
+#include "shaper_flag.h"
 #include "toolpace/base/descriptor.h"
 #include "toolpace/io/output_file.h"
 #include "toolpace/report/report_page.h"
@@ -20,8 +21,9 @@ struct ReportFlags {
 };
 
 Done run_report(const ReportFlags& flags) {
-  const auto setup = flags.job.setup();
+  auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
+  if (auto shaped = ShaperFlag{}.apply_to(*setup); !shaped) return tl::unexpected(shaped.error());
   // What cannot be written is known at once.
   auto file = OutputFile::create(flags.output, OutputFile::Access::forward, terminal_monitor("writing"));
   if (!file) return tl::unexpected(file.error());

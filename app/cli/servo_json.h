@@ -11,4 +11,7 @@ namespace toolpace::cli {
 /// What the simulation found, and "drives": what it took each axis' drive to be, under the keys of [servo.X].
 Json servo_json(const ServoSummary& summary, const Machine& machine);
 
+/// {frequency_hz, damping, share}
+Json mode_json(const AxisMode& mode);
+
 }  // namespace toolpace::cli

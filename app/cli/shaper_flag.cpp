@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "failure.h"
+#include "toolpace/machine/setup_keys.h"
 #include "toolpace/pipeline/sampled.h"
 
 namespace toolpace::cli {
@@ -10,24 +11,8 @@ namespace {
 
 std::string names() {
   std::string all;
-  for (const ShaperKind kind : kShaperKinds) all += (all.empty() ? "" : ", ") + std::string(shaper_name(kind));
+  for (const auto& known : shaper_names()) all += (all.empty() ? "" : ", ") + std::string(known.name);
   return all;
-}
-
-/// A step of speed at a corner would have echoes, each of them too much for the axes.
-void leave_out_steps(Setup& setup) {
-  CornerOptions& corner = setup.options.corner;
-  const bool has_steps = corner.step || corner.rule == CornerRule::servo || corner.rule == CornerRule::junction;
-  if (!has_steps) return;
-  corner.rule = CornerRule::stop;
-  corner.step.reset();
-  setup.warnings.push_back(
-      {Severity::warning,
-       "shaper-stops",
-       "shaped setpoints stop at corners: the steps of speed that the corner rule allows cannot be shaped",
-       "--corner blend or smooth rounds them; --verify tells how far the shaped path is from the program",
-       {},
-       {}});
 }
 
 }  // namespace
@@ -36,25 +21,28 @@ void ShaperFlag::add_to(Command& command) {
   command.word(
       "--shaper KIND", name,
       names() +
-          ": shape the setpoints of all axes, so that axes with a\nresonance ([servo.X] resonance_hz) "
-          "come to rest without vibration; corners and curves are\nrounded, which --verify judges; default none");
+          ": shape the setpoints of all axes for every mode of every\naxis ([servo.X] resonance_hz, "
+          "[[servo.X.modes]]), so "
+          "that they come to rest without vibration; corners and\ncurves are rounded, which --verify judges; default: "
+          "that of the machine file, else none");
 }
 
 Result<void> ShaperFlag::apply_to(Setup& setup) const {
-  if (name.empty()) return {};
-  const auto* const kind = std::find_if(std::begin(kShaperKinds), std::end(kShaperKinds),
-                                        [&](ShaperKind k) { return shaper_name(k) == name; });
-  if (kind == std::end(kShaperKinds)) {
+  const auto& known = shaper_names();
+  const auto named = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.name == name; });
+  if (!name.empty() && named == known.end()) {
     return tl::unexpected(usage_error("bad-flag", "--shaper does not know '" + name + "'", "give one of " + names()));
   }
-  if (*kind != ShaperKind::none && shaping(*kind, setup.machine.servo).size() == 1) {
-    return tl::unexpected(usage_error("shaper-no-resonance",
-                                      "--shaper has nothing to do: no axis of the machine has a resonance",
-                                      "give resonance_hz of the axis that shakes in [servo.X] of the machine file; "
-                                      "'toolpace identify' finds it in a trace"));
+  if (!name.empty()) setup.options.shaper = named->value;
+  if (setup.options.shaper == ShaperKind::none) return {};
+  if (shaped_modes(setup.machine.servo).empty()) {
+    return tl::unexpected(usage_error(
+        "shaper-no-resonance",
+        (name.empty() ? "the shaper of the machine file" : "--shaper") +
+            std::string(" has nothing to do: no axis of the machine has a resonance"),
+        "give resonance_hz of the axis that shakes in [servo.X] of the machine file; 'toolpace identify' finds it in a "
+        "trace"));
   }
-  setup.options.shaper = *kind;
-  if (*kind != ShaperKind::none) leave_out_steps(setup);
   return {};
 }
 
@@ -68,8 +56,12 @@ void add_shaper(Json& json, const Outcome& outcome) {
   if (impulses.size() == 1) return;
   Json list = Json::array();
   for (const Impulse& i : impulses) list.push_back({{"t_s", i.time}, {"share", i.share}});
+  Json modes = Json::array();
+  for (const AxisMode& m : shaped_modes(outcome.job->machine.servo))
+    modes.push_back({{"frequency_hz", m.frequency}, {"damping", m.damping}});
   json["shaper"] = {{"kind", shaper_name(outcome.job->options.shaper)},
                     {"time_s", duration_of(impulses)},
+                    {"modes", std::move(modes)},
                     {"impulses", std::move(list)}};
   json["cycle_time_s"] = setpoints_duration(outcome);
   json["time_by_limit_s"]["shaper"] = duration_of(impulses);

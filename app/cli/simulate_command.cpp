@@ -160,11 +160,20 @@ Json drives_json(const Machine& machine) {
     if (section.name.rfind(kPrefix, 0) != 0) continue;
     for (const NumberKey& key : section.numbers)
       drives[section.name.substr(kPrefix.size())][key.name] = *key.value / key.unit;
+    Json& modes = drives[section.name.substr(kPrefix.size())][kModesKey] = Json::array();
+    for (const AxisMode& mode : machine.servo[axis_of_section(section.name)].modes) modes.push_back(mode_json(mode));
   }
   return drives;
 }
 
 }  // namespace
+
+Json mode_json(const AxisMode& mode) {
+  Json json;
+  AxisMode copy = mode;
+  for (const NumberKey& key : mode_keys(copy)) json[key.name] = *key.value / key.unit;
+  return json;
+}
 
 Json servo_json(const ServoSummary& s, const Machine& machine) {
   return {{"max_contour_error_mm", s.max_contour_error},

@@ -13,6 +13,7 @@
 #include "reading_flags.h"
 #include "report.h"
 #include "setting_flags.h"
+#include "shaper_flag.h"
 #include "toolpace/base/descriptor.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/io/output_file.h"
@@ -170,8 +171,9 @@ void print_found(const Found& found) {
 Done run_tune(const TuneFlags& flags) {
   const auto options = options_of(flags);
   if (!options) return tl::unexpected(options.error());
-  const auto setup = flags.job.setup();
+  auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
+  if (auto shaped = ShaperFlag{}.apply_to(*setup); !shaped) return tl::unexpected(shaped.error());
   std::optional<OutputFile> file;
   if (!flags.output.empty()) {  // what cannot be written is known at once
     auto opened = OutputFile::create(flags.output, OutputFile::Access::forward, terminal_monitor("writing"));

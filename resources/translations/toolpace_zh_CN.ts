@@ -1668,6 +1668,10 @@
             <source>extruder-not-counted</source>
             <translation>未计入挤出机</translation>
         </message>
+        <message>
+            <source>shaper-stops</source>
+            <translation>成形的设定点在拐角处停止：拐角规则允许的速度突变无法成形</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -3226,6 +3230,22 @@
         <message>
             <source>change it in the file by hand</source>
             <translation>请手动在文件中修改</translation>
+        </message>
+        <message>
+            <source>--corner blend or smooth rounds them; --verify tells how far the shaped path is from the program</source>
+            <translation>--corner blend 或 smooth 可圆滑拐角；--verify 会给出成形路径偏离程序的距离</translation>
+        </message>
+        <message>
+            <source>leave the mode out if there is none</source>
+            <translation>没有该模态就不要写它</translation>
+        </message>
+        <message>
+            <source>write its frequency_hz</source>
+            <translation>请写出它的 frequency_hz</translation>
+        </message>
+        <message>
+            <source>write [[servo.X.modes]] with frequency_hz, damping and share</source>
+            <translation>请写 [[servo.X.modes]]，其中含 frequency_hz、damping 和 share</translation>
         </message>
     </context>
     <context>
@@ -6091,6 +6111,10 @@
             <source>look-ahead</source>
             <translation>前瞻</translation>
         </message>
+        <message>
+            <source>none</source>
+            <translation>无</translation>
+        </message>
     </context>
     <context>
         <name>SettingDifferences</name>
@@ -6125,6 +6149,14 @@
         <message>
             <source>Feed hold</source>
             <translation>进给保持</translation>
+        </message>
+        <message>
+            <source>Shaper</source>
+            <translation>整形器</translation>
+        </message>
+        <message>
+            <source>Modes of %1</source>
+            <translation>%1 轴的模态</translation>
         </message>
     </context>
     <context>
@@ -6253,8 +6285,8 @@
             <translation>指令加速度的频谱</translation>
         </message>
         <message>
-            <source>A sine of amplitude A at frequency f stands as A at f; dashed: resonance of the drive</source>
-            <translation>频率 f、幅值 A 的正弦在 f 处显示为 A；虚线：驱动的谐振</translation>
+            <source>A sine of amplitude A at frequency f stands as A at f; dashed: modes of the axis</source>
+            <translation>频率 f、幅值 A 的正弦在 f 处显示为 A；虚线：该轴的模态</translation>
         </message>
         <message>
             <source>Time at each speed</source>

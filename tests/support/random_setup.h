@@ -47,7 +47,8 @@ class RandomSetup {
       *key.low = one_in(4) ? -std::numeric_limits<double>::infinity() : -static_cast<double>(below(1000)) * key.unit;
       *key.high = one_in(4) ? std::numeric_limits<double>::infinity() : static_cast<double>(below(999) + 1) * key.unit;
     } else {
-      change_word(section.words[k - section.numbers.size() - section.ranges.size()], setup);
+      const std::string& word = section.words[k - section.numbers.size() - section.ranges.size()];
+      word == kModesKey ? change_modes(setup.machine.servo[axis_of_section(section.name)]) : change_word(word, setup);
     }
   }
 
@@ -59,7 +60,22 @@ class RandomSetup {
     if (key == "blocks") options.lookahead.reset();
     if (key == "blocks" && !one_in(3)) options.lookahead = below(1000) + 1;
     if (key == "ramps") options.ramps = ramps_names()[below(ramps_names().size())].value;
+    if (key == "shaper") options.shaper = shaper_names()[below(shaper_names().size())].value;
     if (key == "corner") options.corner.rule = corner_names()[below(corner_names().size())].value;
+  }
+
+  /// One more, one less, or another value.
+  void change_modes(ServoAxis& servo) {
+    if (servo.modes.empty() || one_in(3)) {
+      AxisMode mode;
+      for (const NumberKey& key : mode_keys(mode)) *key.value = number(key.range);
+      if (servo.modes.size() < 4) servo.modes.push_back(mode);
+    } else if (one_in(3)) {
+      servo.modes.erase(servo.modes.begin() + static_cast<std::ptrdiff_t>(below(servo.modes.size())));
+    } else {
+      const NumberKey key = mode_keys(servo.modes[below(servo.modes.size())])[below(3)];
+      *key.value = number(key.range);
+    }
   }
 
   std::mt19937_64 random_;

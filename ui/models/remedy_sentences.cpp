@@ -425,6 +425,11 @@ constexpr std::array kSentences = {
         "remedies",
         "give resonance_hz of the axis that shakes in [servo.X] of the machine file; 'toolpace identify' finds "
         "it in a trace"),
+    QT_TRANSLATE_NOOP(
+        "remedies", "--corner blend or smooth rounds them; --verify tells how far the shaped path is from the program"),
+    QT_TRANSLATE_NOOP("remedies", "leave the mode out if there is none"),
+    QT_TRANSLATE_NOOP("remedies", "write its frequency_hz"),
+    QT_TRANSLATE_NOOP("remedies", "write [[servo.X.modes]] with frequency_hz, damping and share"),
     QT_TRANSLATE_NOOP("remedies", "check that the trace is of these setpoints, of the slide, and not filtered")};
 
 }  // namespace

@@ -78,6 +78,14 @@ void add_words(const Job& a, const Job& b, Units units, std::vector<SettingDiffe
   add(QT_TRANSLATE_NOOP("SettingDifferences", "Ramps"), ramps_title(a.options.ramps), ramps_title(b.options.ramps));
   add(QT_TRANSLATE_NOOP("SettingDifferences", "Corners"), corner_title(a.options.corner.rule),
       corner_title(b.options.corner.rule));
+  add(QT_TRANSLATE_NOOP("SettingDifferences", "Shaper"), shaper_title(a.options.shaper),
+      shaper_title(b.options.shaper));
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const QString of_a = modes_text(a.machine.servo[axis].modes), of_b = modes_text(b.machine.servo[axis].modes);
+    if (a.machine.servo[axis].modes == b.machine.servo[axis].modes) continue;
+    list.push_back(
+        {tr(QT_TRANSLATE_NOOP("SettingDifferences", "Modes of %1")).arg(QLatin1Char(kAxisNames[axis])), of_a, of_b});
+  }
   add(QT_TRANSLATE_NOOP("SettingDifferences", "Speed step at corners"),
       optional(a.options.corner.step, Quantity::speed), optional(b.options.corner.step, Quantity::speed));
   add(QT_TRANSLATE_NOOP("SettingDifferences", "Feed hold"), optional(a.options.hold_at, Quantity::time),

@@ -86,8 +86,6 @@ void SpectrumPage::buildPlots() {
   curve_ = spectrum_->addGraph();
   spectrum_->xAxis->setScaleType(QCPAxis::stLogarithmic);
   spectrum_->xAxis->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
-  resonance_ = new QCPItemStraightLine(spectrum_);
-  resonance_->setVisible(false);
   for (std::size_t cause = 0; cause < kCauseCount; ++cause) {
     auto* bars = new QCPBars(histogram_->xAxis, histogram_->yAxis);
     bars->setWidthType(QCPBars::wtPlotCoords);
@@ -178,17 +176,25 @@ void SpectrumPage::drawSpectrum() {
   curve_->data()->set(points, true);
   spectrum_->yAxis->setRange(0, largest > 0 ? kHead * largest : 1.0);
   spectrum_->yAxis->setLabel(tr("amplitude") + "  " + amplitudeUnit().text);
-  markResonance();
+  markModes();
   spectrum_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-/// Where the machine file says that the axis' drive resonates.
-void SpectrumPage::markResonance() {
-  const double hz = plan_ && axis() ? plan_.timeline->outcome()->job->machine.servo[*axis()].resonance : 0.0;
-  resonance_->setVisible(hz > 0);
-  if (hz <= 0) return;
-  resonance_->point1->setCoords(hz, 0);
-  resonance_->point2->setCoords(hz, 1);
+/// Where the machine file says that the axis shakes.
+void SpectrumPage::markModes() {
+  std::vector<AxisMode> modes;
+  if (plan_ && axis()) modes = modes_of(plan_.timeline->outcome()->job->machine.servo[*axis()]);
+  while (modes_.size() < modes.size()) {
+    modes_.push_back(new QCPItemStraightLine(spectrum_));
+    modes_.back()->setObjectName("mode");
+    modes_.back()->setPen(QPen(theme_.warning, 1, Qt::DashLine));
+  }
+  for (std::size_t i = 0; i < modes_.size(); ++i) {
+    modes_[i]->setVisible(i < modes.size());
+    if (i >= modes.size()) continue;
+    modes_[i]->point1->setCoords(modes[i].frequency, 0);
+    modes_[i]->point2->setCoords(modes[i].frequency, 1);
+  }
 }
 
 void SpectrumPage::drawHistogram() {
@@ -256,7 +262,7 @@ void SpectrumPage::dress() {
     for (auto* axis : {plot->xAxis, plot->yAxis}) dressAxis(*axis, theme_, font());
   }
   curve_->setPen(QPen(theme_.accent, 1.2));
-  resonance_->setPen(QPen(theme_.warning, 1, Qt::DashLine));
+  for (auto* mode : modes_) mode->setPen(QPen(theme_.warning, 1, Qt::DashLine));
 }
 
 void SpectrumPage::changeEvent(QEvent* event) {
@@ -279,7 +285,7 @@ void SpectrumPage::retranslate() {
     }
   }
   name_control(spectrum_, tr("Spectrum of the commanded acceleration"),
-               tr("A sine of amplitude A at frequency f stands as A at f; dashed: resonance of the drive"));
+               tr("A sine of amplitude A at frequency f stands as A at f; dashed: modes of the axis"));
   name_control(histogram_, tr("Time at each speed"), tr("How long the tool runs at a speed, by what allows no more"));
   name_control(key_, tr("What limits the speed"), tr("Colours of the limits, as in the preview and below the plots"));
   spectrum_->xAxis->setLabel(tr("frequency  Hz"));

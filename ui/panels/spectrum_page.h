@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QTimer>
 #include <QWidget>
+#include <vector>
 
 #include "drawing/plan_view.h"
 #include "jobs/analysis_service.h"
@@ -44,7 +45,7 @@ class SpectrumPage : public QWidget, public PlanView {
   void draw();
   void drawSpectrum();
   void drawHistogram();
-  void markResonance();
+  void markModes();
   void showVerdict();
   void retranslate();
   void dress();
@@ -59,7 +60,7 @@ class SpectrumPage : public QWidget, public PlanView {
   QLabel* verdict_;
   QCustomPlot *spectrum_, *histogram_;
   QCPGraph* curve_ = nullptr;
-  QCPItemStraightLine* resonance_ = nullptr;
+  std::vector<QCPItemStraightLine*> modes_;  ///< marks; as many as were ever needed
   std::vector<QCPBars*> bars_;
   LineKey* key_;
   Theme theme_ = light_theme();

@@ -37,6 +37,12 @@ Result<void> check_setup(const Machine& machine, const PlanOptions& options) {
   for (const SetupSection& section : sections) {
     if (auto fine = check_section(section); !fine) return fine;
   }
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    for (AxisMode& mode : copy.machine.servo[axis].modes) {
+      const SetupSection section = {std::string("servo.") + kAxisNames[axis] + ".modes", mode_keys(mode), {}, {}};
+      if (auto fine = check_section(section); !fine) return fine;
+    }
+  }
   if (options.lookahead && (*options.lookahead < 1 || *options.lookahead > kDeepestLookahead)) {
     return tl::unexpected(bad_limit("lookahead", "blocks", std::to_string(*options.lookahead),
                                     fmt::format("1 (a stop at every node) to {}, or all", kDeepestLookahead)));

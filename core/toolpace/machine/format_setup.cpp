@@ -2,6 +2,7 @@
 
 #include "toolpace/machine/key_text.h"
 #include "toolpace/machine/kinematics_section.h"
+#include "toolpace/machine/modes_section.h"
 #include "toolpace/machine/setup.h"
 #include "toolpace/machine/setup_proof.h"
 
@@ -29,9 +30,14 @@ Result<std::string> format_setup(const Setup& setup) {
     for (std::size_t k = 0; k < sections[s].keys.size(); ++k) {
       const KeyText& key = sections[s].keys[k];
       const bool goes_without_saying = key == absent[s].keys[k] && (only_differences || is_none(key));
+      if (key.name == kModesKey) continue;  // below, in sections of their own
       if (!goes_without_saying) body += fmt::format("{} = {}\n", key.name, key.text());
     }
     if (!body.empty()) text += fmt::format("{}[{}]\n{}", text.empty() ? "" : "\n", sections[s].name, body);
+  }
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const std::string modes = detail::modes_sections(kAxisNames[axis], setup.machine.servo[axis].modes, "\n");
+    if (!modes.empty()) text += (text.empty() ? "" : "\n") + modes;
   }
   if (const std::string chain = detail::kinematics_text(setup.kinematics); !chain.empty()) text += "\n" + chain;
   return proven_text(std::move(text), setup, UnknownKeys::refuse);

@@ -6,6 +6,8 @@
 
 #include "toolpace/base/numbers.h"
 #include "toolpace/law/law_table.h"
+#include "toolpace/machine/modes_section.h"
+#include "toolpace/sample/shaper.h"
 
 namespace toolpace {
 namespace {
@@ -29,14 +31,18 @@ std::string toml_text(std::string_view text) {
   return quoted + '"';
 }
 
-std::string word_text(const Setup& setup, const std::string& key) {
+std::string word_text(const Setup& setup, std::string_view section, const std::string& key) {
   const PlanOptions& options = setup.options;
   if (key == "name") return toml_text(setup.machine.name);
   if (key == "kind") return toml_text(law_row(options.law).id);
   if (key == "blocks") return options.lookahead ? std::to_string(*options.lookahead) : toml_text("all");
   if (key == "ramps") return toml_text(name_of(ramps_names(), options.ramps));
+  if (key == "shaper") return toml_text(shaper_name(options.shaper));
+  if (key == kModesKey) return detail::inline_modes(setup.machine.servo[axis_of_section(section)].modes);
   return toml_text(name_of(corner_names(), options.corner.rule));
 }
+
+}  // namespace
 
 std::string number_text(double value, double unit) {
   const double in_file = value / unit + 0.0;  // 0, not -0
@@ -47,8 +53,6 @@ std::string number_text(double value, double unit) {
   return to_text(in_file);
 }
 
-}  // namespace
-
 std::string KeyText::text() const { return parts.size() == 1 ? parts[0] : fmt::format("[{}, {}]", parts[0], parts[1]); }
 
 std::vector<SectionText> texts_of(const Setup& setup) {
@@ -56,7 +60,7 @@ std::vector<SectionText> texts_of(const Setup& setup) {
   std::vector<SectionText> texts;
   for (const SetupSection& section : setup_sections(copy)) {
     SectionText& text = texts.emplace_back(SectionText{section.name, {}});
-    for (const std::string& word : section.words) text.keys.push_back({word, {word_text(setup, word)}});
+    for (const std::string& word : section.words) text.keys.push_back({word, {word_text(setup, section.name, word)}});
     for (const NumberKey& key : section.numbers) text.keys.push_back({key.name, {number_text(*key.value, key.unit)}});
     for (const RangeKey& key : section.ranges)
       text.keys.push_back({key.name, {number_text(*key.low, key.unit), number_text(*key.high, key.unit)}});
@@ -73,7 +77,8 @@ std::vector<SectionText> texts_of_absent_keys(const Setup& setup) {
 
 bool is_none(const KeyText& key) {
   const std::string text = key.text();
-  return text == "inf" || text == "[-inf, inf]" || (text == "0" && key.name.starts_with("steps_per"));
+  return text == "inf" || text == "[]" || (key.name == "shaper" && text == "\"none\"") || text == "[-inf, inf]" ||
+         (text == "0" && key.name.starts_with("steps_per"));
 }
 
 std::optional<std::string> first_difference(const Setup& a, const Setup& b) {

@@ -25,6 +25,9 @@ struct SectionText {
   std::vector<KeyText> keys;  ///< every key that the section knows, in the order of new files
 };
 
+/// A value of the core in the unit of a file, in the shortest decimal that reads back to it.
+std::string number_text(double value, double unit);
+
 /// Numbers in the shortest decimal that reads back to the same value, or else to the nearest one.
 std::vector<SectionText> texts_of(const Setup& setup);
 

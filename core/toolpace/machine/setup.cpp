@@ -11,8 +11,10 @@
 #include "toolpace/law/law_table.h"
 #include "toolpace/machine/key_text.h"
 #include "toolpace/machine/kinematics_section.h"
+#include "toolpace/machine/modes_section.h"
 #include "toolpace/machine/setup_keys.h"
 #include "toolpace/machine/toml_values.h"
+#include "toolpace/sample/shaper.h"
 
 namespace toolpace {
 namespace {
@@ -155,9 +157,16 @@ class SetupReader {
       known.push_back(range.name);
     }
     if (std::find(section.words.begin(), section.words.end(), key.str()) != section.words.end()) {
-      return read_word(std::string(key.str()), value);
+      return key.str() == kModesKey ? read_axis_modes(section.name, value) : read_word(std::string(key.str()), value);
     }
     return unknown("key", key, known);
+  }
+
+  bool read_axis_modes(const std::string& section, const toml::node& node) {
+    auto modes = detail::read_modes(node, name_, unknown_);
+    if (!modes) error_ = std::move(modes.error());
+    if (modes) setup_.machine.servo[axis_of_section(section)].modes = *std::move(modes);
+    return !error_;
   }
 
   bool bad_value(const std::string& key, const std::string& allowed, const std::string& remedy,
@@ -207,6 +216,7 @@ class SetupReader {
       setup_.options.law = *law;
       return true;
     }
+    if (key == "shaper") return pick(shaper_names(), *word, setup_.options.shaper, node);
     return key == "ramps" ? pick(ramps_names(), *word, setup_.options.ramps, node)
                           : pick(corner_names(), *word, setup_.options.corner.rule, node);
   }

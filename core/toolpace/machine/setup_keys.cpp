@@ -9,6 +9,7 @@
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/limits/corner_names.h"
+#include "toolpace/sample/shaper.h"
 #include "toolpace/servo/servo_range.h"
 
 namespace toolpace {
@@ -67,7 +68,7 @@ SetupSection servo_section(ServoAxis& servo, std::size_t k) {
            {"resonance_hz", &servo.resonance, 1.0, servo_range(kServoResonance, "Hz")},
            {"resonance_damping", &servo.resonance_damping, 1.0, servo_range(kServoDamping, "")}},
           {},
-          {}};
+          {kModesKey}};
 }
 
 /// 1e-06 -> 1e-6, 1e+09 -> 1e9
@@ -128,6 +129,15 @@ const std::vector<Named<CornerRule>>& corner_names() {
   return names;
 }
 
+const std::vector<Named<ShaperKind>>& shaper_names() {
+  static const std::vector<Named<ShaperKind>> names = [] {
+    std::vector<Named<ShaperKind>> all;
+    for (const ShaperKind kind : kShaperKinds) all.push_back({shaper_name(kind), kind});
+    return all;
+  }();
+  return names;
+}
+
 std::vector<SetupSection> setup_sections(Setup& s) {
   PathLimits& p = s.machine.path;
   CornerOptions& corner = s.options.corner;
@@ -153,10 +163,20 @@ std::vector<SetupSection> setup_sections(Setup& s) {
        {{"tolerance_mm", &corner.tolerance, 1.0, kCornerSize},
         {"junction_deviation_mm", &corner.junction_deviation, 1.0, kCornerSize}},
        {},
-       {"blocks", "ramps", "corner"}}};
+       {"blocks", "ramps", "corner", "shaper"}}};
   for (std::size_t k = 0; k < kAxisCount; ++k) sections.push_back(axis_section(s.machine.axes[k], k));
   for (std::size_t k = 0; k < kAxisCount; ++k) sections.push_back(servo_section(s.machine.servo[k], k));
   return sections;
+}
+
+std::size_t axis_of_section(std::string_view section) {
+  return static_cast<std::size_t>(std::find(kAxisNames.begin(), kAxisNames.end(), section.back()) - kAxisNames.begin());
+}
+
+std::vector<NumberKey> mode_keys(AxisMode& mode) {
+  return {{"frequency_hz", &mode.frequency, 1.0, servo_range(kServoMode, "Hz")},
+          {"damping", &mode.damping, 1.0, servo_range(kServoDamping, "")},
+          {"share", &mode.share, 1.0, servo_range(kServoShare, "")}};
 }
 
 SetupSection job_section(PlanOptions& options) {

@@ -50,6 +50,7 @@ struct Named {
 };
 const std::vector<Named<Ramps>>& ramps_names();
 const std::vector<Named<CornerRule>>& corner_names();
+const std::vector<Named<ShaperKind>>& shaper_names();
 inline constexpr std::size_t kDeepestLookahead = 1'000'000'000;  ///< blocks
 
 /// Sections "machine", "path", "law", "lookahead", "axes.X" … "axes.C" and "servo.X" … "servo.C". The pointers point into
@@ -58,9 +59,16 @@ struct SetupSection {
   std::string name;
   std::vector<NumberKey> numbers;
   std::vector<RangeKey> ranges;
-  std::vector<std::string> words;  ///< keys with other values: name, kind, blocks, ramps, corner
+  std::vector<std::string> words;  ///< keys with other values: name, kind, blocks, ramps, corner, shaper, modes
 };
 std::vector<SetupSection> setup_sections(Setup& setup);
+
+/// Of "axes.X" and "servo.X".
+std::size_t axis_of_section(std::string_view section);
+
+inline constexpr const char* kModesKey = "modes";  ///< of servo.X: a list of tables
+/// The numbers of one of them; all but the frequency may be left out.
+std::vector<NumberKey> mode_keys(AxisMode& mode);
 
 /// What a job says and no machine file: overrides, the step of corners and the time of a feed hold where they are given.
 SetupSection job_section(PlanOptions& options);

@@ -39,11 +39,22 @@ bool sees_all(const Job& job) {
   return !depth || (*depth > 0 && job.program && *depth >= motion_blocks(job.program->moves));
 }
 
-std::shared_ptr<const Job> looking_no_deeper(std::shared_ptr<const Job> job) {
-  if (!job->options.lookahead || !sees_all(*job)) return job;
-  auto all = std::make_shared<Job>(*job);
-  all->options.lookahead.reset();
-  return all;
+bool stops_at_steps(const PlanOptions& options) {
+  const CornerOptions& corner = options.corner;
+  const bool has_steps = corner.step || corner.rule == CornerRule::servo || corner.rule == CornerRule::junction;
+  return options.shaper != ShaperKind::none && has_steps;
+}
+
+std::shared_ptr<const Job> as_planned(std::shared_ptr<const Job> job) {
+  const bool looks_at_all = job->options.lookahead && sees_all(*job), stops = stops_at_steps(job->options);
+  if (!looks_at_all && !stops) return job;
+  auto planned = std::make_shared<Job>(*job);
+  if (looks_at_all) planned->options.lookahead.reset();
+  if (stops) {
+    planned->options.corner.rule = CornerRule::stop;
+    planned->options.corner.step.reset();
+  }
+  return planned;
 }
 
 double time_at_feeds(const Path& path, const Commands& commands) {

@@ -27,8 +27,13 @@ std::size_t motion_blocks(const Moves& moves);
 /// Whether the look-ahead is as deep as the program is long, in blocks that move.
 bool sees_all(const Job& job);
 
-/// The job, or a copy that looks at all blocks where its look-ahead is as deep as the program is long.
-std::shared_ptr<const Job> looking_no_deeper(std::shared_ptr<const Job> job);
+/// Whether corners that the job would pass with a step of the speed become stops: shaped, a step has echoes, each of them a step that
+/// is too much for the axes.
+bool stops_at_steps(const PlanOptions& options);
+
+/// The job, or a copy as it is planned: looking at all blocks where its look-ahead is as deep as the program is long, and stopping at
+/// corners where stops_at_steps().
+std::shared_ptr<const Job> as_planned(std::shared_ptr<const Job> job);
 
 /// How long the path takes where every segment is run as fast as it is commanded [s].
 double time_at_feeds(const Path& path, const Commands& commands);

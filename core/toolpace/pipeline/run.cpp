@@ -236,7 +236,17 @@ bool is_better(const Outcome& one, const Outcome& other, const Monitor& monitor)
 
 /// The outcome of a job that stands for another.
 Result<Outcome> outcome_of(std::shared_ptr<const Job> asked, Result<Outcome> made) {
-  if (made) made->job = std::move(asked);
+  if (!made) return made;
+  if (stops_at_steps(asked->options)) {
+    made->warnings.push_back(
+        {Severity::warning,
+         "shaper-stops",
+         "shaped setpoints stop at corners: the steps of speed that the corner rule allows cannot be shaped",
+         "--corner blend or smooth rounds them; --verify tells how far the shaped path is from the program",
+         {},
+         {}});
+  }
+  made->job = std::move(asked);
   return made;
 }
 
@@ -301,18 +311,19 @@ Result<Outcome> run_whole(std::shared_ptr<const Job> job, const Monitor& monitor
 }  // namespace
 
 Result<Outcome> run(std::shared_ptr<const Job> job, const Monitor& monitor) {
-  return outcome_of(job, run_whole(looking_no_deeper(job), monitor));
+  return outcome_of(job, run_whole(as_planned(job), monitor));
 }
 
 Result<Outcome> replan(std::shared_ptr<const Job> asked, const Outcome& before, const Monitor& monitor) {
-  auto job = looking_no_deeper(asked);
+  auto job = as_planned(asked);
+  const auto had = before.job ? as_planned(before.job) : nullptr;
   // A job through the tube may have been given blends, so its path does not tell how it was made.
   const auto stays_on_path = [](const Job& j) { return !is_through_tube(j) && !may_leave_path(j); };
-  const bool reusable = before.job && before.path && stays_on_path(*job) && stays_on_path(*before.job);
-  if (!reusable || !has_same_route(*job, *before.job)) return run(std::move(asked), monitor);
+  const bool reusable = had && before.path && stays_on_path(*job) && stays_on_path(*had);
+  if (!reusable || !has_same_route(*job, *had)) return run(std::move(asked), monitor);
   if (auto checked = check_setup(job->machine, job->options); !checked) return tl::unexpected(checked.error());
   // Limits of curves were chosen for the law and its ramps.
-  const bool same = has_same_limits(*job, *before.job) && before.limits.curved.empty();
+  const bool same = has_same_limits(*job, *had) && before.limits.curved.empty();
   auto speeds = same ? Speeds{before.commands, before.limits} : speeds_on(*before.path, *job, monitor);
   const Strategy& strategy = strategy_of(*job, before.path->size(), false);
   return outcome_of(std::move(asked), plan_along(std::move(job), strategy, {before.path, before.summary.blends},

@@ -74,17 +74,23 @@ Impulses shaper_for(ShaperKind kind, double frequency, double damping) {
   }
 }
 
+std::vector<AxisMode> shaped_modes(const std::array<ServoAxis, kAxisCount>& servo) {
+  std::vector<AxisMode> shaped;
+  for (const ServoAxis& axis : servo) {
+    for (const AxisMode& mode : modes_of(axis)) {
+      const bool is_there = std::any_of(shaped.begin(), shaped.end(), [&](const AxisMode& m) {
+        return m.frequency == mode.frequency && m.damping == mode.damping;
+      });
+      if (mode.damping < 1 && !is_there) shaped.push_back(mode);
+    }
+  }
+  return shaped;
+}
+
 Impulses shaping(ShaperKind kind, const std::array<ServoAxis, kAxisCount>& servo) {
   Impulses impulses = {{0, 1}};
-  std::vector<std::pair<double, double>> done;
-  for (const ServoAxis& axis : servo) {
-    const std::pair mode(axis.resonance, axis.resonance_damping);
-    if (!(axis.resonance > 0) || !(axis.resonance_damping < 1) ||
-        std::find(done.begin(), done.end(), mode) != done.end())
-      continue;
-    done.push_back(mode);
-    impulses = one_after_another(impulses, shaper_for(kind, mode.first, mode.second));
-  }
+  for (const AxisMode& mode : shaped_modes(servo))
+    impulses = one_after_another(impulses, shaper_for(kind, mode.frequency, mode.damping));
   return impulses;
 }
 

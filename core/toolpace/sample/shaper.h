@@ -37,7 +37,11 @@ std::string_view shaper_name(ShaperKind kind);
 /// With damping the impulses of the last three are those of the undamped mode, scaled by its decay.
 Impulses shaper_for(ShaperKind kind, double frequency, double damping);
 
-/// For all axes with a resonance, one after another; equal modes count once. {0, 1} alone where there is none.
+/// What is shaped for: every mode of every axis, whatever its share, those apart that do not swing (damping 1 and more). Modes of the
+/// same frequency and damping count once.
+std::vector<AxisMode> shaped_modes(const std::array<ServoAxis, kAxisCount>& servo);
+
+/// For these, one after another. {0, 1} alone where there is none.
 Impulses shaping(ShaperKind kind, const std::array<ServoAxis, kAxisCount>& servo);
 
 /// By how much a shaped motion lasts longer [s].

@@ -22,11 +22,14 @@ bool is_within(double value, const ServoRange& range) {
 
 Result<void> check(const ServoAxis& s, double period) {
   const auto not_negative = [](double v) { return std::isfinite(v) && v >= 0; };
+  const auto is_mode = [](const AxisMode& m) {
+    return is_within(m.frequency, kServoMode) && is_within(m.damping, kServoDamping) && is_within(m.share, kServoShare);
+  };
   const bool fits = std::isfinite(period) && period > 0 && is_within(s.position_gain, kServoGain) &&
                     is_within(s.bandwidth, kServoBandwidth) && is_within(s.damping, kServoDamping) &&
                     is_within(s.resonance, kServoResonance) && is_within(s.resonance_damping, kServoDamping) &&
                     not_negative(s.velocity_feed_forward) && not_negative(s.acceleration_feed_forward) &&
-                    not_negative(s.backlash);
+                    not_negative(s.backlash) && std::all_of(s.modes.begin(), s.modes.end(), is_mode);
   if (!fits) {
     return tl::unexpected(
         servo_error("servo-value", "a value of the servo drive is out of range or no number",
@@ -48,41 +51,68 @@ Result<AxisServo> AxisServo::create(const ServoAxis& s, double period) {
   return of(s, period);
 }
 
-AxisServo AxisServo::of(const ServoAxis& s, double period) {
+namespace {
+
+using Matrix8 = Eigen::Matrix<double, 8, 8>;
+
+/// State: y, v/ω, v̇/ω², z, ż/ω_r, then the command r and its slope and bend, which are constant in a period. Scaled so,
+/// all entries are of one size and the exponential loses no digits.
+Matrix8 coupled_step(const ServoAxis& s, const AxisMode* mode, double period) {
   const double w = 2 * std::numbers::pi * s.bandwidth;
-  const double wr = 2 * std::numbers::pi * s.resonance;
-  const bool rings = s.resonance > 0;
-  // State: y, v/ω, v̇/ω², z, ż/ω_r, then the command r and its slope and bend, which are constant in a period. Scaled so,
-  // all entries are of one size and the exponential loses no digits.
-  Eigen::Matrix<double, 8, 8> m = Eigen::Matrix<double, 8, 8>::Zero();
+  Matrix8 m = Matrix8::Zero();
   m(0, 1) = w;
   m(1, 2) = w;
   m.row(2) << -s.position_gain, -w, -2 * s.damping * w, 0, 0, s.position_gain, s.velocity_feed_forward,
       s.acceleration_feed_forward * 2 * s.damping / w;
-  if (rings) {
+  if (mode) {
+    const double wr = 2 * std::numbers::pi * mode->frequency;
     m(3, 4) = wr;
-    m.row(4) << wr, 2 * s.resonance_damping * w, 0, -wr, -2 * s.resonance_damping * wr, 0, 0, 0;
+    m.row(4) << wr, 2 * mode->damping * w, 0, -wr, -2 * mode->damping * wr, 0, 0, 0;
   }
   m(5, 6) = 1;
-  const Eigen::Matrix<double, 8, 8> exact = (m * period).exp();
+  return (m * period).exp();
+}
 
+/// State: z, ż/ω_r, what pushes it and its speed, which is constant in a period.
+Eigen::Matrix4d pushed_step(const AxisMode& mode, double period) {
+  const double wr = 2 * std::numbers::pi * mode.frequency;
+  Eigen::Matrix4d ring = Eigen::Matrix4d::Zero();
+  ring(0, 1) = wr;
+  ring.row(1) << -wr, -2 * mode.damping * wr, wr, 2 * mode.damping;
+  ring(2, 3) = 1;
+  return (ring * period).exp();
+}
+
+}  // namespace
+
+AxisServo AxisServo::of(const ServoAxis& s, double period) {
   AxisServo servo;
   servo.per_period_ = 1 / period;
-  const bool coupled = rings && s.backlash == 0;
-  servo.size_ = coupled ? 5 : 3;
-  servo.transition_ = exact.topLeftCorner<5, 5>();
-  servo.by_slope_ = exact.block<5, 1>(0, 6);
-  servo.by_bend_ = exact.block<5, 1>(0, 7);
   servo.half_play_ = s.backlash / 2;
-  servo.rings_ = rings && !coupled;
-  if (servo.rings_) {
-    Eigen::Matrix4d ring = Eigen::Matrix4d::Zero();  // z, ż/ω_r, p, ṗ
-    ring(0, 1) = wr;
-    ring.row(1) << -wr, -2 * s.resonance_damping * wr, wr, 2 * s.resonance_damping;
-    ring(2, 3) = 1;
-    const Eigen::Matrix4d ring_exact = (ring * period).exp();
-    servo.ring_ = ring_exact.topLeftCorner<2, 2>();
-    servo.ring_by_slope_ = ring_exact.block<2, 1>(0, 3);
+  const std::vector<AxisMode> modes = modes_of(s);
+  const bool is_coupled = !modes.empty() && s.backlash == 0;
+  const Matrix8 exact = coupled_step(s, is_coupled ? &modes.front() : nullptr, period);
+  servo.transition_ = exact.topLeftCorner<3, 3>();
+  servo.by_slope_ = exact.block<3, 1>(0, 6);
+  servo.by_bend_ = exact.block<3, 1>(0, 7);
+  for (const AxisMode& mode : modes) {
+    Ring ring;
+    ring.share = mode.share;
+    servo.stiff_share_ -= mode.share;
+    if (is_coupled) {
+      const Matrix8 of_mode = &mode == &modes.front() ? exact : coupled_step(s, &mode, period);
+      ring.by_motor = of_mode.block<2, 3>(3, 0);
+      ring.by_itself = of_mode.block<2, 2>(3, 3);
+      ring.by_slope = of_mode.block<2, 1>(3, 6);
+      ring.by_bend = of_mode.block<2, 1>(3, 7);
+    } else {
+      const Eigen::Matrix4d pushed = pushed_step(mode, period);
+      ring.by_motor.setZero();
+      ring.by_itself = pushed.topLeftCorner<2, 2>();
+      ring.by_slope = pushed.block<2, 1>(0, 3);
+      ring.by_bend.setZero();
+    }
+    servo.rings_.push_back(ring);
   }
   return servo;
 }
@@ -91,20 +121,27 @@ void AxisServo::reset(double position) {
   motor_.setZero();
   origin_ = position;
   pushed_ = position;
-  slide_ << position, 0.0;
+  for (Ring& r : rings_) r.state << (half_play_ == 0 ? 0.0 : position), 0.0;
 }
 
 double AxisServo::slide(double motor) {
-  if (size_ > 3) return origin_ + motor_[3];
-  if (half_play_ == 0) return motor;
+  if (half_play_ == 0) {
+    if (rings_.empty()) return motor;
+    double sum = stiff_share_ * motor_[0];
+    for (const Ring& r : rings_) sum += r.share * r.state[0];
+    return origin_ + sum;
+  }
   const double before = pushed_;
   pushed_ = std::clamp(pushed_, motor - half_play_, motor + half_play_);
-  if (!rings_) return pushed_;
-  // Relative to where the play ended up last, as the step knows the command p from 0 on.
-  const Eigen::Vector2d relative(slide_[0] - before, slide_[1]);
-  slide_ = ring_ * relative + ring_by_slope_ * ((pushed_ - before) * per_period_);
-  slide_[0] += before;
-  return slide_[0];
+  double place = stiff_share_ * pushed_;
+  // Relative to where the play ended up last, as the step knows what pushes from 0 on.
+  for (Ring& r : rings_) {
+    const Eigen::Vector2d relative(r.state[0] - before, r.state[1]);
+    r.state = r.by_itself * relative + r.by_slope * ((pushed_ - before) * per_period_);
+    r.state[0] += before;
+    place += r.share * r.state[0];
+  }
+  return place;
 }
 
 }  // namespace toolpace

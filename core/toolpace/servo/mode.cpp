@@ -8,12 +8,10 @@
 namespace toolpace {
 namespace {
 
-constexpr double kShort = 1.0;       // [rad] of the mode: pieces below it are power series
-constexpr int kSeriesTerms = 26;     // 1/26! is nothing beside 1
-constexpr double kLooksARadian = 4;  // at the displacement, for turns of it
-constexpr double kMostLooks = 1 << 16;
+constexpr double kShort = 1.0;      // [rad] of the mode: pieces below it are power series
+constexpr int kSeriesTerms = 26;    // 1/26! is nothing beside 1
 constexpr double kCritical = 1e-7;  // |1 − ζ²| below which both roots are one
-constexpr int kRootRounds = 60;
+constexpr int kCreepRounds = 60;
 
 using Matrix = Eigen::Matrix<double, kAccelerationTerms, kAccelerationTerms>;
 
@@ -79,46 +77,56 @@ AccelerationPolynomial acceleration_of(const Phase& phase) {
   return acceleration_through(values, phase.duration);
 }
 
-Mode::Mode(double frequency, double damping) : omega_(2 * std::numbers::pi * frequency), damping_(damping) {}
+namespace {
 
 /// q with q̈ + 2ζω·q̇ + ω²·q = −a.
-AccelerationPolynomial Mode::particular_of(const AccelerationPolynomial& a) const {
+AccelerationPolynomial particular_of(const AccelerationPolynomial& a, double omega, double damping) {
   AccelerationPolynomial q = {};
-  const double square = omega_ * omega_;
   for (std::size_t k = q.size(); k-- > 0;) {
     const auto n = static_cast<double>(k);
     const double next = k + 1 < q.size() ? q[k + 1] : 0.0, second = k + 2 < q.size() ? q[k + 2] : 0.0;
-    q[k] = -(a[k] + 2 * damping_ * omega_ * (n + 1) * next + (n + 2) * (n + 1) * second) / square;
+    q[k] = -(a[k] + 2 * damping * omega * (n + 1) * next + (n + 2) * (n + 1) * second) / (omega * omega);
   }
   return q;
 }
 
-Mode::State Mode::free_at(State u, double t) const {
-  const double decay = damping_ * omega_, rest = 1 - damping_ * damping_;
+/// Without acceleration.
+ModeState free_at(double omega, double damping, const ModeState& u, double t) {
+  const double decay = damping * omega, rest = 1 - damping * damping;
   if (std::abs(rest) < kCritical) {
     const double e = std::exp(-decay * t), slope = u.speed + decay * u.place;
     return {e * (u.place + slope * t), e * (u.speed - decay * slope * t)};
   }
   if (rest > 0) {
-    const double w = omega_ * std::sqrt(rest), e = std::exp(-decay * t), c = std::cos(w * t), s = std::sin(w * t);
+    const double w = omega * std::sqrt(rest), e = std::exp(-decay * t), c = std::cos(w * t), s = std::sin(w * t);
     const double other = (u.speed + decay * u.place) / w;
     return {e * (u.place * c + other * s), e * (u.speed * c - (decay * other + w * u.place) * s)};
   }
-  const double w = omega_ * std::sqrt(-rest), slow = -(decay - w), fast = -(decay + w);
+  const double w = omega * std::sqrt(-rest), slow = -(decay - w), fast = -(decay + w);
   const double of_slow = (u.speed - fast * u.place) / (2 * w), of_fast = u.place - of_slow;
   const double a = of_slow * std::exp(slow * t), b = of_fast * std::exp(fast * t);
   return {a + b, slow * a + fast * b};
 }
 
-Mode::State Mode::at(const AccelerationPolynomial& q, const AccelerationPolynomial& a, State begin, double t) const {
+}  // namespace
+
+ModePiece::ModePiece(double omega, double damping, const ModeState& begin, const AccelerationPolynomial& acceleration)
+    : omega_(omega),
+      damping_(damping),
+      begin_(begin),
+      acceleration_(acceleration),
+      particular_(particular_of(acceleration, omega, damping)) {}
+
+ModeState ModePiece::at(double t) const {
+  const AccelerationPolynomial &a = acceleration_, &q = particular_;
   if (omega_ * t > kShort) {
-    const State free = free_at({begin.place - q[0], begin.speed - q[1]}, t);
+    const ModeState free = free_at(omega_, damping_, {begin_.place - q[0], begin_.speed - q[1]}, t);
     return {value_at(q, t) + free.place, slope_at(q, t) + free.speed};
   }
   // d = Σ e[k] with e[k] = d[k]·t^k, from the differential equation itself.
   std::array<double, kSeriesTerms> e;
-  e[0] = begin.place;
-  e[1] = begin.speed * t;
+  e[0] = begin_.place;
+  e[1] = begin_.speed * t;
   double place = e[0] + e[1], slope = e[1], power = t * t;
   for (int k = 0; k + 2 < kSeriesTerms; ++k) {
     const double of_a = k < static_cast<int>(a.size()) ? a[static_cast<std::size_t>(k)] * power : 0.0;
@@ -130,58 +138,30 @@ Mode::State Mode::at(const AccelerationPolynomial& q, const AccelerationPolynomi
     place += e[i + 2];
     slope += (n + 2) * e[i + 2];
   }
-  return {place, t > 0 ? slope / t : begin.speed};
+  return {place, t > 0 ? slope / t : begin_.speed};
 }
 
-void Mode::look_for_peak(const AccelerationPolynomial& q, const AccelerationPolynomial& a, double duration) {
-  const State begin = {place_, speed_};
-  // A vibration that is left alone only decays: what is largest comes in its first round.
-  const bool is_free = std::all_of(a.begin(), a.end(), [](double c) { return c == 0; });
-  const double length = is_free ? std::min(duration, 2 * std::numbers::pi / omega_) : duration;
-  const double looks = std::clamp(std::ceil(kLooksARadian * omega_ * length), 4.0, kMostLooks);
-  const auto keep = [&](double t, const State& s) {
-    if (std::abs(s.place) <= peak_) return;
-    peak_ = std::abs(s.place);
-    peak_time_ = time_ + t;
-  };
-  State before = begin;
-  double from = 0;
-  for (double k = 1; k <= looks; ++k) {
-    const double to = length * k / looks;
-    const State here = at(q, a, begin, to);
-    keep(to, here);
-    if ((here.speed > 0) != (before.speed > 0)) {
-      double low = from, high = to;
-      for (int round = 0; round < kRootRounds && high - low > 1e-15 * to; ++round) {
-        const double middle = (low + high) / 2;
-        ((at(q, a, begin, middle).speed > 0) == (before.speed > 0) ? low : high) = middle;
-      }
-      keep(low, at(q, a, begin, low));
-    }
-    before = here;
-    from = to;
-  }
-}
+Mode::Mode(double frequency, double damping) : omega_(2 * std::numbers::pi * frequency), damping_(damping) {}
 
-void Mode::run(const AccelerationPolynomial& a, double duration) {
-  if (!(duration > 0)) return;
-  const AccelerationPolynomial q = particular_of(a);
-  look_for_peak(q, a, duration);
-  const State end = at(q, a, {place_, speed_}, duration);
-  place_ = end.place;
-  speed_ = end.speed;
-  time_ += duration;
+void Mode::run(const AccelerationPolynomial& acceleration, double duration) {
+  if (duration > 0) state_ = piece(acceleration).at(duration);
 }
 
 double Mode::amplitude() const {
+  const auto& [place, speed] = state_;
   const double rest = 1 - damping_ * damping_;
   if (rest > kCritical) {
-    return std::hypot(place_, (speed_ + damping_ * omega_ * place_) / (omega_ * std::sqrt(rest)));
+    return std::hypot(place, (speed + damping_ * omega_ * place) / (omega_ * std::sqrt(rest)));
   }
-  Mode left = *this;  // it creeps back, past its place at most once
-  left.peak_ = std::abs(place_);
-  left.run({}, 2 * std::numbers::pi / omega_);
-  return left.peak_;
+  // It creeps back, and is furthest off now or where it turns, which it does once at most.
+  const ModePiece left = piece({});
+  double low = 0, high = 2 * std::numbers::pi / omega_;
+  if ((left.at(high).speed > 0) == (speed > 0)) return std::abs(place);
+  for (int round = 0; round < kCreepRounds; ++round) {
+    const double middle = (low + high) / 2;
+    ((left.at(middle).speed > 0) == (speed > 0) ? low : high) = middle;
+  }
+  return std::max(std::abs(place), std::abs(left.at(low).place));
 }
 
 std::complex<double> acceleration_spectrum(std::span<const Phase> phases, double omega) {

@@ -21,39 +21,49 @@ AccelerationPolynomial acceleration_of(const Phase& phase);
 AccelerationPolynomial acceleration_through(const std::array<double, kAccelerationTerms>& values, double duration);
 const std::array<double, kAccelerationTerms>& acceleration_places();
 
-/// How far the slide is from where its drive has it: d̈ + 2ζω·ḋ + ω²·d = −a, the z − p of AxisServo. Each piece is solved in
-/// closed form (as a power series where it is shorter than a radian of the mode), so errors are those of rounding:
-/// 1e-12 of the static deflection a/ω².
+struct ModeState {
+  double place = 0, speed = 0;  ///< [mm, rad], [mm/s, rad/s]
+};
+
+/// A mode in a piece of motion: d̈ + 2ζω·ḋ + ω²·d = −a, in closed form (as a power series where it is shorter than a radian of the
+/// mode), so errors are those of rounding: 1e-12 of the static deflection a/ω².
+class ModePiece {
+ public:
+  ModePiece(double omega, double damping, const ModeState& begin, const AccelerationPolynomial& acceleration);
+
+  /// @param t  [s] since the piece's begin, ≥ 0
+  ModeState at(double t) const;
+
+ private:
+  double omega_, damping_;
+  ModeState begin_;
+  AccelerationPolynomial acceleration_, particular_;
+};
+
+/// How far the slide is from where its drive has it: the z − p of AxisServo.
 class Mode {
  public:
   /// @param frequency [Hz] > 0; damping > 0, or 0 for none
   Mode(double frequency, double damping);
 
-  /// Runs through a piece [s]. Its largest |d| is found between its samples, too: where ḋ changes its sign.
+  /// A piece that begins now.
+  ModePiece piece(const AccelerationPolynomial& acceleration) const { return {omega_, damping_, state_, acceleration}; }
+  /// Goes on to a state of it.
+  void set(const ModeState& state) { state_ = state; }
+  /// Runs through a piece [s].
   void run(const AccelerationPolynomial& acceleration, double duration);
   /// A step of the drive's speed [mm/s].
-  void step(double speed) { speed_ -= speed; }
+  void step(double speed) { state_.speed -= speed; }
 
-  double displacement() const { return place_; }
-  double speed() const { return speed_; }
-  /// Largest |d| so far, and when [s] since the begin.
-  double peak() const { return peak_; }
-  double peak_time() const { return peak_time_; }
-  double time() const { return time_; }
+  double displacement() const { return state_.place; }
+  double speed() const { return state_.speed; }
   /// Of the vibration that is left if the drive rests from now on.
   double amplitude() const;
+  double omega() const { return omega_; }  ///< [rad/s]
 
  private:
-  struct State {
-    double place, speed;
-  };
-  State at(const AccelerationPolynomial& particular, const AccelerationPolynomial& a, State begin, double t) const;
-  State free_at(State begin, double t) const;
-  AccelerationPolynomial particular_of(const AccelerationPolynomial& a) const;
-  void look_for_peak(const AccelerationPolynomial& particular, const AccelerationPolynomial& a, double duration);
-
   double omega_, damping_;
-  double place_ = 0, speed_ = 0, time_ = 0, peak_ = 0, peak_time_ = 0;
+  ModeState state_;
 };
 
 /// A(jω) = ∫a(t)·e^(−jωt) dt over phases [mm/s], t from the first phase's begin: the residual of an undamped mode is |A|/ω.

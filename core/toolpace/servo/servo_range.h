@@ -12,6 +12,8 @@ struct ServoRange {
 inline constexpr ServoRange kServoGain = {1e-3, 1e5};             ///< Kv [1/s]
 inline constexpr ServoRange kServoBandwidth = {1e-2, 1e5};        ///< [Hz]
 inline constexpr ServoRange kServoResonance = {1e-2, 1e5, true};  ///< [Hz]
-inline constexpr ServoRange kServoDamping = {1e-3, 1e2};          ///< of the velocity loop and of the resonance
+inline constexpr ServoRange kServoDamping = {1e-3, 1e2};          ///< of the velocity loop and of modes
+inline constexpr ServoRange kServoMode = {1e-2, 1e5};             ///< [Hz] of a mode beside the resonance
+inline constexpr ServoRange kServoShare = {1e-3, 1};              ///< of a mode
 
 }  // namespace toolpace

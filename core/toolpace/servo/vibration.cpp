@@ -6,7 +6,7 @@
 
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/sample/motion.h"
-#include "toolpace/servo/mode.h"
+#include "toolpace/servo/axis_modes.h"
 
 namespace toolpace {
 namespace {
@@ -132,20 +132,25 @@ class Pieces {
   bool is_polynomial_ = false, rests_ = false;
 };
 
-/// A mode of an axis, and what was found of it.
+/// The modes of an axis, and what was found of them.
 struct Shaken {
-  Mode mode;
+  AxisModes modes;
   AxisVibration found;
 
+  explicit Shaken(const ServoAxis& axis) : modes(axis) {
+    for (const AxisMode& m : modes.modes()) found.modes.push_back({m});
+  }
   void run(const AccelerationPolynomial& acceleration, double duration, std::uint32_t move) {
-    mode.run(acceleration, duration);
-    if (mode.peak() <= found.peak) return;
-    found.peak = mode.peak();
-    found.peak_time = mode.peak_time();
+    modes.run(acceleration, duration);
+    if (modes.peak() <= found.peak) return;
+    found.peak = modes.peak();
+    found.peak_time = modes.peak_time();
     found.peak_move = move;
   }
   void stop(double time, std::uint32_t move) {
-    const double amplitude = mode.amplitude();
+    for (std::size_t i = 0; i < found.modes.size(); ++i)
+      found.modes[i].residual = std::max(found.modes[i].residual, modes.amplitude(i));
+    const double amplitude = modes.amplitude();
     if (amplitude <= found.residual) return;
     found.residual = amplitude;
     found.residual_time = time;
@@ -174,10 +179,12 @@ struct Echo {
   bool stands() const { return state != State::runs || piece.rests; }
 };
 
-/// Modes under a motion that is the mean of its echoes.
+/// Axes that shake under a motion that is the mean of its echoes.
 class Shaker {
  public:
-  Shaker(std::vector<Echo> echoes, std::vector<Shaken>& modes) : echoes_(std::move(echoes)), modes_(modes) {}
+  Shaker(std::vector<Echo> echoes, const std::vector<Eigen::Index>& axes, std::vector<Shaken>& shaken,
+         const VibrationWatch& watch)
+      : echoes_(std::move(echoes)), axes_(axes), shaken_(shaken), watch_(watch) {}
 
   /// To the next time at which something changes. @return false when all is over
   bool run() {
@@ -197,7 +204,7 @@ class Shaker {
     return true;
   }
   void stop() {
-    for (Shaken& m : modes_) m.stop(time_, move_);
+    for (Shaken& s : shaken_) s.stop(time_, move_);
   }
   double done() const { return echoes_.back().pieces.done(); }
 
@@ -205,54 +212,70 @@ class Shaker {
   bool ends_now(const Echo& e) const { return e.next() - time_ <= kShortest; }
 
   void run_to(double next) {
-    for (std::size_t i = 0; i < modes_.size(); ++i) {
+    sums_.resize(shaken_.size());
+    for (std::size_t i = 0; i < shaken_.size(); ++i) {
       AccelerationPolynomial sum = {};
       for (const Echo& e : echoes_) {
         if (e.state != Echo::State::runs) continue;
         const auto there = shifted(e.piece.axes[i].acceleration, time_ - e.impulse.time - e.piece.begin);
         for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += e.impulse.share * there[k];
       }
-      modes_[i].run(sum, next - time_, move_);
+      sums_[i] = sum;
     }
+    look(next);
+    for (std::size_t i = 0; i < shaken_.size(); ++i) shaken_[i].run(sums_[i], next - time_, move_);
     time_ = next;
   }
 
+  /// Before they run there.
+  void look(double next) {
+    if (!watch_.take) return;
+    for (double t = rows_ * watch_.step; t < next; t = ++rows_ * watch_.step) {
+      AxisVector row = AxisVector::Zero();
+      for (std::size_t i = 0; i < shaken_.size(); ++i)
+        row[axes_[i]] = shaken_[i].modes.displacement(sums_[i], std::max(0.0, t - time_));
+      watch_.take(row);
+    }
+  }
+
   void go_on(Echo& e) {
-    std::vector<double> before(modes_.size(), 0.0);
+    std::vector<double> before(shaken_.size(), 0.0);
     if (e.state == Echo::State::runs) {
-      for (std::size_t i = 0; i < modes_.size(); ++i) before[i] = e.piece.axes[i].speed_behind;
+      for (std::size_t i = 0; i < shaken_.size(); ++i) before[i] = e.piece.axes[i].speed_behind;
     }
     e.state = e.pieces.next(e.piece) ? Echo::State::runs : Echo::State::is_over;
     const bool runs = e.state == Echo::State::runs;
     if (runs && &e == &echoes_.front()) move_ = e.piece.move;
-    for (std::size_t i = 0; i < modes_.size(); ++i)
-      modes_[i].mode.step(e.impulse.share * ((runs ? e.piece.axes[i].speed_before : 0.0) - before[i]));
+    for (std::size_t i = 0; i < shaken_.size(); ++i)
+      shaken_[i].modes.step(e.impulse.share * ((runs ? e.piece.axes[i].speed_before : 0.0) - before[i]));
   }
 
   std::vector<Echo> echoes_;
-  std::vector<Shaken>& modes_;
-  double time_ = 0;
+  const std::vector<Eigen::Index>& axes_;
+  std::vector<Shaken>& shaken_;
+  const VibrationWatch& watch_;
+  std::vector<AccelerationPolynomial> sums_;  ///< of the echoes, by shaken axis
+  double time_ = 0, rows_ = 0;
   std::uint32_t move_ = 0;
 };
 
 }  // namespace
 
 Result<Vibration> vibration(const Path& path, const MotionPlan& plan, const std::vector<double>& node_time,
-                            const ServoMachine& servo, const Impulses& impulses, const Monitor& monitor) {
+                            const ServoMachine& servo, const Impulses& impulses, const Monitor& monitor,
+                            const VibrationWatch& watch) {
   std::vector<Eigen::Index> axes;
-  std::vector<Shaken> modes;
+  std::vector<Shaken> shaken;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (!(servo[axis].resonance > 0)) continue;
+    if (is_stiff(servo[axis])) continue;
     axes.push_back(static_cast<Eigen::Index>(axis));
-    modes.push_back({Mode(servo[axis].resonance, servo[axis].resonance_damping), {}});
-    modes.back().found.resonance = servo[axis].resonance;
-    modes.back().found.damping = servo[axis].resonance_damping;
+    shaken.emplace_back(servo[axis]);
   }
-  if (!modes.empty() && !plan.phases.empty()) {
+  if (!shaken.empty() && !plan.phases.empty()) {
     const std::vector<double> breaks = breaks_of(plan, node_time);
     std::vector<Echo> echoes;
     for (const Impulse& impulse : impulses) echoes.push_back({impulse, Pieces(path, plan, breaks, axes)});
-    Shaker shaker(std::move(echoes), modes);
+    Shaker shaker(std::move(echoes), axes, shaken, watch);
     for (std::size_t i = 1; shaker.run(); ++i) {
       if (i % kReportEvery != 0) continue;
       if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
@@ -261,7 +284,7 @@ Result<Vibration> vibration(const Path& path, const MotionPlan& plan, const std:
     shaker.stop();
   }
   Vibration all;
-  for (std::size_t i = 0; i < modes.size(); ++i) all[static_cast<std::size_t>(axes[i])] = modes[i].found;
+  for (std::size_t i = 0; i < shaken.size(); ++i) all[static_cast<std::size_t>(axes[i])] = std::move(shaken[i].found);
   return all;
 }
 

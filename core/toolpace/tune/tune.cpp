@@ -40,9 +40,7 @@ struct Log {
   }
 };
 
-bool has_resonance(const ServoMachine& servo) {
-  return std::any_of(servo.begin(), servo.end(), [](const ServoAxis& a) { return a.resonance > 0; });
-}
+bool has_resonance(const ServoMachine& servo) { return !std::all_of(servo.begin(), servo.end(), is_stiff); }
 
 Error no_resonance() {
   return {
@@ -149,7 +147,7 @@ Result<TuneResult> tune(const std::shared_ptr<const Job>& job, const TuneOptions
 }
 
 Result<TuneResult> tune_by_list(const TuningSpace& space, const std::vector<Position>& list, const TuneOptions& options,
-                            const Monitor& monitor) {
+                                const Monitor& monitor) {
   Trials trials;
   Log log;
   std::vector<Position> all = {space.home()};

@@ -7,7 +7,8 @@ from command_line import FINE, SOURCE_DIR, CommandLineTest
 
 TEXT = (SOURCE_DIR / "docs" / "FORMATS.md").read_text()
 PROGRAM = "G21 G90 G94\nG1 X10 F3000\nM2\n"
-WORDS = {"name": '"m"', "rotary": "[]", "kind": '"quintic"', "blocks": '"all"', "ramps": '"block"', "corner": '"servo"'}
+WORDS = {"name": '"m"', "rotary": "[]", "kind": '"quintic"', "blocks": '"all"', "ramps": '"block"', "corner": '"servo"',
+         "shaper": '"none"'}
 
 
 def table(heading):
@@ -24,12 +25,13 @@ class Formats(CommandLineTest):
     def test_every_key_of_a_machine_file_is_read(self):
         program = self.file("a.ngc", PROGRAM)
         for sections, keys in table("Machine files"):
-            for section in re.findall(r"`\[([\w.]+)\]`", sections):
+            for section in re.findall(r"`\[(\[?[\w.]+\]?)\]`", sections):
                 for key in names(keys):
                     if section == "servo.X" and key == "backlash_deg" or section == "servo" and key.startswith("backlash"):
                         continue
                     value = WORDS.get(key, "[-50.0, 50.0]" if key.startswith("travel") else "0.5")
-                    machine = self.file("m.toml", f"[{section}]\n{key} = {value}\n")
+                    due = "frequency_hz = 9\n" if section == "[servo.X.modes]" and key != "frequency_hz" else ""
+                    machine = self.file("m.toml", f"[{section}]\n{due}{key} = {value}\n")
                     run = self.run_toolpace("plan", program, "--machine", machine, "--vmax", 100, "--am", 100, "--jm", 1e4)
                     self.assertEqual(run.code, FINE, f"[{section}] {key}: {run.err}")
 
@@ -38,7 +40,7 @@ class Formats(CommandLineTest):
         documented = {key for _, keys in table("Machine files") for key in names(keys)}
         sources = (SOURCE_DIR / "core/toolpace/machine/setup_keys.cpp").read_text()
         known = set(re.findall(r'"((?:max|travel|steps|period|tool|tacc|tdec|tolerance|junction|kv|velocity|acceleration|bandwidth'
-                               r'|damping|backlash|resonance)_?\w*?[a-z0-9])"', sources))
+                               r'|damping|backlash|resonance|frequency|share)_?\w*?[a-z0-9])"', sources))
         self.assertGreater(len(known), 15)
         self.assertEqual(known - documented, set())
 

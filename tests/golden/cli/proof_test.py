@@ -150,7 +150,7 @@ class Simulate(CommandLineTest):
             self.assertEqual(run.code, FINE, run.err)
             drives = run.json()["servo"]["drives"]
             self.assertEqual(drives["X"], {"kv_1_s": 40, "velocity_feed_forward": 0, "acceleration_feed_forward": 0, "bandwidth_hz": 100,
-                                           "damping": 0.7, "backlash_mm": 0, "resonance_hz": 0, "resonance_damping": 0.05})
+                                           "damping": 0.7, "backlash_mm": 0, "resonance_hz": 0, "resonance_damping": 0.05, "modes": []})
             self.assertEqual((drives["Y"]["kv_1_s"], drives["Y"]["backlash_mm"]), (30, 0.02))
             self.assertEqual(drives["C"]["kv_1_s"], 40)
 

@@ -126,6 +126,23 @@ class Trace(CommandLineTest):
         self.assertGreater(calm["X"]["peak_um"], 1)
         self.assertEqual(self.run_toolpace("plan", "one.ngc", "--json").json()["vibration"], {})
 
+    def test_every_mode_of_an_axis_counts_and_is_shaped_for(self):
+        self.file("one.ngc", "G21 G90 G94\nG1 X30 F3000\nM2\n")
+        modes = "[[servo.X.modes]]\nfrequency_hz = 31\ndamping = 0.02\n[[servo.X.modes]]\nfrequency_hz = 47\nshare = 0.5\n"
+        self.file("r.toml", PATH + "[lookahead]\nshaper = \"zv\"\n" + modes)
+        plan = ("plan", "one.ngc", "--machine", "r.toml", "--json")
+        hard, calm = (self.run_toolpace(*plan, *flags).json() for flags in (("--shaper", "none"), ()))
+        x = hard["vibration"]["X"]
+        self.assertEqual([(m["frequency_hz"], m["damping"], m["share"]) for m in x["modes"]], [(31, 0.02, 1), (47, 0.05, 0.5)])
+        self.assertEqual((x["resonance_hz"], x["damping"]), (31, 0.02))
+        self.assertAlmostEqual(x["residual_um"], sum(m["residual_um"] for m in x["modes"]), places=9)
+        self.assertLess(calm["vibration"]["X"]["residual_um"], 1e-6 * x["residual_um"])
+        self.assertEqual(calm["shaper"]["modes"], [{"frequency_hz": 31, "damping": 0.02}, {"frequency_hz": 47, "damping": 0.05}])
+        drives = self.run_toolpace("simulate", "one.ngc", "--machine", "r.toml", "--json").json()["servo"]["drives"]
+        self.assertEqual(drives["X"]["modes"][1], {"frequency_hz": 47, "damping": 0.05, "share": 0.5})
+        tuned = self.run_toolpace("tune", "one.ngc", "--machine", "r.toml", "--plans", 3, "--json").json()
+        self.assertAlmostEqual(tuned["present"]["vibration_um"], calm["vibration"]["X"]["residual_um"], places=9)
+
     def test_a_shaper_takes_the_vibration_out_and_keeps_every_limit(self):
         self.file("two.ngc", "G21 G90 G94\nG1 X30 Y5 F3000\nG2 X40 Y5 I5 J0\nG4 P0.2\nG1 X2\nM2\n")
         self.file("r.toml", PATH + "[servo.Y]\nresonance_hz = 30\nresonance_damping = 0.01\n")

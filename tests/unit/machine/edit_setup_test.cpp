@@ -34,7 +34,7 @@ Setup parsed(const std::string& text) {
 /// The text with one change to its setup, which it then reads back to.
 template <class Change>
 std::string edited(const std::string& text, const Change& change) {
-  Setup setup = parsed(text);
+  toolpace::Setup setup = parsed(text);
   change(setup);
   const auto result = edit_setup(text, "mill.toml", setup);
   if (!result) return "error: " + result.error().message;
@@ -156,6 +156,42 @@ TEST(EditSetup, OverridesOfAJobAreNoMatterOfTheFile) {
     s.options.corner.step = 9;
   };
   EXPECT_EQ(edited(kMill, change), kMill);
+}
+
+TEST(EditSetup, ModesAreChangedWhereTheyStand) {
+  const std::string text =
+      "[servo.X]\nkv_1_s = 60\n\n[[servo.X.modes]]  # column\nfrequency_hz = 31.5  # measured\ndamping = 0.02\n\n"
+      "[[servo.X.modes]]\n# head\nfrequency_hz = 80\nshare = 0.4\n\n[path]\nmax_speed_mm_s = 50\n";
+  toolpace::Setup setup = parse_setup(text, "m.toml").value();
+  auto& modes = setup.machine.servo[0].modes;
+  ASSERT_EQ(modes, (std::vector<AxisMode>{{31.5, 0.02, 1}, {80, 0.05, 0.4}}));
+  EXPECT_EQ(edit_setup(text, "m.toml", setup).value(), text);
+
+  modes[0].frequency = 32;
+  modes[1].damping = 0.1;
+  const std::string changed = edit_setup(text, "m.toml", setup).value();
+  EXPECT_NE(changed.find("frequency_hz = 32  # measured\n"), std::string::npos);
+  EXPECT_NE(changed.find("share = 0.4\ndamping = 0.1\n\n[path]"), std::string::npos);
+
+  modes.resize(1);
+  const std::string fewer = edit_setup(text, "m.toml", setup).value();
+  EXPECT_EQ(fewer.find("= 80"), std::string::npos);
+  EXPECT_NE(fewer.find("# head\n"), std::string::npos);
+
+  modes.push_back({120, 0.03, 0.2});
+  setup.machine.servo[3].modes = {{9}};
+  const std::string more = edit_setup(fewer, "m.toml", setup).value();
+  EXPECT_NE(more.find("\n[[servo.X.modes]]\nfrequency_hz = 120\ndamping = 0.03\nshare = 0.2\n\n[[servo.A.modes]]"),
+            std::string::npos);
+}
+
+TEST(EditSetup, ModesInAListStayOne) {
+  for (const std::string text : {"servo.X.modes = [{frequency_hz = 30}]\n", "servo = { X = { kv_1_s = 60 } }\n"}) {
+    toolpace::Setup setup = parse_setup(text, "m.toml").value();
+    setup.machine.servo[0].modes = {{30, 0.01, 1}, {50}};
+    const std::string edited = edit_setup(text, "m.toml", setup).value();
+    EXPECT_NE(edited.find("modes = [{frequency_hz = 30, damping = 0.01}, {frequency_hz = 50}]"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -276,5 +276,22 @@ TEST(Setup, EndsOfEveryRangeAreFineInFilesAndInChecks) {
   }
 }
 
+TEST(Setup, SaysWhatIsWrongWithAMode) {
+  const auto message = [](const std::string& body) {
+    const auto setup = parse_setup("[[servo.X.modes]]\n" + body, "m.toml");
+    return setup ? std::string("fine") : setup.error().message;
+  };
+  EXPECT_EQ(message("frequency_hz = 30"), "fine");
+  EXPECT_EQ(message("damping = 0.1"), "a mode has no frequency_hz");
+  EXPECT_EQ(message("frequency_hz = 0"), "frequency_hz is 0, but must be 0.01 to 1e5 Hz");
+  EXPECT_EQ(message("frequency_hz = 30\nshare = 2"), "share is 2, but must be 0.001 to 1");
+  EXPECT_EQ(message("frequenz_hz = 30"), "there is no key 'frequenz_hz'");
+  EXPECT_EQ(parse_setup("[servo.X]\nmodes = 3", "m.toml").error().message, "modes is 3, but must be a list");
+  toolpace::Setup bad = default_setup();
+  bad.machine.servo[1].modes = {{30, 0, 1}};
+  EXPECT_EQ(check_setup(bad.machine, bad.options).error().message,
+            "[servo.Y.modes] damping is 0, but must be 0.001 to 100");
+}
+
 }  // namespace
 }  // namespace toolpace

@@ -42,11 +42,14 @@ std::complex<double> response(const ServoAxis& a, double w) {
   const auto forward =
       a.position_gain + a.velocity_feed_forward * s + a.acceleration_feed_forward * 2 * a.damping / n * s * s;
   auto h = forward * n * n / (s * s * s + 2 * a.damping * n * s * s + n * n * s + a.position_gain * n * n);
-  if (a.resonance > 0) {
-    const auto ring = 2 * a.resonance_damping * r * s + r * r;
-    h *= ring / (s * s + ring);
-  }
-  return h;
+  const auto ring_of = [&](double frequency, double damping) {
+    const auto ring = 2 * damping * frequency * s + frequency * frequency;
+    return ring / (s * s + ring);
+  };
+  std::complex<double> slide = 1;  // over the motor: 1 + Σ share·(ring − 1)
+  if (a.resonance > 0) slide = ring_of(r, a.resonance_damping);
+  for (const AxisMode& m : a.modes) slide += m.share * (ring_of(2 * kPi * m.frequency, m.damping) - 1.0);
+  return h * slide;
 }
 
 /// Amplitude of the settled answer to sin(w·t).
@@ -77,7 +80,9 @@ TEST(AxisServo, AnswersASineAsItsTransferFunctionDoes) {
   for (const double hertz : {0.5, 3.0, 11.0}) {
     for (const ServoAxis& axis :
          {ServoAxis{}, ServoAxis{.position_gain = 120, .velocity_feed_forward = 0.9, .acceleration_feed_forward = 0.5},
-          ServoAxis{.bandwidth = 30, .damping = 1.2}, ServoAxis{.resonance = 15, .resonance_damping = 0.1}}) {
+          ServoAxis{.bandwidth = 30, .damping = 1.2}, ServoAxis{.resonance = 15, .resonance_damping = 0.1},
+          ServoAxis{.modes = {{15, 0.1, 0.4}}},
+          ServoAxis{.resonance = 20, .resonance_damping = 0.1, .modes = {{9, 0.08, 0.3}, {31, 0.2, 0.7}}}}) {
       const double w = 2 * kPi * hertz;
       // 0.1 ms: the straight pieces between setpoints cost (w·Ts)²/12 of the amplitude, 4e-6 at 11 Hz.
       EXPECT_NEAR(simulated_gain(axis, w, 1e-4), std::abs(response(axis, w)), 3e-4) << hertz << " Hz";
@@ -87,7 +92,7 @@ TEST(AxisServo, AnswersASineAsItsTransferFunctionDoes) {
 
 TEST(AxisServo, IsExactAtAnyPeriod) {
   // A ramp in steps of 10 ms and of 1 ms is the same command: the answers agree at common times to rounding.
-  for (const ServoAxis& axis : {ServoAxis{}, ServoAxis{.resonance = 20}}) {
+  for (const ServoAxis& axis : {ServoAxis{}, ServoAxis{.resonance = 20}, ServoAxis{.modes = {{9, 0.02, 0.3}, {44}}}}) {
     AxisServo coarse = servo_of(axis, 0.010), fine = servo_of(axis, 0.001);
     for (int k = 0; k < 50; ++k) {
       const double slow = coarse.step(std::max(0, k - 1), k, k + 1);
@@ -134,6 +139,21 @@ TEST(AxisServo, RingsBehindItsPlayToo) {
   EXPECT_NEAR(end_b, end_a, 1e-4);    // and comes to rest at the same place
 }
 
+TEST(AxisServo, RingsInAModeOfShareOneAsInItsResonance) {
+  for (const double play : {0.0, 0.02}) {
+    AxisServo one = servo_of({.backlash = play, .resonance = 12, .resonance_damping = 0.03}, 0.001);
+    AxisServo other = servo_of({.backlash = play, .modes = {{12, 0.03, 1}}}, 0.001);
+    // Two halves of one mode are that mode.
+    AxisServo halves = servo_of({.backlash = play, .modes = {{12, 0.03, 0.5}, {12, 0.03, 0.5}}}, 0.001);
+    for (int k = 0; k < 500; ++k) {
+      const auto at = [](int i) { return std::clamp(i, 0, 100) * 0.1; };
+      const double place = one.step(at(k - 1), at(k), at(k + 1));
+      ASSERT_EQ(other.step(at(k - 1), at(k), at(k + 1)), place) << k;
+      ASSERT_NEAR(halves.step(at(k - 1), at(k), at(k + 1)), place, 1e-12) << k;
+    }
+  }
+}
+
 // The lag behind a ramp is v/Kv whatever the drive; at 1e18 Hz it came out as 100 mm.
 TEST(AxisServo, IsTrueAtTheEndsOfTheRangesItTakes) {
   for (const double damping : {kServoDamping.least, 0.7, kServoDamping.most}) {
@@ -160,6 +180,8 @@ TEST(AxisServo, RefusesWhatWouldSwingUpOrMakesNoSense) {
   EXPECT_EQ(AxisServo::create({.backlash = -1}, 0.001).error().code, "servo-value");
   EXPECT_EQ(AxisServo::create({}, 0.0).error().code, "servo-value");
   EXPECT_EQ(AxisServo::create({.resonance = NAN}, 0.001).error().code, "servo-value");
+  EXPECT_EQ(AxisServo::create({.modes = {{0, 0.05, 1}}}, 0.001).error().code, "servo-value");
+  EXPECT_EQ(AxisServo::create({.modes = {{30, 0.05, 2}}}, 0.001).error().code, "servo-value");
 }
 
 }  // namespace
