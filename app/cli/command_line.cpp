@@ -120,10 +120,11 @@ void Flags::toggle(const std::string& flag, bool& target, const std::string& tex
   put_below(app_->add_flag(flag, target, text), title_);
 }
 
-void Command::argument(const std::string& name, std::string& target, const std::string& what, const std::string& text) {
-  note(name, "argument", text, Need::required);
+void Command::argument(const std::string& name, std::string& target, const std::string& what, const std::string& text,
+                       Need need) {
+  note(name, "argument", text, need);
   taken_->files.reads(what, target);
-  app_->add_option(name, target, text)->type_name("")->required();
+  app_->add_option(name, target, text)->type_name("")->required(need == Need::required);
 }
 
 void Command::json(bool& target, const std::string& text) {

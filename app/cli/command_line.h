@@ -98,9 +98,10 @@ class Command : public Flags {
 
   Flags titled(std::string title) const { return Flags(*app_, *taken_, std::move(title)); }
 
-  /// The name of a file that is read, without a flag, always needed.
+  /// The name of a file that is read, without a flag.
   /// @param what  the file as messages name it: "the program"
-  void argument(const std::string& name, std::string& target, const std::string& what, const std::string& text);
+  void argument(const std::string& name, std::string& target, const std::string& what, const std::string& text,
+                Need need = Need::required);
 
   /// --json: standard output is one JSON object.
   void json(bool& target, const std::string& text);

@@ -46,8 +46,8 @@ Result<PredictOptions> ControllerFlags::options() const {
                         bool may_be_0) -> Result<void> {
     if ((value > 0 || (may_be_0 && value == 0)) && value <= most) return {};
     return tl::unexpected(usage_error("bad-flag",
-                                      fmt::format("{} is {}, but it must be {} and at most {}", flag, to_text(value),
-                                                  may_be_0 ? "at least 0" : "above 0", to_text(most)),
+                                      fmt::format("{} is {}, but it must be {} and at most {}", flag, toolpace::to_text(value),
+                                                  may_be_0 ? "at least 0" : "above 0", toolpace::to_text(most)),
                                       remedy));
   };
   if (baud) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "accelerometer.h"
 #include "commands.h"
 #include "interrupt.h"
 #include "report.h"
@@ -21,7 +22,7 @@ namespace {
 
 struct IdentifyFlags {
   TraceFlags trace;
-  std::string output;
+  std::string output, accelerometer;
   bool json = false;
 };
 
@@ -52,6 +53,7 @@ Result<std::string> servo_text(const IdentifyFlags& flags, const std::string& ba
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (!found.axis[axis]) continue;
     ServoAxis servo = found.axis[axis]->axis;
+    servo.modes = setup->machine.servo[axis].modes;
     setup->machine.servo[axis] = servo;
     for (const NumberKey& key : keys_of(*setup, axis)) *key.value = rounded(*key.value / key.unit) * key.unit;
   }
@@ -113,6 +115,39 @@ void print_axis(const AxisIdentification& found, std::size_t axis) {
              unit.symbol[0], found.largest / unit.size, unit.symbol[0]);
 }
 
+/// --accelerometer: modes instead of drives.
+Done run_accelerometer(const IdentifyFlags& flags, const std::string& base) {
+  if (!flags.trace.reading.program.empty()) {
+    return tl::unexpected(
+        usage_error("bad-usage", "--accelerometer is given, and SETPOINTS and TRACE too", "give either of them"));
+  }
+  const auto step = flags.trace.step();
+  if (!step) return tl::unexpected(step.error());
+  const auto record = read_acceleration(flags.accelerometer, {flags.trace.columns, *step}, terminal_monitor("reading"));
+  end_progress();
+  if (!record) return tl::unexpected(record.error());
+  auto setup = base.empty() ? flags.trace.job.setup() : parse_setup(base, flags.output, UnknownKeys::pass_over);
+  if (!setup) return tl::unexpected(setup.error());
+  const auto shaken = find_shaken_axes(*record, setup->machine.servo);
+  if (!shaken) return tl::unexpected(shaken.error());
+  for (const Diagnostic& d : shaken->warnings) report(d);
+  if (!flags.output.empty()) {
+    for (std::size_t axis = 0; axis < shaken->axis.size(); ++axis) {
+      if (shaken->axis[axis]) setup->machine.servo[axis].modes = shaken->axis[axis]->kept;
+    }
+    const auto text = edit_setup(base, flags.output, *setup);
+    if (!text) return tl::unexpected(text.error());
+    if (auto done = write_whole_file(flags.output, *text, terminal_monitor("writing")); !done)
+      return tl::unexpected(done.error());
+  }
+  if (flags.json) {
+    print_json(accelerometer_json(*record, *shaken, flags.output));
+  } else if (!is_standard_output(flags.output)) {
+    print_accelerometer(*record, *shaken);
+  }
+  return kFine;
+}
+
 Done run_identify(const IdentifyFlags& flags) {
   std::string base;
   if (!flags.output.empty()) {
@@ -121,6 +156,11 @@ Done run_identify(const IdentifyFlags& flags) {
     if (auto fine = parse_setup(*text, flags.output, UnknownKeys::pass_over); !fine)
       return tl::unexpected(fine.error());
     base = std::move(*text);
+  }
+  if (!flags.accelerometer.empty()) return run_accelerometer(flags, base);
+  if (flags.trace.trace.empty()) {
+    return tl::unexpected(usage_error("bad-usage", "SETPOINTS and TRACE are missing",
+                                      "give what was commanded and what was measured, or --accelerometer FILE"));
   }
   const auto pair = flags.trace.read();
   if (!pair) return tl::unexpected(pair.error());
@@ -161,7 +201,12 @@ void add_identify_command(CommandLine& line) {
       "Write what was found into [servo] of this machine file; comments and all else of it stay.\nWhere there is "
       "none, of a copy of --machine, or alone");
   command.json(flags->json, "Print one JSON object");
-  flags->trace.add_to(command);
+  command.input(
+      "--accelerometer FILE", flags->accelerometer, "the accelerometer's recording",
+      "Instead of SETPOINTS and TRACE: what an accelerometer on the axis felt while it was shaken or tapped,\n"
+      "Klipper's raw format or a table of times and accelerations (g, mg, m/s², mm/s²); its modes are found and\n"
+      "written as [[servo.X.modes]]");
+  flags->trace.add_to(command, Need::optional);
   command.footer(
       "Fitted are gain, feed-forwards, bandwidth, damping, backlash, resonance and its damping of each axis, with "
       "standard\n"
@@ -170,7 +215,8 @@ void add_identify_command(CommandLine& line) {
       "resonance.\n\n"
       "Examples:\n"
       "  toolpace identify part.csv scope.csv -o mill.toml\n"
-      "  toolpace identify part.ngc scope.csv --machine mill.toml -o measured.toml --json");
+      "  toolpace identify part.ngc scope.csv --machine mill.toml -o measured.toml --json\n"
+      "  toolpace identify --accelerometer raw_data_x.csv -o mill.toml");
 }
 
 }  // namespace toolpace::cli

@@ -62,7 +62,7 @@ Result<RewriteTarget> target_of(const RewriteFlags& flags) {
   return target;
 }
 
-struct Told {
+struct RewriteTold {
   const RewriteFlags& flags;
   const RewriteTarget& target;
   const Reading& reading;
@@ -70,7 +70,7 @@ struct Told {
   const Rewritten& rewritten;
 };
 
-Json rewrite_json(const Told& t) {
+Json rewrite_json(const RewriteTold& t) {
   Json controller;
   if (t.target.settings) controller = std::string(controller_name(t.target.settings->controller));
   return {{"program", t.flags.reading.program},
@@ -92,7 +92,7 @@ Json rewrite_json(const Told& t) {
           {"left_for_time", t.rewritten.slower}};
 }
 
-void print_summary(const Told& t) {
+void print_summary(const RewriteTold& t) {
   const Rewritten& r = t.rewritten;
   fmt::print("{} -> {}\n", t.flags.reading.program, t.flags.output);
   fmt::print("  blocks       {} -> {}\n", motion_rows(t.reading.moves), motion_rows(r.reading.moves));
@@ -132,7 +132,7 @@ Done run_rewrite(RewriteFlags flags) {
   const Rewritten& rewritten = found->rewritten;
   if (auto written = file->write(rewritten.text); !written) return tl::unexpected(written.error());
   if (auto done = file->commit(); !done) return tl::unexpected(done.error());
-  const Told told{flags, *target, *reading, content->bytes().size(), rewritten};
+  const RewriteTold told{flags, *target, *reading, content->bytes().size(), rewritten};
   if (flags.json) {
     print_json(rewrite_json(told));
   } else if (!is_standard_output(flags.output)) {

@@ -18,7 +18,8 @@ constexpr FlagOfKey kFlagsOfKeys[] = {{"--law", "law", "kind"},
                                       {"--ramps", "lookahead", "ramps"},
                                       {"--corner", "lookahead", "corner"},
                                       {"--tolerance-mm", "lookahead", "tolerance_mm"},
-                                      {"--junction-deviation-mm", "lookahead", "junction_deviation_mm"}};
+                                      {"--junction-deviation-mm", "lookahead", "junction_deviation_mm"},
+                                      {"--shaper", "lookahead", "shaper"}};
 
 /// A limit and that of slowing down, whose flag follows the other's where it is not given.
 struct FlagPair {

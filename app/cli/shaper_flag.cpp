@@ -46,10 +46,6 @@ Result<void> ShaperFlag::apply_to(Setup& setup) const {
   return {};
 }
 
-double setpoints_duration(const Outcome& outcome) {
-  return outcome.summary.cycle_time + duration_of(impulses_of(outcome));
-}
-
 void add_shaper(Json& json, const Outcome& outcome) {
   const Impulses impulses = impulses_of(outcome);
   json["shaper"] = nullptr;

@@ -18,9 +18,6 @@ struct ShaperFlag {
   Result<void> apply_to(Setup& setup) const;
 };
 
-/// How long the outcome's setpoints last [s].
-double setpoints_duration(const Outcome& outcome);
-
 /// What a shaper adds to the JSON of an outcome: itself, and the time that it takes; null without one.
 void add_shaper(Json& json, const Outcome& outcome);
 

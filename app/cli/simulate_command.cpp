@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "advice.h"
 #include "commands.h"
 #include "interrupt.h"
 #include "job_flags.h"
@@ -20,6 +21,7 @@
 #include "toolpace/io/setpoint_table.h"
 #include "toolpace/machine/setup_keys.h"
 #include "toolpace/pipeline/follow.h"
+#include "toolpace/pipeline/sampled.h"
 
 namespace toolpace::cli {
 namespace {
@@ -30,6 +32,7 @@ struct SimulateFlags {
   std::optional<double> kv, velocity_feed_forward, acceleration_feed_forward;
   std::string trace;
   ShaperFlag shaper;
+  AdviceFlags advice;
   bool json = false;
 };
 
@@ -134,6 +137,7 @@ void print(const Outcome& outcome, const ServoSummary& s) {
 Done run_simulate(const SimulateFlags& flags) {
   const auto setup = setup_of(flags);
   if (!setup) return tl::unexpected(setup.error());
+  if (auto fine = flags.advice.check(); !fine) return tl::unexpected(fine.error());
   auto trace = open_trace(flags.trace);
   if (!trace) return tl::unexpected(trace.error());
   const auto outcome = plan_program(flags.reading, *setup);
@@ -141,13 +145,17 @@ Done run_simulate(const SimulateFlags& flags) {
   const auto summary = simulate(*outcome, *trace);
   end_progress();
   if (!summary) return tl::unexpected(summary.error());
+  const auto advice = flags.advice.take(*outcome);
+  if (!advice) return tl::unexpected(advice.error());
   if (flags.json) {
     print_json({{"program", flags.reading.program},
                 {"cycle_time_s", setpoints_duration(*outcome)},
                 {"period_ms", setup->machine.period * 1e3},
-                {"servo", servo_json(*summary, setup->machine)}});
+                {"servo", servo_json(*summary, setup->machine)},
+                {"advice", *advice ? advice_json(**advice, flags.advice, flags.job, *setup) : Json(nullptr)}});
   } else if (!is_standard_output(flags.trace)) {
     print(*outcome, *summary);
+    if (*advice) print_advice(**advice, flags.advice, flags.job, *setup);
   }
   return kFine;
 }
@@ -199,12 +207,14 @@ void add_simulate_command(CommandLine& line) {
   drives.number("--acceleration-feed-forward SHARE", flags->acceleration_feed_forward,
                 "Share of the drive's lag made up, 0 … 1");
   flags->shaper.add_to(command);
+  flags->advice.add_to(command);
   flags->job.add_to(command);
   flags->reading.add_to(command);
   command.footer(
       "Contour error: distance from the actual point to the commanded path. Lag: distance from the commanded point.\n\n"
       "Examples:\n"
       "  toolpace simulate part.ngc --machine mill.toml\n"
+      "  toolpace simulate part.ngc --machine mill.toml --advice --vibration-um 5\n"
       "  toolpace simulate part.ngc --kv-1-s 80 --velocity-feed-forward 0.9 --trace trace.csv");
 }
 

@@ -72,14 +72,15 @@ const char* role_name(TraceRole role) {
 
 }  // namespace
 
-void TraceFlags::add_to(Command& command) {
+void TraceFlags::add_to(Command& command, Need arguments) {
   command.argument(
       "SETPOINTS", reading.program, "the setpoints",
-      "What was commanded: a setpoint file (" + setpoint_suffixes() + "), or the program, which is planned");
+      "What was commanded: a setpoint file (" + setpoint_suffixes() + "), or the program, which is planned", arguments);
   command.argument(
       "TRACE", trace, "the trace",
       "What was measured: a table of times and positions with names above (any separator, decimal\npoint or "
-      "comma), TwinCAT Scope's export, halsampler's columns; - = standard input");
+      "comma), TwinCAT Scope's export, halsampler's columns; - = standard input",
+      arguments);
   Flags flags = command.titled("Reading the trace");
   flags.word(
       "--columns t=…,x=…", columns,
@@ -90,6 +91,14 @@ void TraceFlags::add_to(Command& command) {
   reading.add_options_to(command);
 }
 
+Result<std::optional<double>> TraceFlags::step() const {
+  if (!trace_period_ms) return std::nullopt;
+  if (*trace_period_ms > 0 && *trace_period_ms <= kSlowestTrace) return *trace_period_ms * 1e-3;
+  return tl::unexpected(usage_error(
+      "bad-flag", fmt::format("--trace-period-ms is {}, but it must be above 0 and at most 1e4", *trace_period_ms),
+      "give milliseconds"));
+}
+
 tl::expected<TracePair, Failure> TraceFlags::read() const {
   auto setup = job.setup();
   if (!setup) return tl::unexpected<Failure>(setup.error());
@@ -97,14 +106,9 @@ tl::expected<TracePair, Failure> TraceFlags::read() const {
   auto mapping = parse_trace_mapping(columns);
   if (!mapping) return tl::unexpected<Failure>(mapping.error());
   options.columns = std::move(*mapping);
-  if (trace_period_ms) {
-    if (!(*trace_period_ms > 0 && *trace_period_ms <= kSlowestTrace)) {
-      return tl::unexpected<Failure>(usage_error(
-          "bad-flag", fmt::format("--trace-period-ms is {}, but it must be above 0 and at most 1e4", *trace_period_ms),
-          "give milliseconds"));
-    }
-    options.step = *trace_period_ms * 1e-3;
-  }
+  const auto told = step();
+  if (!told) return tl::unexpected<Failure>(told.error());
+  options.step = *told;
   auto measured = read_trace(trace, options, terminal_monitor("reading"));
   end_progress();
   if (!measured) return tl::unexpected<Failure>(measured.error());

@@ -25,7 +25,9 @@ struct TraceFlags {
   std::optional<double> trace_period_ms;
 
   /// Adds the two arguments and the flags for them.
-  void add_to(Command& command);
+  void add_to(Command& command, Need arguments = Need::required);
+  /// --trace-period-ms, checked [s]. Usage errors.
+  Result<std::optional<double>> step() const;
 
   /// Reads both; a program is planned. Prints warnings to stderr.
   tl::expected<TracePair, Failure> read() const;

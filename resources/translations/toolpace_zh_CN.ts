@@ -1672,6 +1672,34 @@
             <source>shaper-stops</source>
             <translation>成形的设定点在拐角处停止：拐角规则允许的速度突变无法成形</translation>
         </message>
+        <message>
+            <source>accelerometer-still</source>
+            <translation>加速度计没有测到任何信号</translation>
+        </message>
+        <message>
+            <source>accelerometer-saturated</source>
+            <translation>加速度计已饱和</translation>
+        </message>
+        <message>
+            <source>accelerometer-no-peak</source>
+            <translation>加速度计数据中没有突出的模态</translation>
+        </message>
+        <message>
+            <source>accelerometer-columns</source>
+            <translation>无法确定哪些列是加速度</translation>
+        </message>
+        <message>
+            <source>accelerometer-short</source>
+            <translation>记录太短，无法从中找出模态</translation>
+        </message>
+        <message>
+            <source>accelerometer-uneven</source>
+            <translation>记录的采样间隔不均匀</translation>
+        </message>
+        <message>
+            <source>accelerometer-known</source>
+            <translation>该模态已是此轴的 resonance_hz</translation>
+        </message>
     </context>
     <context>
         <name>remedies</name>
@@ -3246,6 +3274,34 @@
         <message>
             <source>write [[servo.X.modes]] with frequency_hz, damping and share</source>
             <translation>请写 [[servo.X.modes]]，其中含 frequency_hz、damping 和 share</translation>
+        </message>
+        <message>
+            <source>record while the axis is shaken or tapped</source>
+            <translation>请在轴被激振或敲击时记录</translation>
+        </message>
+        <message>
+            <source>shake less, or give it a larger range</source>
+            <translation>请减小激振，或增大量程</translation>
+        </message>
+        <message>
+            <source>shake or tap the axis harder, and record some seconds of it</source>
+            <translation>请更用力地激振或敲击该轴，并记录几秒钟</translation>
+        </message>
+        <message>
+            <source>say which is which: --columns t=1,x=2,y=3,z=4, with a unit in brackets: x=2[g]</source>
+            <translation>请说明各列含义：--columns t=1,x=2,y=3,z=4，单位写在方括号中：x=2[g]</translation>
+        </message>
+        <message>
+            <source>record some seconds at the rate of the accelerometer</source>
+            <translation>请以加速度计的采样率记录几秒钟</translation>
+        </message>
+        <message>
+            <source>record at an even rate, or cut the recording to where it is even</source>
+            <translation>请以均匀的采样率记录，或截取均匀的部分</translation>
+        </message>
+        <message>
+            <source>take resonance_hz out of [servo.X] to have it as a mode</source>
+            <translation>若要作为模态，请从 [servo.X] 中删去 resonance_hz</translation>
         </message>
     </context>
     <context>

@@ -430,6 +430,13 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "leave the mode out if there is none"),
     QT_TRANSLATE_NOOP("remedies", "write its frequency_hz"),
     QT_TRANSLATE_NOOP("remedies", "write [[servo.X.modes]] with frequency_hz, damping and share"),
+    QT_TRANSLATE_NOOP("remedies", "record while the axis is shaken or tapped"),
+    QT_TRANSLATE_NOOP("remedies", "shake less, or give it a larger range"),
+    QT_TRANSLATE_NOOP("remedies", "shake or tap the axis harder, and record some seconds of it"),
+    QT_TRANSLATE_NOOP("remedies", "say which is which: --columns t=1,x=2,y=3,z=4, with a unit in brackets: x=2[g]"),
+    QT_TRANSLATE_NOOP("remedies", "record some seconds at the rate of the accelerometer"),
+    QT_TRANSLATE_NOOP("remedies", "record at an even rate, or cut the recording to where it is even"),
+    QT_TRANSLATE_NOOP("remedies", "take resonance_hz out of [servo.X] to have it as a mode"),
     QT_TRANSLATE_NOOP("remedies", "check that the trace is of these setpoints, of the slide, and not filtered")};
 
 }  // namespace

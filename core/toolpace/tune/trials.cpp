@@ -55,7 +55,7 @@ Result<Judged> Trials::run(std::shared_ptr<const Job> job, const WorthFollowing&
   const auto shaken = vibration(*outcome->path, outcome->plan, outcome->node_time, outcome->job->machine.servo,
                                 impulses_of(*outcome), {monitor.stop, {}});
   if (!shaken) return tl::unexpected(shaken.error());
-  Objectives judged{outcome->summary.cycle_time, 0, largest_residual(*shaken)};
+  Objectives judged{setpoints_duration(*outcome), 0, largest_residual(*shaken)};
   const double most = worth ? worth(judged) : kUnlimited;
   double& worst = judged.contour;
   const auto watch = [&](const Setpoints&, const ServoTrace& trace, std::size_t rows) -> Result<void> {

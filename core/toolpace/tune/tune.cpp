@@ -42,17 +42,6 @@ struct Log {
 
 bool has_resonance(const ServoMachine& servo) { return !std::all_of(servo.begin(), servo.end(), is_stiff); }
 
-Error no_resonance() {
-  return {
-      ErrorKind::usage,
-      "tune-no-resonance",
-      "vibration is to be limited, but no axis of the machine has a resonance",
-      "give resonance_hz of the axis that shakes in [servo.X] of the machine file; 'toolpace identify' finds it in a "
-      "trace",
-      {},
-      {}};
-}
-
 struct Attempt {
   Result<Judged> made;
 };
@@ -117,10 +106,21 @@ Monitor share_of(const Monitor& monitor, std::size_t done, std::size_t batch, st
 
 }  // namespace
 
+Error no_resonance_error() {
+  return {
+      ErrorKind::usage,
+      "tune-no-resonance",
+      "vibration is to be limited, but no axis of the machine has a resonance",
+      "give resonance_hz of the axis that shakes in [servo.X] of the machine file; 'toolpace identify' finds it in a "
+      "trace",
+      {},
+      {}};
+}
+
 Result<TuneResult> tune(const std::shared_ptr<const Job>& job, const TuneOptions& options, const Monitor& monitor) {
   const TuningSpace space(job, options.turned);
   const std::size_t threads = threads_for(*job);
-  if (options.vibration && !has_resonance(job->machine.servo)) return tl::unexpected(no_resonance());
+  if (options.vibration && !has_resonance(job->machine.servo)) return tl::unexpected(no_resonance_error());
   Search search(space, options.contour, options.vibration);
   Trials trials;
   Log log;

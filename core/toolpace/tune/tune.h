@@ -19,8 +19,9 @@ struct TuneOptions {
   std::optional<double> contour = {};
   /// The same for the largest residual vibration of an axis [mm, deg].
   std::optional<double> vibration = {};
-  std::size_t plans = 200;             ///< that may be made, ≥ 1
-  std::function<bool()> is_over = {};  ///< asked before each batch of plans, if given: ends the search with what there is
+  std::size_t plans = 200;  ///< that may be made, ≥ 1
+  std::function<bool()> is_over =
+      {};  ///< asked before each batch of plans, if given: ends the search with what there is
 };
 
 /// A job that was tried.
@@ -38,6 +39,9 @@ struct TuneResult {
   FlawLimits limits;                ///< that `best` keeps; without a resonance none on vibration
 };
 
+/// Of what asks about vibration where no axis has a mode.
+Error no_resonance_error();
+
 /// Plans the job again and again with other settings (TuningSpace), runs each plan through the machine's drives (follow()) and, where an
 /// axis has a resonance, through that (vibration()), and keeps those that nothing beats. What these give for a job of the front is what
 /// stands there, to the bit. Where to look next:
@@ -49,6 +53,6 @@ Result<TuneResult> tune(const std::shared_ptr<const Job>& job, const TuneOptions
 
 /// The same for settings that somebody else chose: all of them are tried. Positions of `space`.
 Result<TuneResult> tune_by_list(const TuningSpace& space, const std::vector<Position>& list, const TuneOptions& options,
-                            const Monitor& monitor = {});
+                                const Monitor& monitor = {});
 
 }  // namespace toolpace

@@ -1,6 +1,7 @@
 """compare and its traces, as their users meet them."""
 
 import csv
+import math
 import random
 import unittest
 
@@ -125,6 +126,55 @@ class Trace(CommandLineTest):
         self.assertLess(calm["X"]["residual_um"], 0.02 * hard["X"]["residual_um"])
         self.assertGreater(calm["X"]["peak_um"], 1)
         self.assertEqual(self.run_toolpace("plan", "one.ngc", "--json").json()["vibration"], {})
+
+    def accelerometer(self, name, felt, rows=6000, rate=2000, most=1e9):
+        noise = random.Random(3)
+        lines = [f"{7 + i / rate:.6f},{min(most, felt(i / rate) + noise.gauss(0, 5)):.4f},{noise.gauss(0, 5):.4f},9806.6" for i in range(rows)]
+        return self.file(name, "#time,accel_x,accel_y,accel_z\n" + "\n".join(lines) + "\n")
+
+    def test_an_accelerometer_tells_the_modes_of_an_axis(self):
+        tap = lambda t: 2000 * math.exp(-0.02 * 2 * math.pi * 40 * t) * math.cos(2 * math.pi * 40 * t)
+        tapped = self.accelerometer("raw.csv", tap)
+        self.file("mill.toml", "# ours\n[servo.X]\nkv_1_s = 60\n\n[[servo.X.modes]]\nfrequency_hz = 38 # old\n")
+        run = self.run_toolpace("identify", "--accelerometer", tapped, "-o", "mill.toml", "--json")
+        self.assertEqual(run.code, FINE, run.err)
+        (mode,) = run.json()["axes"]["X"]["modes"]
+        self.assertAlmostEqual(mode["frequency_hz"], 40, delta=0.2)
+        self.assertAlmostEqual(mode["damping"], 0.02, delta=0.002)
+        self.assertEqual(run.json()["axes"]["Y"]["modes"], [])
+        text = (self.folder / "mill.toml").read_text()
+        self.assertIn("# ours", text)
+        self.assertRegex(text, r"frequency_hz = (39\.\d+|40\.\d+|40) # old\ndamping = 0\.0\d+")
+        said = self.run_toolpace("identify", "--accelerometer", tapped)
+        self.assertIn(b"Hz, damping 0.0", said.out)
+
+    def test_bad_recordings_are_refused_with_a_clear_word(self):
+        for felt, most, word in ((lambda t: 0, 1e9, "accelerometer-no-peak"), (lambda t: 4000 * math.sin(200 * t), 900, "accelerometer-saturated")):
+            recording = self.accelerometer("r.csv", felt, most=most)
+            self.expect_failure(self.run_toolpace("identify", "--accelerometer", recording), BAD_INPUT, word)
+        self.expect_failure(self.run_toolpace("identify", "--accelerometer", self.accelerometer("r.csv", lambda t: 0, rows=300)),
+                            BAD_INPUT, "r.csv:30", "accelerometer-short")
+        self.expect_failure(self.run_toolpace("identify"), BAD_USAGE, "--accelerometer")
+        self.expect_failure(self.run_toolpace("identify", "a.csv", "t.csv", "--accelerometer", "r.csv"), BAD_USAGE, "either")
+
+    def test_advice_is_what_planning_with_it_gives(self):
+        self.file("one.ngc", "G21 G90 G94\nG1 X30 F6000\nG4 P0.2\nG1 X2\nM2\n")
+        self.file("r.toml", PATH + "[[servo.X.modes]]\nfrequency_hz = 23\ndamping = 0.02\n")
+        run = self.run_toolpace("simulate", "one.ngc", "--machine", "r.toml", "--advice", "--vibration-um", "2", "--json")
+        self.assertEqual(run.code, FINE, run.err)
+        advice = run.json()["advice"]
+        self.assertGreater(advice["present"]["residual_um"], 2)
+        self.assertTrue(advice["best"]["keeps"])
+        self.assertEqual({c["by"] for c in advice["choices"]},
+                         {"five-phase ramps", "seven-phase ramps", "quintic ramps"} | {f"shaper {k}" for k in ("zv", "zvd", "mzv", "ei", "2hump")})
+        for choice in advice["choices"]:
+            flags = [str(word) for pair in choice["settings"].items() for word in pair]
+            again = self.run_toolpace("plan", "one.ngc", "--machine", "r.toml", *flags, "--json").json()
+            self.assertEqual(again["cycle_time_s"], choice["cycle_time_s"], choice["by"])
+            self.assertEqual(again["vibration"]["X"]["residual_um"], choice["residual_um"], choice["by"])
+        self.assertIn(b"* ", self.run_toolpace("simulate", "one.ngc", "--machine", "r.toml", "--advice").out)
+        self.expect_failure(self.run_toolpace("simulate", "one.ngc", "--vibration-um", "2"), BAD_USAGE, "--advice")
+        self.expect_failure(self.run_toolpace("simulate", "one.ngc", "--advice"), BAD_USAGE, "no axis of the machine has a resonance")
 
     def test_every_mode_of_an_axis_counts_and_is_shaped_for(self):
         self.file("one.ngc", "G21 G90 G94\nG1 X30 F3000\nM2\n")
