@@ -4581,6 +4581,14 @@
             <source>measured</source>
             <translation>实测</translation>
         </message>
+        <message>
+            <source>Vibration</source>
+            <translation>振动</translation>
+        </message>
+        <message>
+            <source>How far each axis with modes swings, as a plot of its own</source>
+            <translation>以单独的曲线图显示各有模态的轴的振动位移</translation>
+        </message>
     </context>
     <context>
         <name>toolpace::ui::ResultModel</name>
@@ -5866,6 +5874,113 @@
         <message>
             <source>Close the panel</source>
             <translation>关闭面板</translation>
+        </message>
+    </context>
+    <context>
+        <name>toolpace::ui::CalmPanel</name>
+        <message>
+            <source>Vibration</source>
+            <translation>振动</translation>
+        </message>
+        <message>
+            <source>Five-phase ramps</source>
+            <translation>五段式斜坡</translation>
+        </message>
+        <message>
+            <source>Seven-phase ramps</source>
+            <translation>七段式斜坡</translation>
+        </message>
+        <message>
+            <source>Quintic ramps</source>
+            <translation>五次多项式斜坡</translation>
+        </message>
+        <message>
+            <source>Shaper %1</source>
+            <translation>整形器 %1</translation>
+        </message>
+        <message>
+            <source>As it is</source>
+            <translation>现状</translation>
+        </message>
+        <message>
+            <source>Shaper</source>
+            <translation>整形器</translation>
+        </message>
+        <message>
+            <source>planning… %1 %</source>
+            <translation>规划中… %1 %</translation>
+        </message>
+        <message>
+            <source>No axis has a mode: give a resonance above, or read them from an accelerometer with toolpace identify</source>
+            <translation>没有轴设有模态：请在上方给出共振频率，或用 toolpace identify 从加速度计数据读取</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>What helps</source>
+            <translation>怎样改善</translation>
+        </message>
+        <message>
+            <source>Plan with the ramp times and jerks that suit the modes, and with each shaper, and measure what is left</source>
+            <translation>用与模态相配的斜坡时间和加加速度以及每种整形器分别规划，并测量残余振动</translation>
+        </message>
+        <message>
+            <source>What each way of keeping calm leaves after stops, and what it costs</source>
+            <translation>每种减振方法在停止后残余多少振动、代价多少</translation>
+        </message>
+        <message>
+            <source>Now %1 after stops.</source>
+            <translation>现在停止后为 %1。</translation>
+        </message>
+        <message>
+            <source>Double click or Enter takes one.</source>
+            <translation>双击或按 Enter 采用。</translation>
+        </message>
+        <message>
+            <source>Keeping calm</source>
+            <translation>减振</translation>
+        </message>
+        <message>
+            <source>Setpoints become means of planned ones, so that every mode of every axis comes to rest; corners and curves are rounded</source>
+            <translation>设定点取规划点的加权平均，使每个轴的每个模态都能静止；拐角和曲线会被圆滑</translation>
+        </message>
+        <message>
+            <source>Residual ≤</source>
+            <translation>残余振动 ≤</translation>
+        </message>
+        <message>
+            <source>least</source>
+            <translation>最小</translation>
+        </message>
+        <message>
+            <source>Largest residual</source>
+            <translation>最大残余振动</translation>
+        </message>
+        <message>
+            <source>What a stop may leave of a vibration; empty: as little as can be</source>
+            <translation>停止后允许残余的振动；空：尽可能小</translation>
+        </message>
+        <message>
+            <source>By</source>
+            <translation>方法</translation>
+        </message>
+        <message>
+            <source>Leaves</source>
+            <translation>残余</translation>
+        </message>
+        <message>
+            <source>Costs</source>
+            <translation>代价</translation>
+        </message>
+        <message>
+            <source>What keeps the machine calm, what it leaves and costs</source>
+            <translation>减振方法、残余振动与代价</translation>
+        </message>
+        <message>
+            <source>Double click or Enter takes one</source>
+            <translation>双击或按 Enter 采用</translation>
         </message>
     </context>
     <context>
@@ -7354,6 +7469,18 @@
         <message>
             <source>Settings that change</source>
             <translation>更改的设置</translation>
+        </message>
+        <message>
+            <source>Vibration ≤</source>
+            <translation>振动 ≤</translation>
+        </message>
+        <message>
+            <source>Largest vibration</source>
+            <translation>最大振动</translation>
+        </message>
+        <message>
+            <source>Largest residual of an axis after a stop that the best may have; empty: that of the settings as they are</source>
+            <translation>最佳设置在停止后允许的最大轴残余振动；空：沿用现有设置的值</translation>
         </message>
     </context>
     <context>

@@ -7,6 +7,7 @@
 #include "drawing/motion_figures.h"
 #include "drawing/profile_series.h"
 #include "drawing/tube_trace.h"
+#include "drawing/vibration_trace.h"
 #include "models/timeline.h"
 #include "toolpace/servo/servo_simulation.h"
 #include "toolpace/verify/report.h"
@@ -21,7 +22,8 @@ struct Proof {
   double chord_error = 0;                     ///< of the motion, wherever rounded corners led it [mm]
   double bound = 0;                           ///< no plan of the job is faster [s]
   std::shared_ptr<const ContourScene> scene;  ///< the preview with the contour errors in it, along the same geometry
-  std::shared_ptr<const TubeTrace> tube;      ///< null for plans that stay on the programmed path
+  std::shared_ptr<const VibrationTrace> vibration;  ///< null where no axis has a mode
+  std::shared_ptr<const TubeTrace> tube;            ///< null for plans that stay on the programmed path
 };
 
 /// All null, or none but the proof.

@@ -66,6 +66,7 @@ Result<std::shared_ptr<const Proof>> proof_of(const ContourScene& scene, const M
   auto bound = lower_bound(*outcome, {monitor.stop, {}});
   if (!bound) return tl::unexpected(bound.error());
   proof->bound = *bound;
+  proof->vibration = make_vibration_trace(*outcome, {monitor.stop, {}});
   proof->tube = make_tube_trace(*outcome, monitor);
   proof->scene = make_contour_scene(outcome, errors, scene.geometry);
   return proof;

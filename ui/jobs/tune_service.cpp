@@ -47,6 +47,14 @@ void TuneService::trySingleChanges(std::shared_ptr<const Job> job) {
   });
 }
 
+void TuneService::advise(std::shared_ptr<const Job> job, std::optional<double> limit) {
+  const quint64 number = ++latest_;
+  submit(number, [this, job = std::move(job), limit, number](const Monitor& monitor) {
+    auto result = advise_on_vibration(job, limit, monitor);
+    return answer(number, std::move(result), &TuneService::advised);
+  });
+}
+
 void TuneService::trySettings(std::shared_ptr<const Controlled> run) {
   const quint64 number = ++latest_;
   submit(number, [this, run = std::move(run), number](const Monitor& monitor) {

@@ -11,6 +11,7 @@
 #include "toolpace/tune/single_changes.h"
 #include "toolpace/tune/sweep.h"
 #include "toolpace/tune/tune.h"
+#include "toolpace/tune/vibration_advice.h"
 #include "toolpace/tune/what_if.h"
 
 namespace toolpace::ui {
@@ -25,6 +26,8 @@ class TuneService : public QObject {
   void sweep(std::shared_ptr<const Job> job);
   void search(std::shared_ptr<const Job> job, const TuneOptions& options);
   void trySingleChanges(std::shared_ptr<const Job> job);
+  /// @param limit  [mm, deg]
+  void advise(std::shared_ptr<const Job> job, std::optional<double> limit);
   /// What the program takes there with another value of each setting.
   void trySettings(std::shared_ptr<const Controlled> run);
   /// What it takes as setpoints of this planner, on the same limits.
@@ -36,6 +39,7 @@ class TuneService : public QObject {
   void swept(const toolpace::LookaheadSweep& sweep);
   void tuned(const toolpace::TuneResult& tuning);
   void changesTried(const toolpace::SingleChanges& changes);
+  void advised(const toolpace::VibrationAdvice& advice);
   void settingsTried(const std::vector<toolpace::WhatIf>& rows);
   void setpointsPlanned(double cycle_time);  ///< [s]
   void failed(const toolpace::Error& error);

@@ -55,7 +55,11 @@ NumberField::Range drive_range(const DriveParameter& parameter, std::size_t axis
 }  // namespace
 
 DrivesPage::DrivesPage(TuningModel& model, QWidget* parent)
-    : QWidget(parent), model_(model), grid_(new QGridLayout), errors_(new QLabel(this)) {
+    : QWidget(parent),
+      model_(model),
+      grid_(new QGridLayout),
+      errors_(new QLabel(this)),
+      calm_(new CalmPanel(model, this)) {
   static_assert(kDriveParameters.size() == kParameters);
   setObjectName("drivesPage");
   setProperty("role", "surface");
@@ -69,7 +73,7 @@ DrivesPage::DrivesPage(TuningModel& model, QWidget* parent)
   errors_->setObjectName("drivesErrors");
   errors_->setWordWrap(true);
   column->addWidget(errors_);
-  column->addStretch(1);
+  column->addWidget(calm_, 1);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     heads_[axis] = secondary_label(QString(QLatin1Char(kAxisNames[axis])), this);
     heads_[axis]->setAlignment(Qt::AlignRight);
@@ -117,11 +121,13 @@ void DrivesPage::setRotaryAxes(const std::array<bool, 3>& shown) {
 
 void DrivesPage::showPlans(const Planned& plan, const Planned&) {
   plan_ = plan;
+  calm_->setJob(plan ? plan.timeline->outcome()->job : nullptr);
   showErrors();
 }
 
 void DrivesPage::setUnits(Units unit) {
   unit_ = unit;
+  calm_->setUnits(unit);
   for (auto& row : fields_) {
     for (auto* field : row) field->setUnits(unit);
   }
@@ -150,6 +156,7 @@ void DrivesPage::changeEvent(QEvent* event) {
 
 void DrivesPage::retranslate() {
   setAccessibleName(tr("Drives"));
+  calm_->retranslate();
   for (std::size_t i = 0; i < kParameters; ++i) {
     const DriveParameter& parameter = kDriveParameters[i];
     titles_[i]->setText(tr(parameter.title));

@@ -8,6 +8,7 @@
 
 #include "drawing/plan_view.h"
 #include "models/tuning_model.h"
+#include "panels/calm_panel.h"
 #include "panels/number_field.h"
 
 namespace toolpace::ui {
@@ -40,6 +41,7 @@ class DrivesPage : public QWidget, public PlanView {
   std::array<QLabel*, kAxisCount> heads_ = {};
   std::array<std::array<NumberField*, kAxisCount>, kParameters> fields_ = {};
   QLabel* errors_;
+  CalmPanel* calm_;
   Planned plan_;
   Units unit_;
 };

@@ -1,5 +1,7 @@
 #include "panels/form_grid.h"
 
+#include <QHBoxLayout>
+
 namespace toolpace::ui {
 namespace {
 
@@ -8,6 +10,15 @@ constexpr int kRowSpacing = 3;
 constexpr int kPairLabel = 36, kUnitWidth = 42, kWideLabel = 72, kSpacing = 4;
 
 }  // namespace
+
+QWidget* kept_together(std::initializer_list<QWidget*> parts, QWidget* parent) {
+  auto* box = new QWidget(parent);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  for (QWidget* part : parts) row->addWidget(part);
+  return box;
+}
 
 QLabel* secondary_label(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QWidget>
+#include <initializer_list>
 #include <vector>
 
 #include "panels/number_field.h"
@@ -40,5 +41,8 @@ class FormGrid : public QWidget {
 
 /// A label in the secondary colour.
 QLabel* secondary_label(const QString& text, QWidget* parent = nullptr);
+
+/// Label, field and unit that stay together.
+QWidget* kept_together(std::initializer_list<QWidget*> parts, QWidget* parent);
 
 }  // namespace toolpace::ui

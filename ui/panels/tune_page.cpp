@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,16 +23,6 @@ constexpr double kLeastLimit = 1e-5, kWidestLimit = 1e3;  // [mm]
 constexpr int kBesideEachOther = 640;                     // px: below, the tables stand under the plot
 enum SettingColumn { kSettingName, kSettingNow, kSettingThere, kSettingColumns };
 
-/// Label, field and unit that stay together.
-QWidget* kept_together(std::initializer_list<QWidget*> parts, QWidget* parent) {
-  auto* box = new QWidget(parent);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
-  for (QWidget* part : parts) row->addWidget(part);
-  return box;
-}
-
 }  // namespace
 
 TunePage::TunePage(TuningModel& model, QWidget* parent)
@@ -40,10 +31,13 @@ TunePage::TunePage(TuningModel& model, QWidget* parent)
       vary_(new VaryButton(this)),
       limit_label_(new QLabel(this)),
       limit_unit_(secondary_label({}, this)),
+      vibration_label_(new QLabel(this)),
+      vibration_unit_(secondary_label({}, this)),
       plans_label_(new QLabel(this)),
       verdict_(new QLabel(this)),
       changes_title_(new QLabel(this)),
       limit_(new NumberField("tuneContour", {}, Quantity::length, {kLeastLimit, kWidestLimit, true}, this)),
+      vibration_(new NumberField("tuneVibration", {}, Quantity::length, {kLeastLimit, kWidestLimit, true}, this)),
       plans_(new NumberField("tunePlans", {}, Quantity::time, {1, kMostPlans, false, true}, this)),
       button_(new QPushButton(this)),
       plot_(new FrontPlot(this)),
@@ -53,7 +47,7 @@ TunePage::TunePage(TuningModel& model, QWidget* parent)
   setObjectName("tunePage");
   setProperty("role", "surface");
   setAttribute(Qt::WA_StyledBackground);
-  limit_->setValue(std::numeric_limits<double>::infinity());
+  for (auto* limit : {limit_, vibration_}) limit->setValue(std::numeric_limits<double>::infinity());
   plans_->setUnit({1.0, {}});
   plans_->setValue(kUsualPlans);
   button_->setObjectName("tuneButton");
@@ -74,6 +68,8 @@ QWidget* TunePage::buildHead() {
   row->setSpacing(8);
   row->addWidget(vary_);
   row->addWidget(kept_together({limit_label_, limit_, limit_unit_}, head));
+  vibration_part_ = kept_together({vibration_label_, vibration_, vibration_unit_}, head);
+  row->addWidget(vibration_part_);
   row->addWidget(kept_together({plans_label_, plans_}, head));
   row->addWidget(button_);
   row->addWidget(verdict_);
@@ -142,6 +138,7 @@ void TunePage::connectParts() {
     if (isVisible()) look();
   });
   connect(limit_, &NumberField::unitChanged, this, [this] { limit_unit_->setText(limit_->unitText()); });
+  connect(vibration_, &NumberField::unitChanged, this, [this] { vibration_unit_->setText(vibration_->unitText()); });
 }
 
 /// The program with the settings as they are now.
@@ -171,12 +168,19 @@ void TunePage::search() {
   TuneOptions options;
   options.turned = vary_->chosen();
   if (std::isfinite(limit_->value())) options.contour = limit_->value();
+  if (shakes() && std::isfinite(vibration_->value())) options.vibration = vibration_->value();
   options.plans = static_cast<std::size_t>(plans_->value());
   enough_ = std::make_shared<std::atomic<bool>>(false);
   options.is_over = [enough = enough_] { return enough->load(); };
   trouble_.clear();
   service_.search(present, options);
   showState();
+}
+
+/// Whether an axis has a mode.
+bool TunePage::shakes() const {
+  const auto& servo = model_.value().machine.servo;
+  return !std::all_of(servo.begin(), servo.end(), is_stiff);
 }
 
 /// Asked once, the search ends with what it has; asked again, it leaves that, too.
@@ -250,6 +254,7 @@ void TunePage::showState() {
                : ending       ? tr("Leave what was found")
                               : tr("End the search with what was found so far"));
   button_->setEnabled(program_ != nullptr || isSearching());
+  vibration_part_->setVisible(shakes());
   if (isSearching()) return;
   set_role(verdict_, stale_ || !trouble_.isEmpty() ? "warning" : "secondary");
   if (!trouble_.isEmpty()) return verdict_->setText(trouble_);
@@ -269,8 +274,9 @@ void TunePage::setTheme(const Theme& theme) {
 
 void TunePage::setUnits(Units units) {
   units_ = units;
-  limit_->setUnit(error_unit(units));
+  for (auto* limit : {limit_, vibration_}) limit->setUnit(error_unit(units));
   limit_unit_->setText(limit_->unitText());
+  vibration_unit_->setText(vibration_->unitText());
   plot_->setUnits(units);
   dial_->setUnits(units);
   changes_->setUnits(units);
@@ -300,6 +306,11 @@ void TunePage::retranslate() {
   name_control(
       limit_, tr("Largest contour error"),
       tr("Largest contour error through the drives that the best may have; empty: that of the settings as they are"));
+  vibration_label_->setText(tr("Vibration ≤"));
+  vibration_->setUnlimitedText(tr("as now"));
+  name_control(
+      vibration_, tr("Largest vibration"),
+      tr("Largest residual of an axis after a stop that the best may have; empty: that of the settings as they are"));
   plans_label_->setText(tr("Plans"));
   name_control(plans_, tr("Number of plans"), tr("How many plans the search may make"));
   name_control(settings_, tr("Settings that change"));

@@ -53,6 +53,7 @@ class TunePage : public QWidget, public PlanView {
   QWidget* buildRight();
   std::shared_ptr<const Job> job() const;
   void stop();
+  bool shakes() const;
   void take(const std::shared_ptr<const Job>& job);
   void look();
   void showChanges();
@@ -62,8 +63,9 @@ class TunePage : public QWidget, public PlanView {
   TuningModel& model_;
   TuneService service_;
   VaryButton* vary_;
-  QLabel *limit_label_, *limit_unit_, *plans_label_, *verdict_, *changes_title_;
-  NumberField *limit_, *plans_;
+  QLabel *limit_label_, *limit_unit_, *vibration_label_, *vibration_unit_, *plans_label_, *verdict_, *changes_title_;
+  NumberField *limit_, *vibration_, *plans_;
+  QWidget* vibration_part_ = nullptr;  // there where an axis has a mode
   QPushButton* button_;
   FrontPlot* plot_;
   FrontDial* dial_;

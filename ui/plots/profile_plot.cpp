@@ -34,11 +34,12 @@ ProfilePlot::ProfilePlot(QWidget* parent) : QCustomPlot(parent) {
   layer(kCursorLayer)->setMode(QCPLayer::lmBuffered);
   cursor_ = new CursorLayer(this, kCursorLayer);
   error_ = std::make_unique<ErrorRow>(this);
-  follow_ = std::make_unique<FollowRow>(this);
+  follow_ = std::make_unique<SwingRow>(this, 1, "f");
+  swing_ = std::make_unique<SwingRow>(this, 2, "d");
   showRows();
   for (const auto& row : rows_) time_axes_.push_back(row.time());
   time_axes_.push_back(error_->time());
-  time_axes_.push_back(follow_->time());
+  for (const auto* row : {follow_.get(), swing_.get()}) time_axes_.push_back(row->time());
   // However much changes before the next picture, the curves are gathered once, when their width is known.
   connect(this, &QCustomPlot::afterLayout, this, [this] {
     emit laidOut();
@@ -63,9 +64,21 @@ void ProfilePlot::setFollowShown(bool shown) {
   refill();
 }
 
+void ProfilePlot::setVibrationShown(bool shown) {
+  swing_->setShown(shown);
+  showRows();
+  layOut();
+  refill();
+}
+
+void ProfilePlot::setVibration(const std::shared_ptr<const VibrationTrace>& trace) {
+  swing_->setVibration(trace);
+  refill();
+}
+
 void ProfilePlot::setMeasured(const std::shared_ptr<const MeasuredTrace>& trace) {
   error_->setMeasured(trace ? trace->actual : nullptr);
-  follow_->setTrace(trace);
+  follow_->setFollowing(trace);
   refill();
 }
 
@@ -73,7 +86,7 @@ void ProfilePlot::setMeasured(const std::shared_ptr<const MeasuredTrace>& trace)
 void ProfilePlot::showRows() {
   auto* layout = plotLayout();
   std::vector<QCPAxisRect*> shown;
-  for (QCPAxisRect* rect : {error_->rect(), follow_->rect()}) {
+  for (QCPAxisRect* rect : {error_->rect(), follow_->rect(), swing_->rect()}) {
     if (rect->layout()) layout->take(rect);
     if (rect->visible()) shown.push_back(rect);
   }
@@ -105,6 +118,7 @@ void ProfilePlot::dress() {
   for (auto& row : rows_) row.dress(theme_, font());
   error_->dress(theme_, font());
   follow_->dress(theme_, font());
+  swing_->dress(theme_, font());
   time_title_->setColor(theme_.secondary);
   time_title_->setFont(font());
   refill();
@@ -193,6 +207,7 @@ void ProfilePlot::gather() {
   curves.error = error_->curve(window);
   curves.measured = error_->measured(window);
   curves.follow = follow_->curves(window);
+  curves.swing = swing_->curves(window);
   if (series_ && series_->is_jerk_unbounded()) curves.own[kJerkTrack] = {};
   if (ghost_ && ghost_->is_jerk_unbounded()) curves.other.high[kJerkTrack] = curves.other.low[kJerkTrack] = {};
   fitHeights(curves, window);
@@ -208,6 +223,7 @@ void ProfilePlot::gather() {
   }
   error_->show(curves.error, curves.measured);
   follow_->show(curves.follow);
+  swing_->show(curves.swing);
   updateMarks();
 }
 

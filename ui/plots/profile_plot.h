@@ -9,8 +9,9 @@
 
 #include "models/units.h"
 #include "plots/cursor_layer.h"
-#include "plots/follow_row.h"
+
 #include "plots/plot_row.h"
+#include "plots/swing_row.h"
 
 namespace toolpace::ui {
 
@@ -38,7 +39,9 @@ class ProfilePlot : public QCustomPlot {
   void setErrorTrace(std::shared_ptr<const ErrorTrace> trace);
   /// What a scope recorded; null = nothing. Its contour error is dashed beside the simulated one.
   void setMeasured(const std::shared_ptr<const MeasuredTrace>& trace);
-  void setFollowShown(bool shown);  ///< the following error of its axes as a plot of its own
+  void setVibration(const std::shared_ptr<const VibrationTrace>& trace);
+  void setVibrationShown(bool shown);  ///< how far axes with modes swing, as a plot of its own
+  void setFollowShown(bool shown);     ///< the following error of its axes as a plot of its own
   void retranslate();
 
   void setRange(double begin, double end);  ///< [s]; kept inside the plan
@@ -92,7 +95,7 @@ class ProfilePlot : public QCustomPlot {
 
   std::vector<MotionRow> rows_;  // of kMotionTracks
   std::unique_ptr<ErrorRow> error_;
-  std::unique_ptr<FollowRow> follow_;
+  std::unique_ptr<SwingRow> follow_, swing_;
   QCPItemText* time_title_ = nullptr;
   std::vector<QCPAxis*> time_axes_;  // of the rows, then of the errors
   CursorLayer* cursor_;
@@ -102,9 +105,9 @@ class ProfilePlot : public QCustomPlot {
   Units unit_;
   bool stale_ = true;
   bool held_ = false, of_cutting_ = false;
-  OfTracks<Extent> heights_;            // that are shown, in core units
-  std::optional<double> error_height_;  // [mm]
-  Extent follow_height_;                // [mm]
+  OfTracks<Extent> heights_;             // that are shown, in core units
+  std::optional<double> error_height_;   // [mm]
+  Extent follow_height_, swing_height_;  // [mm]
 
   QPointF pressed_at_;
   double pressed_begin_ = 0;

@@ -11,7 +11,7 @@ struct ProfilePlot::Curves {
   MotionEnvelope other;
   std::array<MotionCurves, kPlottedAxes> axes;
   Curve error, measured;
-  FollowRow::Curves follow;
+  SwingRow::Curves follow, swing;
 };
 
 }  // namespace toolpace::ui

@@ -93,9 +93,10 @@ void ProfilePlot::fitHeights(const Curves& curves, const TimeWindow& window) {
   }
   Extent error;
   for (const Curve* curve : {&curves.error, &curves.measured}) add_values(error, *curve);
-  follow_height_ = {};
+  follow_height_ = swing_height_ = {};
   for (const Curve& curve : curves.follow) add_values(follow_height_, curve);
-  if (whole) follow_height_ = {};
+  for (const Curve& curve : curves.swing) add_values(swing_height_, curve);
+  if (whole) follow_height_ = swing_height_ = {};
   error_height_ = whole || error.is_empty() ? std::nullopt : std::optional<double>(error.high);
 }
 
@@ -106,6 +107,7 @@ void ProfilePlot::showScales() {
   for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].scale(heights_[i], any_axis, turns, unit_);
   error_->scale(error_height_, unit_);
   follow_->scale(follow_height_, unit_);
+  swing_->scale(swing_height_, unit_);
   // The numbers at the axes were chosen before this picture's curves were there.
   for (QCPAxisRect* rect : axisRects()) rect->update(QCPLayoutElement::upPreparation);
 }

@@ -87,6 +87,17 @@ void ProfileView::setFollowShown(bool shown) {
   plot_->setFollowShown(shown);
 }
 
+void ProfileView::setVibrationShown(bool shown) {
+  show_vibration_->setChecked(shown);
+  plot_->setVibrationShown(shown);
+}
+
+void ProfileView::setVibration(const std::shared_ptr<const VibrationTrace>& trace) {
+  plot_->setVibration(trace);
+  show_vibration_->setVisible(trace != nullptr);
+  if (!trace) setVibrationShown(false);
+}
+
 /// A trace shows itself when it comes, and takes its plot along when it goes.
 void ProfileView::showTrace(const std::shared_ptr<const MeasuredTrace>& trace) {
   plot_->setMeasured(trace);
@@ -130,6 +141,8 @@ void ProfileView::buildHeader() {
   show_error_ = button("showError", true);
   show_follow_ = button("showFollow", true);
   show_follow_->hide();
+  show_vibration_ = button("showVibration", true);
+  show_vibration_->hide();
   show_table_ = button("showTable", true);
   key_ = new LineKey("profileKey", header_);
   row->addWidget(key_);
@@ -142,6 +155,7 @@ void ProfileView::buildHeader() {
   connect(fit_, &QToolButton::clicked, this, &ProfileView::fit);
   connect(show_error_, &QToolButton::toggled, this, &ProfileView::setErrorShown);
   connect(show_follow_, &QToolButton::toggled, this, &ProfileView::setFollowShown);
+  connect(show_vibration_, &QToolButton::toggled, this, &ProfileView::setVibrationShown);
   connect(show_table_, &QToolButton::toggled, this, &ProfileView::setTableShown);
 }
 
@@ -163,6 +177,8 @@ void ProfileView::retranslate() {
   show_follow_->setText(tr("Following"));
   name_control(show_follow_, tr("Following error"),
                tr("Following error of each axis of the trace as a plot of its own"));
+  show_vibration_->setText(tr("Vibration"));
+  name_control(show_vibration_, tr("Vibration"), tr("How far each axis with modes swings, as a plot of its own"));
   show_table_->setText(tr("Table"));
   name_control(show_table_, tr("Table"), tr("The visible values as a table; Ctrl+C copies them"));
   table_->setAccessibleName(tr("Visible values"));
@@ -235,6 +251,7 @@ void ProfileView::setTheme(const Theme& theme) {
 void ProfileView::showPlans(const Planned& plan, const Planned& pinned) {
   if (plan.series != series_) setSeries(plan.series);
   setErrorTrace(plan.proof ? plan.proof->scene->trace : nullptr);
+  setVibration(plan.proof ? plan.proof->vibration : nullptr);
   setGhost(pinned.series);
 }
 

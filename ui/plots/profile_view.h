@@ -42,6 +42,9 @@ class ProfileView : public QWidget, public PlanView {
   /// Contour error of a simulation; null = not simulated. A fourth plot shows it once somebody asks for it.
   void setErrorTrace(std::shared_ptr<const ErrorTrace> trace);
   void setErrorShown(bool shown);
+  /// How far axes with modes swing: null where none has one.
+  void setVibration(const std::shared_ptr<const VibrationTrace>& trace);
+  void setVibrationShown(bool shown);
   void setFollowShown(bool shown);  ///< of a trace: the following error of each axis
 
   void showPlans(const Planned& plan, const Planned& pinned) override;
@@ -100,7 +103,7 @@ class ProfileView : public QWidget, public PlanView {
   QToolButton* fit_;
   LineKey* key_;
   QToolButton* show_error_;
-  QToolButton* show_follow_;
+  QToolButton *show_follow_, *show_vibration_;
   QToolButton* show_table_;
   std::array<QToolButton*, kAxisCount> axes_ = {};
   QStackedWidget* pages_;
