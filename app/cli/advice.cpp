@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "failure.h"
 #include "interrupt.h"
 #include "setting_flags.h"
 #include "toolpace/base/numbers.h"
-#include "toolpace/sample/shaper.h"
+#include "toolpace/sample/shaper_band.h"
 
 namespace toolpace::cli {
 namespace {
@@ -29,6 +32,24 @@ std::vector<SettingFlag> settings_of(const CalmChoice& choice, const JobFlags& g
   return setting_flags(given, setup, {choice.job->machine, choice.job->options});
 }
 
+constexpr double kRobust = 0.05;  // of a vibration: what is left of it within the band
+
+/// Of a shaper: how wrong the frequencies of the modes may be, as shares of them, each alone.
+Json band_json(const CalmChoice& choice) {
+  if (choice.by != CalmBy::shaper) return nullptr;
+  const auto& servo = choice.job->machine.servo;
+  const Impulses impulses = shaping(choice.job->options.shaper, servo);
+  ShaperBand narrowest{0, INFINITY};
+  for (const AxisMode& m : shaped_modes(servo)) {
+    const ShaperBand band = shaper_band(impulses, m.frequency, m.damping, kRobust);
+    narrowest = {std::max(narrowest.low, band.low), std::min(narrowest.high, band.high)};
+  }
+  Json band = Json::array();
+  band.push_back(narrowest.low);
+  band.push_back(narrowest.high);
+  return band;
+}
+
 Json choice_json(const CalmChoice& choice, const VibrationAdvice& advice, const AdviceFlags& flags,
                  const JobFlags& given, const Setup& setup) {
   const double residual = choice.residual / kThousandth;
@@ -36,6 +57,7 @@ Json choice_json(const CalmChoice& choice, const VibrationAdvice& advice, const 
           {"cycle_time_s", choice.cycle_time},
           {"costs_s", choice.cycle_time - advice.present.cycle_time},
           {"residual_um", residual},
+          {"band_5_percent", band_json(choice)},
           {"keeps", flags.vibration_um ? Json(residual <= *flags.vibration_um) : Json(nullptr)},
           {"settings", to_json(settings_of(choice, given, setup))}};
 }

@@ -18,12 +18,14 @@
 #include "toolpace/base/numbers.h"
 #include "toolpace/io/output_file.h"
 #include "toolpace/machine/read_machine.h"
+#include "toolpace/report/comparison_page.h"
 #include "toolpace/tune/tune.h"
+#include "tune_controller.h"
 
 namespace toolpace::cli {
 namespace {
 
-constexpr std::uint64_t kDefaultPlans = 200, kMostPlans = 1'000'000;
+constexpr std::uint64_t kDefaultPlans = 200, kMostPlans = 1'000'000, kDefaultPredictions = 400;
 constexpr std::uint64_t kNotGiven = ~std::uint64_t{0};
 constexpr double kMicro = 1e-3;        // [mm]
 constexpr double kLargestError = 1e6;  // [µm]
@@ -33,7 +35,8 @@ constexpr std::size_t kShownPoints = 12;
 struct TuneFlags {
   ReadingFlags reading;
   JobFlags job;
-  std::string vary, output;
+  ControllerFlags controller;
+  std::string vary, output, report;
   std::optional<double> contour_um, vibration_um, seconds;
   std::uint64_t plans = kNotGiven;
   bool json = false;
@@ -168,18 +171,63 @@ void print_found(const Found& found) {
   }
 }
 
+/// Before and after, planned once more.
+Result<void> write_report(const Found& found, OutputFile& file) {
+  const TuneResult& t = found.tuning;
+  const Tuned& after = t.best ? t.front[*t.best] : t.front[t.knee];
+  const Monitor monitor = terminal_monitor("report");
+  const auto planned = run(t.present.job, {monitor.stop, {}});
+  if (!planned) return tl::unexpected(planned.error());
+  const auto better = run(after.job, {monitor.stop, {}});
+  if (!better) return tl::unexpected(better.error());
+  std::vector<ChangedSetting> changed;
+  const Setup to = setup_of(*after.job);
+  const auto back = setting_flags({}, to, found.setup);
+  for (const SettingFlag& f : setting_flags({}, found.setup, to)) {
+    const auto before = std::find_if(back.begin(), back.end(), [&](const SettingFlag& b) { return b.flag == f.flag; });
+    changed.push_back({f.flag.substr(2), before == back.end() ? "" : before->text, f.text});
+  }
+  const auto page = comparison_page(*planned, *better, changed, monitor);
+  end_progress();
+  if (!page) return tl::unexpected(page.error());
+  if (auto written = file.write(*page); !written) return written;
+  return file.commit();
+}
+
+/// Opened before anything is planned: what cannot be written is known at once.
+Result<std::optional<OutputFile>> open_output(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  auto opened = OutputFile::create(name, OutputFile::Access::forward, terminal_monitor("writing"));
+  if (!opened) return tl::unexpected(opened.error());
+  return std::optional<OutputFile>(std::move(*opened));
+}
+
+Result<void> check_settings_flags(const TuneFlags& flags) {
+  const bool is_alone = flags.controller.is_given();
+  const bool has_others =
+      !flags.vary.empty() || flags.contour_um || flags.vibration_um || flags.seconds || !flags.report.empty();
+  if (!is_alone || !has_others) return {};
+  return tl::unexpected(usage_error("bad-flag",
+                                    "--settings tunes a controller, which knows none of --vary, --contour-um, "
+                                    "--vibration-um, --seconds and --report",
+                                    "leave them out"));
+}
+
 Done run_tune(const TuneFlags& flags) {
   const auto options = options_of(flags);
   if (!options) return tl::unexpected(options.error());
+  if (auto fine = check_settings_flags(flags); !fine) return tl::unexpected(fine.error());
+  if (flags.controller.is_given()) {
+    const std::size_t predictions = flags.plans == kNotGiven ? kDefaultPredictions : options->plans;
+    return tune_controller({flags.reading, flags.job, flags.controller, flags.output, predictions, flags.json});
+  }
   auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
   if (auto shaped = ShaperFlag{}.apply_to(*setup); !shaped) return tl::unexpected(shaped.error());
-  std::optional<OutputFile> file;
-  if (!flags.output.empty()) {  // what cannot be written is known at once
-    auto opened = OutputFile::create(flags.output, OutputFile::Access::forward, terminal_monitor("writing"));
-    if (!opened) return tl::unexpected(opened.error());
-    file.emplace(std::move(*opened));
-  }
+  auto output = open_output(flags.output), page = open_output(flags.report);
+  if (!output) return tl::unexpected(output.error());
+  if (!page) return tl::unexpected(page.error());
+  std::optional<OutputFile>& file = *output;
   auto reading = flags.reading.on(*setup).read_accepted();
   if (!reading) return tl::unexpected(std::move(reading.error()));
   Diagnostics warnings = reading->diagnostics;
@@ -201,9 +249,12 @@ Done run_tune(const TuneFlags& flags) {
     if (auto written = file->write(*text); !written) return tl::unexpected(written.error());
     if (auto done = file->commit(); !done) return tl::unexpected(done.error());
   }
+  if (*page) {
+    if (auto done = write_report(found, **page); !done) return tl::unexpected(done.error());
+  }
   if (flags.json) {
     print_json(tune_json(found, warnings));
-  } else if (!is_standard_output(flags.output)) {
+  } else if (!is_standard_output(flags.output) && !is_standard_output(flags.report)) {
     print_found(found);
   }
   return best ? kFine : kLimitBroken;
@@ -228,7 +279,9 @@ void add_tune_command(CommandLine& line) {
   command.number("--seconds S", flags->seconds, "Or the time that may be spent: looked at between plans");
   command.output("-o,--output FILE", flags->output,
                  "Write the machine file with the best settings, its comments kept (.toml); - = standard output");
+  command.output("--report FILE", flags->report, "Write a page (.html): the best settings beside those as they are");
   command.json(flags->json, "Print one JSON object");
+  flags->controller.add_to(command, Need::optional);
   flags->job.add_to(command);
   flags->reading.add_to(command);
   command.footer(
@@ -237,11 +290,18 @@ void add_tune_command(CommandLine& line) {
       "tolerance, junction deviation and look-ahead are limits: never above what machine file and flags say. Contour "
       "error is\n"
       "that of the drives ([servo]) from the commanded path; vibration is that of axes with a resonance, after stops.\n"
+      "With --settings the controller's own model is the judge, and what is best comes back as its own lines ($ of "
+      "grbl, printer.cfg, "
+      "M codes,\n.ini): with --machine no setting goes beyond that, else beyond what it has. --plans are predictions "
+      "then, default 400; "
+      "-o writes the\nwhole of its settings.\n"
       "Exit codes: 0 fine; 1 no settings keep the limits; 2 bad usage; 3 bad input; 4 file trouble; 130 "
       "interrupted.\n\n"
       "Examples:\n"
       "  toolpace tune part.ngc --machine mill.toml\n"
       "  toolpace tune part.ngc --machine mill.toml --contour-um 20 --vibration-um 5 -o best.toml\n"
+      "  toolpace tune part.ngc --settings grbl.txt --machine mill.toml -o better.txt\n"
+      "  toolpace tune part.ngc --machine mill.toml --report better.html\n"
       "  toolpace tune part.ngc --machine mill.toml --vary am,jm,law --plans 100 --json");
 }
 

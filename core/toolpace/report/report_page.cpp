@@ -9,48 +9,19 @@
 #include "toolpace/law/law_table.h"
 #include "toolpace/pipeline/follow.h"
 #include "toolpace/pipeline/prove.h"
+#include "toolpace/pipeline/sampled.h"
+#include "toolpace/report/page_parts.h"
 #include "toolpace/report/report_plots.h"
 #include "toolpace/sample/sampler.h"
 
 namespace toolpace {
 namespace {
 
-constexpr const char* kStyle = R"(
-:root{--ground:#f5f6f8;--surface:#fff;--line:#d7dbe0;--text:#1b1f24;--second:#5b6470;--accent:#0b6bcb;--error:#c62828;--good:#2e7d32}
-@media(prefers-color-scheme:dark){:root{--ground:#14171b;--surface:#1c2026;--line:#2e343c;--text:#e6e9ed;--second:#98a2ae;--accent:#4da3ff;--error:#ff6b6b;--good:#6bcb77}}
-body{background:var(--ground);color:var(--text);font:14px/1.5 system-ui,"WenQuanYi Micro Hei",sans-serif;max-width:1040px;margin:24px auto;padding:0 16px}
-h1{font-size:22px}h2{font-size:16px;margin-top:28px}
-table{border-collapse:collapse;background:var(--surface);width:100%}td,th{border-bottom:1px solid var(--line);padding:4px 8px;text-align:right;font-variant-numeric:tabular-nums}
-td:first-child,th:first-child{text-align:left}th{color:var(--second);font-weight:normal}
-svg{background:var(--surface);border:1px solid var(--line);width:100%;margin-bottom:8px}svg text{fill:var(--second);font-size:12px}
-svg .y{text-anchor:end}svg .x{text-anchor:middle}svg .title{fill:var(--text)}.grid{stroke:var(--line)}.zero{stroke:var(--second)}
-.curve{fill:var(--accent);stroke:var(--accent);stroke-width:1.2;stroke-linejoin:round}.contour path{fill:none;stroke-width:1.4;stroke-linecap:round}.contour{background:#fff}
-.bar{display:inline-block;height:10px;background:var(--accent)}.broken{color:var(--error);font-weight:bold}.good{color:var(--good);font-weight:bold}
-.legend{color:var(--second)}.legend i{display:inline-block;width:28px;height:10px}
-h2{break-after:avoid}svg,tr,.legend{break-inside:avoid}
-@media print{:root{--ground:#fff;--surface:#fff;--line:#d7dbe0;--text:#000;--second:#444;--accent:#0b6bcb;--error:#c62828;--good:#2e7d32}body{max-width:none;margin:0;font-size:11px;print-color-adjust:exact;-webkit-print-color-adjust:exact}}
-)";
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
+using page::escaped;
 
 std::string row(std::string_view name, std::string_view value) {
   return fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(name), escaped(value));
 }
-
-std::string file_name(const std::string& program) { return program.substr(program.find_last_of('/') + 1); }
 
 const char* corner_title(CornerRule rule) {
   switch (rule) {
@@ -94,13 +65,14 @@ std::string overview(const Outcome& o, double bound) {
   html += row("limits along the path", fmt::format("{}, {}, {}", limit(path.speed, "mm/s"),
                                                    limit(path.acceleration, "mm/s²"), limit(path.jerk, "mm/s³")));
   html += row("blocks", fmt::format("{}, {:.3f} mm", s.blocks, s.path_length));
-  html += row("cycle time", fmt::format("{:.4f} s", s.cycle_time));
+  html += row("cycle time", fmt::format("{:.4f} s", setpoints_duration(o)));
+  if (options.shaper != ShaperKind::none) html += row("shaper", std::string(shaper_name(options.shaper)));
   html += row("lower bound of the cycle time", fmt::format("{:.4f} s", bound));
   html +=
       row("feed, rapid, dwell", fmt::format("{:.4f} s, {:.4f} s, {:.4f} s", s.feed_time, s.rapid_time, s.dwell_time));
   if (s.peaks.speed > 0 || s.rotary_peaks.speed == 0) html += row("peaks along the path", peaks(s.peaks, "mm"));
   if (s.rotary_peaks.speed > 0) html += row("peaks of rotary axes alone", peaks(s.rotary_peaks, "deg"));
-  html += row("setpoints", fmt::format("{}, every {:.6g} ms", row_count(s.cycle_time, o.job->machine.period),
+  html += row("setpoints", fmt::format("{}, every {:.6g} ms", row_count(setpoints_duration(o), o.job->machine.period),
                                        1e3 * o.job->machine.period));
   return html + "</table>\n";
 }
@@ -201,7 +173,7 @@ struct Pictures {
 
 Result<std::string> report_page(const Outcome& outcome, const Monitor& monitor) {
   const double period = outcome.job->machine.period;
-  Pictures pictures(row_count(outcome.plan.cycle_time(), period), outcome);
+  Pictures pictures(row_count(setpoints_duration(outcome), period), outcome);
   const auto take = [&](const Setpoints& s, const ServoTrace& t, std::size_t rows) -> Result<void> {
     pictures.take(s, t, rows);
     return {};
@@ -215,12 +187,9 @@ Result<std::string> report_page(const Outcome& outcome, const Monitor& monitor) 
   if (!bound) return tl::unexpected(bound.error());
   monitor.report(1.0);
 
-  const double duration = outcome.plan.cycle_time();
-  std::string html = "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'>\n<title>" +
-                     escaped(file_name(outcome.job->program_name)) + "</title>\n<style>" + kStyle +
-                     "</style>\n</head>\n<body>\n<h1>" + escaped(file_name(outcome.job->program_name)) + "</h1>\n";
-  html += proof->passes() ? "<p class='good'>Verified: every limit holds.</p>\n"
-                          : "<p class='broken'>Verified: limits are broken, see below.</p>\n";
+  const double duration = setpoints_duration(outcome);
+  std::string html = proof->passes() ? "<p class='good'>Verified: every limit holds.</p>\n"
+                                     : "<p class='broken'>Verified: limits are broken, see below.</p>\n";
   html += overview(outcome, *bound) + "<h2>Where the time goes</h2>\n" + causes(outcome.summary);
   html += "<h2>Motion</h2>\n" + plot_svg(pictures.speed, duration, {"speed", "mm/s"}) +
           plot_svg(pictures.acceleration, duration, {"acceleration", "mm/s²"}) +
@@ -232,8 +201,8 @@ Result<std::string> report_page(const Outcome& outcome, const Monitor& monitor) 
       "{:.4g} mm.</p>\n",
       servo->max_contour_error, servo->worst_time, servo->worst_line, servo->rms_contour_error, servo->max_lag);
   html += "<h2>Contour</h2>\n" + pictures.contour.svg(0, 1) + pictures.contour.svg(0, 2);
-  html += "<h2>Limits</h2>\n" + limits_table(*proof) + warnings(outcome.warnings) + "</body>\n</html>\n";
-  return html;
+  html += "<h2>Limits</h2>\n" + limits_table(*proof) + warnings(outcome.warnings);
+  return page::whole(outcome.job->program_name, html);
 }
 
 }  // namespace toolpace

@@ -15,7 +15,7 @@ namespace toolpace {
 namespace {
 
 constexpr std::size_t kLooks = 600;    // over all times
-constexpr double kLongest = 6.5;         // periods of the slowest mode
+constexpr double kLongest = 6.5;       // periods of the slowest mode
 constexpr std::size_t kMostTimes = 7;  // that are planned
 constexpr int kGoldenRounds = 80;
 constexpr double kCloseBy = 1e-10;  // relative: of a time

@@ -14,11 +14,6 @@ namespace {
 constexpr double kTenth = 0.1;
 constexpr double kSame = 1e-9;  // relative
 
-bool is_built_in(const ControllerParameter& p) {
-  const std::string_view unit = p.unit;
-  return unit == "1/mm" || unit == "blocks" || unit == "ns" || unit == "cycles";
-}
-
 /// Values worth trying, in the file's unit.
 std::vector<double> values_to_try(const ControllerParameter& p) {
   const double now = *p.value / p.size;
@@ -36,6 +31,11 @@ std::vector<double> values_to_try(const ControllerParameter& p) {
 }
 
 }  // namespace
+
+bool is_built_in_setting(const ControllerParameter& p) {
+  const std::string_view unit = p.unit;
+  return unit == "1/mm" || unit == "blocks" || unit == "ns" || unit == "cycles";
+}
 
 double next_round_value(double value) {
   constexpr std::array<double, 11> kRound = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10};
@@ -56,7 +56,7 @@ Result<std::vector<WhatIf>> what_if(const Reading& reading, const ProgramText& t
   for (std::size_t i = 0; i < table.size(); ++i) {
     const ControllerParameter& p = table[i];
     monitor.report(static_cast<double>(i) / static_cast<double>(table.size()));
-    if (is_built_in(p)) continue;
+    if (is_built_in_setting(p)) continue;
     const double before = *p.value;
     for (const double value : values_to_try(p)) {
       *p.value = value * p.size;

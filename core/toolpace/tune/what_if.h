@@ -24,6 +24,8 @@ struct WhatIf {
 Result<std::vector<WhatIf>> what_if(const Reading& reading, const ProgramText& text, const ControllerSettings& settings,
                                     const PredictOptions& options, const Monitor& monitor = {});
 
+/// Whether an axis or a board is built for it (steps, size of buffers): it is left as it is.
+bool is_built_in_setting(const ControllerParameter& parameter);
 /// What people compare a controller with: corners within this [mm], planned as well as can be up to so much motion [s].
 inline constexpr double kToleranceOfSetpoints = 0.01;
 inline constexpr double kLongestRefined = 20'000;

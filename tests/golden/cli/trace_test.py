@@ -172,6 +172,10 @@ class Trace(CommandLineTest):
             again = self.run_toolpace("plan", "one.ngc", "--machine", "r.toml", *flags, "--json").json()
             self.assertEqual(again["cycle_time_s"], choice["cycle_time_s"], choice["by"])
             self.assertEqual(again["vibration"]["X"]["residual_um"], choice["residual_um"], choice["by"])
+        bands = {c["by"]: c["band_5_percent"] for c in advice["choices"]}
+        self.assertIsNone(bands["quintic ramps"])
+        self.assertLess(bands["shaper zvd"][0], bands["shaper zv"][0])
+        self.assertLess(bands["shaper zv"][1], bands["shaper zvd"][1])
         self.assertIn(b"* ", self.run_toolpace("simulate", "one.ngc", "--machine", "r.toml", "--advice").out)
         self.expect_failure(self.run_toolpace("simulate", "one.ngc", "--vibration-um", "2"), BAD_USAGE, "--advice")
         self.expect_failure(self.run_toolpace("simulate", "one.ngc", "--advice"), BAD_USAGE, "no axis of the machine has a resonance")

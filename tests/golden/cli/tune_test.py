@@ -136,5 +136,37 @@ class Tune(CommandLineTest):
         self.expect_failure(self.run_toolpace("tune", "bad.ngc", "--plans", 2), BAD_INPUT, "bad.ngc")
 
 
+    def test_settings_of_a_controller_come_back_as_its_own_lines(self):
+        dump = "$0=10\n$11=0.010\n$100=250\n$101=250\n$102=250\n$110=3000\n$111=3000\n$112=1500\n$120=200\n$121=200\n$122=50\n"
+        self.file("grbl.txt", dump)
+        self.file("mill.toml", "".join(f"[axes.{a}]\nmax_speed_mm_s = 60\nmax_acceleration_mm_s2 = {n}\n" for a, n in
+                                       (("X", 800), ("Y", 600), ("Z", 100))))
+        tune = ("tune", "a.ngc", "--settings", "grbl.txt")
+        run = self.run_toolpace(*tune, "--machine", "mill.toml", "-o", "better.txt", "--json")
+        self.assertEqual(run.code, FINE, run.err)
+        told = run.json()
+        self.assertLess(told["cycle_time_after_s"], told["cycle_time_before_s"])
+        self.assertEqual(set(told["lines"]), set((self.folder / "better.txt").read_text().splitlines()) - set(dump.splitlines()))
+        values = {c["setting"]: c["to"] for c in told["changes"]}
+        self.assertEqual(values["$120"], 800)
+        self.assertEqual(values["$121"], 600)
+        self.assertNotIn("$122", values)  # Z does not move: it helps nothing
+        for file, key in (("grbl.txt", "cycle_time_before_s"), ("better.txt", "cycle_time_after_s")):
+            predicted = self.run_toolpace("predict", "a.ngc", "--settings", file, "--no-what-if", "--json").json()
+            self.assertEqual(predicted["cycle_time_s"], told[key])
+        kept = self.run_toolpace(*tune, "--json").json()  # without a machine nothing goes beyond what it has
+        self.assertFalse([c for c in kept["changes"] if c["setting"].startswith("$1") and c["to"] > c["from"]])
+        self.assertIn(b"$120=800", self.run_toolpace(*tune, "--machine", "mill.toml").out)
+        self.expect_failure(self.run_toolpace(*tune, "--vary", "am"), BAD_USAGE, "--settings")
+
+    def test_a_page_shows_before_and_after(self):
+        told = self.tune("--plans", 12, "--report", "page.html")
+        page = (self.folder / "page.html").read_text()
+        for text in (f'{told["present"]["cycle_time_s"]:.4f} s', f'{told["best"]["cycle_time_s"]:.4f} s', "What was changed", "<svg"):
+            self.assertIn(text, page)
+        for flag in told["best"]["settings"]:
+            self.assertIn(flag[2:], page)
+
+
 if __name__ == "__main__":
     unittest.main()
