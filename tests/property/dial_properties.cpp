@@ -70,7 +70,7 @@ Result<double> cycle_time(const Job& job) {
 double tolerated(const Job& job) { return job.options.ramps == Ramps::span ? 0.005 : 0.001; }
 
 TEST(Dials, TurnedTowardsFasterNeverCostTime) {
-  for (std::uint64_t seed = 1; seed <= test::case_count(40); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::case_count(25); ++seed) {
     Random random(seed);
     const toolpace::Setup setup = dial_setup(random);
     ProgramText program(random, one_in(random, 4));

@@ -19,7 +19,7 @@ namespace {
 
 /// The seed and the number of cases, before RapidCheck reads them: 10⁵ usually, more where soaking.
 [[maybe_unused]] const bool kConfigured = [] {
-  const std::string text = "seed=20140301 max_success=" + std::to_string(test::case_count(100'000));
+  const std::string text = "seed=20140301 max_success=" + std::to_string(test::case_count(40'000));
   return ::setenv("RC_PARAMS", text.c_str(), 1) == 0;
 }();
 

@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Families, PlansOfRandomChains,
 
 // Turning back with acceleration is worth it, whatever lies between the turns.
 TEST(PlansOfRandomChains, AreNeverSlowerForTurningBack) {
-  for (std::uint64_t seed = 1; seed <= test::case_count(2000); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::case_count(1000); ++seed) {
     const bool mixed = seed % 3 == 0;
     const SpeedLimits rests = test::random_chain(seed + 500000, 2 + seed % 30, mixed);
     const SpeedLimits turns = test::with_reversals(rests, seed);
@@ -100,7 +100,7 @@ TEST(PlansOfRandomChains, KeepEveryLimitAtEveryScale) {
 }
 
 TEST(PlansOfRandomChains, AreNeverSlowerAcrossBlocksThanWithinThem) {
-  for (std::uint64_t seed = 1; seed <= test::case_count(150); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::case_count(60); ++seed) {
     const bool mixed = seed % 3 == 0;
     const SpeedLimits limits = test::random_chain(seed + 100000, 80, mixed);
     for (const LawRow& law : law_table()) {
@@ -136,7 +136,7 @@ void expect_no_loss_by_depth(const SpeedLimits& limits, std::uint64_t seed, bool
 }
 
 TEST(PlansOfRandomChains, AreNeverSlowerUnderADeeperLookAhead) {
-  for (std::uint64_t seed = 1; seed <= test::case_count(120); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::case_count(60); ++seed) {
     const bool mixed = seed % 3 != 0;
     const SpeedLimits limits = test::random_chain(seed + 200000, 3 + seed % 14, mixed);
     expect_no_loss_by_depth(seed % 2 == 0 ? limits : test::with_reversals(limits, seed), seed + 200000, mixed);

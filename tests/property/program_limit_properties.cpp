@@ -134,7 +134,7 @@ std::string broken_limit(const Outcome& o) {
 }
 
 TEST(LimitsThatProgramsLower, AreKeptBySegmentsAndByNoPlanBeaten) {
-  const std::size_t count = test::case_count(14);
+  const std::size_t count = test::case_count(8);
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     Random random(seed);
     std::string text;
@@ -155,7 +155,7 @@ TEST(LimitsThatProgramsLower, AreKeptBySegmentsAndByNoPlanBeaten) {
 
 // On lines with corners that are crossed, plans of one law are as fast as it can be done: lower limits cost time, never gain any.
 TEST(LimitsThatProgramsLower, NeverMakeAPlanOnLinesFaster) {
-  const std::size_t count = test::case_count(36);
+  const std::size_t count = test::case_count(20);
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     Random random(seed);
     toolpace::Setup setup = random_setup(random);

@@ -124,7 +124,7 @@ std::string broken_limit(const Outcome& o) {
 }
 
 TEST(ProgramsAboutTheTip, KeepEveryAxisWithinItsLimitsAndTheTipOnItsPath) {
-  const std::size_t count = test::case_count(60);
+  const std::size_t count = test::case_count(30);
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     Random random(seed);
     ReadOptions options;

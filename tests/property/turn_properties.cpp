@@ -86,7 +86,7 @@ std::size_t turns_in(const MotionPlan& plan) {
 
 TEST(Turning, KeepsEveryLimitAndItsNodesAndIsNoFasterThanTheBound) {
   std::size_t turns = 0;
-  for (std::uint64_t seed = 1; seed <= test::case_count(150); ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::case_count(60); ++seed) {
     Random random(seed);
     const toolpace::Setup setup = turning_setup(random);
     const std::string text = program(random);

@@ -59,8 +59,11 @@ class SameBytes(ModuleTest):
             with self.subTest(program=program.name):
                 if not is_about_tip:
                     self.compare(program, [])
-                self.compare(program, ["--machine", machine, "--law", "seven-phase", "--ramps", "span"],
-                             machine=machine, law="seven-phase", ramps="span")
+                self.compare(program, ["--machine", machine, "--law", "seven-phase", "--ramps", "block"],
+                             machine=machine, law="seven-phase", ramps="block")
+        machine = MACHINES / "five-axis.toml"
+        self.compare(EXAMPLES / "helix.ngc", ["--machine", machine, "--law", "seven-phase", "--ramps", "span"],
+                     machine=machine, law="seven-phase", ramps="span")
 
     def test_what_is_no_value_of_a_flag_is_refused_and_lists_are_one_word(self):
         program = EXAMPLES / "blocks20.ngc"
