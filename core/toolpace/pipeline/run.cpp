@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "toolpace/base/part_monitor.h"
 #include "toolpace/limits/axes_there.h"
@@ -183,17 +184,20 @@ Result<Outcome> plan_by(std::shared_ptr<const Job> job, Corners corners, const M
   return plan_along(std::move(job), strategy, std::move(*route), std::move(speeds), monitor);
 }
 
+bool fell_back_often(const Outcome& through) {
+  constexpr double kMostFallen = 0.1;  // of windows
+  return static_cast<double>(through.summary.tube_fallbacks) >
+         kMostFallen * static_cast<double>(through.summary.tube_windows);
+}
+
 /// Whether the path itself, with rounded corners or stops at them, may be faster than a motion through the tube: where feeds
 /// and not corners decide, where feeds change, where the tube fell back, and on short paths, where it is cheap to try.
-bool may_be_beaten(const Outcome& through) {
-  constexpr std::size_t kShort = 20000;              // segments
+/// @param brief  segments of a short path
+bool may_be_beaten(const Outcome& through, std::size_t brief) {
   constexpr double kNearFeed = 1.25, kMixed = 0.05;  // of the time at the feeds; of segments
-  constexpr double kMostFallen = 0.1;                // of windows
   const Path& path = *through.path;
   const Commands& commands = *through.commands;
-  if (path.size() <= kShort || static_cast<double>(through.summary.tube_fallbacks) >
-                                   kMostFallen * static_cast<double>(through.summary.tube_windows))
-    return true;
+  if (path.size() <= brief || fell_back_often(through)) return true;
   const double commanded = through.summary.dwell_time + time_at_feeds(path, commands);
   std::size_t changes = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -210,8 +214,9 @@ Result<Outcome> faster_of(Result<Outcome> one, Result<Outcome> other) {
 
 /// A quick motion through the tube, rounded corners on the path, or stops at them, whichever is fastest.
 Result<Outcome> plan_rounded(const std::shared_ptr<const Job>& job, const Monitor& monitor) {
+  constexpr std::size_t kBrief = 20000;
   auto best = plan_by(job, Corners::left, part_of(monitor, 0.0, 0.6));
-  if (best && !may_be_beaten(*best)) return best;
+  if (best && !may_be_beaten(*best, kBrief)) return best;
   const bool can_stop = blends_everywhere(*job);  // else other corners are crossed by another rule
   auto rounded = plan_by(job, Corners::rounded, part_of(monitor, 0.6, 0.95));
   if (!rounded) return rounded;
@@ -282,30 +287,60 @@ Result<Outcome> plan_blended_about_tip(const Candidate& rival, const Monitor& mo
   return blended;
 }
 
+/// What may stand for a motion through the tube: rounded corners, by all ways to plan them where the tube is no good.
+/// @param asked    the job for which it stands
+/// @param through  that motion, if there is one
+Result<Outcome> plan_rival(const std::shared_ptr<const Job>& asked, const Candidate& rival, const Outcome* through,
+                           const Monitor& monitor) {
+  auto blended = through && !fell_back_often(*through) ? plan_by(rival.job, Corners::rounded, monitor)
+                                                       : plan_job(rival.job, monitor);
+  if (!blended) return blended;
+  blended->ignored.include(rival.ignored);
+  blended->job = asked;
+  return blended;
+}
+
+/// Setpoints tell: the tube is held at some places of each step, and where a dwell is no whole number of periods they fall
+/// between them.
+Result<Outcome> proven_or_rival(Outcome smooth, const Candidate& rival, std::optional<Outcome> blended,
+                                const Monitor& monitor) {
+  const auto broken = broken_checks(smooth, {monitor.stop, {}});
+  if (broken && broken->empty()) return smooth;
+  if (!blended) {
+    auto late = plan_rival(smooth.job, rival, nullptr, monitor);
+    if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+    if (late) blended = std::move(*late);
+  }
+  if (!blended || !is_proven(*blended, {monitor.stop, {}})) return smooth;
+  blended->warnings.push_back(not_proven(smooth, *blended, broken));
+  return std::move(*blended);
+}
+
 Result<Outcome> run_whole(std::shared_ptr<const Job> job, const Monitor& monitor) {
+  constexpr std::size_t kBrief = 1000;
   const auto rival = rival_of(*job);
   if (!rival) return plan_job(std::move(job), monitor);
   if (is_about_tip(*job)) return plan_blended_about_tip(*rival, monitor);
-  // Where the feed and not the corners decide, curves that end on the exact path can be a little faster.
-  auto blended = plan_job(rival->job, part_of(monitor, 0.0, 0.1));
-  auto smooth = plan_job(job, part_of(monitor, 0.1, 0.95));
-  const bool unbounded = !smooth && smooth.error().code == "tube-unbounded";
-  if (!blended || (!smooth && !unbounded)) return smooth;
-  blended->job = std::move(job);
-  blended->ignored.include(rival->ignored);
-  if (unbounded) blended->warnings.push_back(not_smoothed(smooth.error().message, smooth.error().remedy));
-  bool takes_blended = unbounded || is_better(*blended, *smooth, monitor);
-  // The tube is held at some places of each step; where a dwell is no whole number of periods, setpoints fall between them.
-  if (!takes_blended) {
-    const auto broken = broken_checks(*smooth, {monitor.stop, {}});
-    if ((!broken || !broken->empty()) && is_proven(*blended, {monitor.stop, {}})) {
-      takes_blended = true;
-      blended->warnings.push_back(not_proven(*smooth, *blended, broken));
-    }
+  auto smooth = plan_job(job, part_of(monitor, 0.0, 0.8));
+  if (!smooth) {
+    if (smooth.error().code != "tube-unbounded") return smooth;
+    auto blended = plan_rival(job, *rival, nullptr, part_of(monitor, 0.8, 1.0));
+    if (blended) blended->warnings.push_back(not_smoothed(smooth.error().message, smooth.error().remedy));
+    return blended;
   }
+  std::optional<Outcome> blended;
+  if (may_be_beaten(*smooth, kBrief)) {
+    auto planned = plan_rival(job, *rival, &*smooth, part_of(monitor, 0.8, 0.95));
+    if (planned) blended = std::move(*planned);
+  }
+  // Where the feed and not the corners decide, curves that end on the exact path can be a little faster.
+  const bool takes_blended = blended && is_better(*blended, *smooth, monitor);
+  auto taken = takes_blended
+                   ? std::move(*blended)
+                   : proven_or_rival(std::move(*smooth), *rival, std::move(blended), part_of(monitor, 0.95, 1.0));
   if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
   monitor.report(1.0);
-  return takes_blended ? blended : smooth;
+  return taken;
 }
 
 }  // namespace
