@@ -192,12 +192,12 @@ bool fell_back_often(const Outcome& through) {
 
 /// Whether the path itself, with rounded corners or stops at them, may be faster than a motion through the tube: where feeds
 /// and not corners decide, where feeds change, where the tube fell back, and on short paths, where it is cheap to try.
-/// @param brief  segments of a short path
-bool may_be_beaten(const Outcome& through, std::size_t brief) {
+bool may_be_beaten(const Outcome& through) {
+  constexpr std::size_t kShort = 1000;               // segments
   constexpr double kNearFeed = 1.25, kMixed = 0.05;  // of the time at the feeds; of segments
   const Path& path = *through.path;
   const Commands& commands = *through.commands;
-  if (path.size() <= brief || fell_back_often(through)) return true;
+  if (path.size() <= kShort || fell_back_often(through)) return true;
   const double commanded = through.summary.dwell_time + time_at_feeds(path, commands);
   std::size_t changes = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -214,9 +214,8 @@ Result<Outcome> faster_of(Result<Outcome> one, Result<Outcome> other) {
 
 /// A quick motion through the tube, rounded corners on the path, or stops at them, whichever is fastest.
 Result<Outcome> plan_rounded(const std::shared_ptr<const Job>& job, const Monitor& monitor) {
-  constexpr std::size_t kBrief = 20000;
   auto best = plan_by(job, Corners::left, part_of(monitor, 0.0, 0.6));
-  if (best && !may_be_beaten(*best, kBrief)) return best;
+  if (best && !may_be_beaten(*best)) return best;
   const bool can_stop = blends_everywhere(*job);  // else other corners are crossed by another rule
   auto rounded = plan_by(job, Corners::rounded, part_of(monitor, 0.6, 0.95));
   if (!rounded) return rounded;
@@ -317,7 +316,6 @@ Result<Outcome> proven_or_rival(Outcome smooth, const Candidate& rival, std::opt
 }
 
 Result<Outcome> run_whole(std::shared_ptr<const Job> job, const Monitor& monitor) {
-  constexpr std::size_t kBrief = 1000;
   const auto rival = rival_of(*job);
   if (!rival) return plan_job(std::move(job), monitor);
   if (is_about_tip(*job)) return plan_blended_about_tip(*rival, monitor);
@@ -329,7 +327,7 @@ Result<Outcome> run_whole(std::shared_ptr<const Job> job, const Monitor& monitor
     return blended;
   }
   std::optional<Outcome> blended;
-  if (may_be_beaten(*smooth, kBrief)) {
+  if (may_be_beaten(*smooth)) {
     auto planned = plan_rival(job, *rival, &*smooth, part_of(monitor, 0.8, 0.95));
     if (planned) blended = std::move(*planned);
   }

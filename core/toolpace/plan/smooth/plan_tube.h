@@ -19,7 +19,7 @@ struct TubeHold {
 /// How much computing a motion is worth. The guarantees are the same.
 enum class TubeEffort {
   thorough,  ///< within a few percent of a local optimum
-  quick,     ///< some ten percent from there, for a tenth of the time: larger steps, few rounds
+  quick,     ///< some percent from there, for a third of the time: longer steps, few rounds
 };
 
 struct TubeMotion {

@@ -6,7 +6,7 @@
 namespace toolpace::detail::tube {
 namespace {
 
-constexpr double kStep = 0.45, kQuickStep = 0.9;  // of the time in which a corner is turned
+constexpr double kStep = 0.45, kQuickStep = 0.6;  // of the time in which a corner is turned
 constexpr int kCoarseSamples = 2;                 // stations an interval of longer steps, which only prepare
 
 /// Time that a move of the tube's size takes: from jerk ∛(tol/J), from acceleration √(tol/A); the slower one counts.
