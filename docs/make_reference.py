@@ -18,6 +18,8 @@ VALUES = {"--law": "trapezoid five-phase-time five-phase-jerk seven-phase quinti
 def plain(text):
     return " ".join(text.split())
 
+ARGUMENTS = ("argument", "arguments")  # one, and one or more
+
 
 def roff(text):
     return text.replace("\\", "\\e").replace("-", "\\-").replace("\n.", "\n\\&.").replace("\n'", "\n\\&'")
@@ -28,8 +30,8 @@ def head(name, section, version):
 
 
 def synopsis(command):
-    arguments = [flag["name"] for flag in command["flags"] if flag["kind"] == "argument"]
-    needed = [f"{flag['name']} {flag['unit']}" for flag in command["flags"] if flag["required"] and flag["kind"] != "argument"]
+    arguments = [flag["name"] + ("…" if flag["kind"] == "arguments" else "") for flag in command["flags"] if flag["kind"] in ARGUMENTS]
+    needed = [f"{flag['name']} {flag['unit']}" for flag in command["flags"] if flag["required"] and flag["kind"] not in ARGUMENTS]
     return " ".join(["toolpace", command["name"], *arguments, *needed, "[flags]"])
 
 
@@ -84,7 +86,7 @@ def completion(grammar):
                 lines.append(f'    "{command["name"]} {flag["name"]}") COMPREPLY=($(compgen -W "{VALUES[flag["name"]]}" -- "$word")); return ;;')
     lines += ["  esac", '  case "$command" in']
     for command in grammar["commands"]:
-        flags = " ".join(flag["name"] for flag in command["flags"] if flag["kind"] != "argument")
+        flags = " ".join(flag["name"] for flag in command["flags"] if flag["kind"] not in ARGUMENTS)
         lines.append(f'    {command["name"]}) flags="{flags} --help" ;;')
     lines += ["  esac", '  case "$word" in', '    -*) COMPREPLY=($(compgen -W "$flags" -- "$word")) ;;',
               '    *) compopt -o filenames 2>/dev/null; COMPREPLY=($(compgen -f -- "$word")) ;;', "  esac", "}",

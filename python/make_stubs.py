@@ -5,7 +5,10 @@ import pathlib
 import sys
 
 TYPES = {"number": "float", "count": "int", "word": "str | int", "words": "str | Iterable[str]", "toggle": "bool", "input": "Path",
-         "output": "Path", "argument": "Path"}
+         "output": "Path", "argument": "Path",
+         "arguments": "Path | Iterable[Path]"}
+ARGUMENTS = ("argument", "arguments")
+MANY = "Many programs (several, folders, a list): one table"  # a title of flags
 RETURNED = {"plan": "Plan", "steps": "Pulses"}
 HEAD = '''# Made by python/make_stubs.py from the command line's own grammar.
 from collections.abc import Callable, Iterable, Mapping
@@ -50,7 +53,7 @@ class Pulses(Result):
 
 def parameter(name, flag):
     kind = TYPES[flag["kind"]]
-    if flag["kind"] == "argument":
+    if flag["kind"] in ARGUMENTS:
         return f"{name}: {kind}" + {"setpoints": " | NDArray[numpy.float64]", "program": " | Mapping[str, Any]"}.get(name, "")
     if flag["required"]:
         return f"{name}: {kind}"
@@ -65,11 +68,11 @@ def function(name, parameters, returned):
 def stubs(commands):
     text = HEAD
     for name, command in commands.items():
-        arguments = [parameter(n, f) for n, f in command["flags"].items() if f["kind"] == "argument"]
-        flags = [parameter(n, f) for n, f in command["flags"].items() if f["kind"] != "argument"]
+        arguments = [parameter(n, f) for n, f in command["flags"].items() if f["kind"] in ARGUMENTS]
+        flags = [parameter(n, f) for n, f in command["flags"].items() if f["kind"] not in ARGUMENTS]
         text += function(name, arguments + ["*"] + flags + ["progress: Progress | None = ..."], RETURNED.get(name, "Result"))
-    flags = [parameter(n, {**f, "required": False}) for n, f in commands["plan"]["flags"].items() if f["kind"] != "argument"
-             and f["title"] != "Reading the program"]
+    flags = [parameter(n, {**f, "required": False}) for n, f in commands["plan"]["flags"].items() if f["kind"] not in ARGUMENTS
+             and f["title"] not in ("Reading the program", MANY)]
     return text + function("replan", ["plan: Plan", "*"] + flags + ["progress: Progress | None = ..."], "Plan")
 
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint64_t kMostCounted = 1'000'000'000'000'000;  ///< sums of counts stay far from wrapping round
 constexpr char kNumber[] = "a number between -1.8e308 and 1.8e308, or inf";
+constexpr char kSeriesTitle[] = "Many programs (several, folders, a list): one table";
 constexpr int kFlagColumns = 34;  ///< width of the flags in --help
 
 template <class T>
@@ -127,7 +128,30 @@ void Command::argument(const std::string& name, std::string& target, const std::
   app_->add_option(name, target, text)->type_name("")->required(need == Need::required);
 }
 
+void Command::programs(std::string& target, const std::string& text, std::vector<SeriesColumn> columns,
+                       bool fills_cores) {
+  SeriesFlags& series = taken_->series.emplace();
+  series.columns = std::move(columns);
+  series.fills_cores = fills_cores;
+  taken_->program = &target;
+  taken_->files.reads("the program", target);
+  note("PROGRAM", "arguments", text, Need::required);
+  app_->add_option("PROGRAM", series.names, text)->type_name("")->expected(-1);
+  Flags many = titled(kSeriesTitle);
+  many.input("--programs FILE", series.list, "the list of programs",
+             "More programs, a line each (# = a remark); - = standard input");
+  many.output(
+      "--results FILE", series.results,
+      "Append what is done, a row a program (.csv), and go on from there: a row is made again where the program,\n"
+      "another file or a flag has changed, or where it failed; several processes may share it");
+  many.output("--csv FILE", series.csv, "Write the table (.csv); - = standard output");
+  many.count("--jobs N", series.jobs,
+             fills_cores ? "Programs side by side; default 1, as one uses all cores"
+                         : "Programs side by side; default: as many as cores");
+}
+
 void Command::json(bool& target, const std::string& text) {
+  taken_->json = &target;
   taken_->files.prints_json(target);
   toggle("--json", target, text);
 }
@@ -198,8 +222,37 @@ Result<Action> CommandLine::parse(int argc, const char* const* argv) {
     app_->exit(e);  // help or version
     return Action([] { return Done(kFine); });
   }
-  if (auto apart = chosen_->taken.files.check(); !apart) return tl::unexpected(std::move(apart.error()));
-  return chosen_->action;
+  return chosen_action();
+}
+
+/// The flags as they were typed, but those of a series and --json.
+std::vector<GivenFlag> CommandLine::given_flags(const Entry& entry) {
+  std::vector<GivenFlag> given;
+  for (const FlagRow& row : entry.taken.flags) {
+    if (row.title == kSeriesTitle || row.name == "--json" || row.name.rfind("--", 0) != 0) continue;
+    const CLI::Option* option = entry.app->get_option(row.name);
+    const std::string_view kind = row.kind;
+    for (const std::string& value : option->results())
+      given.push_back({row.name, kind == "toggle" ? "" : value, kind == "input", kind == "output"});
+  }
+  return given;
+}
+
+Result<Action> CommandLine::chosen_action() const {
+  Taken& taken = chosen_->taken;
+  if (taken.series && taken.series->names.empty() && taken.series->list.empty()) {
+    return tl::unexpected(
+        usage_error("usage", "PROGRAM is required", "toolpace " + chosen_->name + " --help lists what it takes"));
+  }
+  const bool are_many = taken.series && taken.series->are_many();
+  if (taken.series && !are_many) *taken.program = taken.series->names.front();
+  if (auto apart = taken.files.check(); !apart) return tl::unexpected(std::move(apart.error()));
+  if (!are_many) return chosen_->action;
+  Series series{chosen_->name, *taken.series, given_flags(*chosen_), {}, taken.json && *taken.json};
+  for (const GivenFlag& flag : series.given) {
+    if (flag.is_input) series.inputs.push_back({flag.name, flag.value});
+  }
+  return Action([series] { return run_series(series); });
 }
 
 }  // namespace toolpace::cli

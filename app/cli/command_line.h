@@ -13,6 +13,7 @@
 #include "failure.h"
 #include "file_use.h"
 #include "json.h"
+#include "series.h"
 
 namespace CLI {
 class App;
@@ -27,7 +28,7 @@ struct FlagRow {
   std::string name;    ///< "--vmax"; an argument's has no dashes: "PROGRAM"
   std::string letter;  ///< "-o", or empty
   std::string unit;    ///< what --help shows for its value: "MM/S"; empty for toggles and arguments
-  const char* kind;    ///< number, count, word, words, toggle, input, output, argument
+  const char* kind;    ///< number, count, word, words, toggle, input, output, argument, arguments
   std::string title;   ///< under which --help lists it; empty = without
   std::string text;
   bool is_required;
@@ -37,6 +38,9 @@ struct FlagRow {
 struct Taken {
   std::vector<FlagRow> flags;
   FileUse files;
+  std::optional<SeriesFlags> series;  ///< of a command that runs over many programs, too
+  std::string* program = nullptr;     ///< what it is told where it is one
+  const bool* json = nullptr;
 };
 
 enum class Need : bool { optional, required };
@@ -103,6 +107,12 @@ class Command : public Flags {
   void argument(const std::string& name, std::string& target, const std::string& what, const std::string& text,
                 Need need = Need::required);
 
+  /// PROGRAM, one or many, and the flags of a series (series.h): the command itself hears of one alone.
+  /// @param columns      of the table of many
+  /// @param fills_cores  whether the command for one program uses all cores
+  void programs(std::string& target, const std::string& text, std::vector<SeriesColumn> columns,
+                bool fills_cores = false);
+
   /// --json: standard output is one JSON object.
   void json(bool& target, const std::string& text);
 
@@ -140,7 +150,10 @@ class CommandLine {
   };
   std::unique_ptr<CLI::App> app_;
   std::vector<std::unique_ptr<Entry>> entries_;
-  const Entry* chosen_ = nullptr;
+  Result<Action> chosen_action() const;
+  static std::vector<GivenFlag> given_flags(const Entry& entry);
+
+  Entry* chosen_ = nullptr;
 };
 
 }  // namespace toolpace::cli

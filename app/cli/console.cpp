@@ -8,13 +8,16 @@ namespace {
 
 thread_local Console* current = nullptr;
 
-/// A console in the place of the terminal, as long as it lives.
+/// A console in the place of the terminal, or of another console, as long as it lives.
 class InPlace {
  public:
-  explicit InPlace(Console& console) { current = &console; }
-  ~InPlace() { current = nullptr; }
+  explicit InPlace(Console& console) : before_(current) { current = &console; }
+  ~InPlace() { current = before_; }
   InPlace(const InPlace&) = delete;
   InPlace& operator=(const InPlace&) = delete;
+
+ private:
+  Console* before_;
 };
 
 }  // namespace

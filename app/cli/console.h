@@ -26,6 +26,9 @@ class Console {
   /// Hears of progress, and stops the command. @param what  such as "planning"
   virtual Monitor monitor(const char* what) = 0;
 
+  /// A program that was read, refused or not.
+  virtual void has_read(const Reading& reading) { static_cast<void>(reading); }
+
   /// The plan from which to plan again, or null: a program that was read from the same file is not read once more.
   virtual const Outcome* before() const = 0;
   /// What was planned, as a value, and whose tip its setpoints tell (--tip); and the pulses that were made.

@@ -61,6 +61,48 @@ void Json::push_back(Json value) {
   std::get<Array>(value_).push_back(std::move(value));
 }
 
+const Json* Json::find(std::string_view dotted) const {
+  const Json* at = this;
+  while (at) {
+    const auto* members = std::get_if<Object>(&at->value_);
+    if (!members) return nullptr;
+    const std::size_t dot = std::min(dotted.find('.'), dotted.size());
+    const auto found = std::find_if(members->begin(), members->end(),
+                                    [&](const Member& m) { return m.first == dotted.substr(0, dot); });
+    at = found == members->end() ? nullptr : &found->second;
+    if (dot == dotted.size()) return at;
+    dotted.remove_prefix(dot + 1);
+  }
+  return nullptr;
+}
+
+std::optional<double> Json::number() const {
+  if (const auto* value = std::get_if<double>(&value_)) return *value;
+  if (const auto* value = std::get_if<std::int64_t>(&value_)) return static_cast<double>(*value);
+  if (const auto* value = std::get_if<std::uint64_t>(&value_)) return static_cast<double>(*value);
+  return std::nullopt;
+}
+
+std::size_t Json::size() const {
+  if (const auto* values = std::get_if<Array>(&value_)) return values->size();
+  if (const auto* members = std::get_if<Object>(&value_)) return members->size();
+  return 0;
+}
+
+std::string Json::line() const {
+  std::string out;
+  if (const auto* text = std::get_if<std::string>(&value_)) return *text;
+  if (const auto* values = std::get_if<Array>(&value_)) {
+    for (const Json& value : *values) out += (out.empty() ? "" : "; ") + value.line();
+    return out;
+  }
+  if (const auto* members = std::get_if<Object>(&value_)) {
+    for (const Member& m : *members) out += (out.empty() ? "" : " ") + m.first + ' ' + m.second.line();
+    return out;
+  }
+  return is_null() ? out : text();
+}
+
 std::string Json::text() const {
   std::string out;
   std::visit(JsonWriter{out}, value_);

@@ -56,6 +56,15 @@ class Json {
   /// A null becomes an array.
   void push_back(Json value);
 
+  /// What stands at "best.settings": members of members. Null pointer where there is none.
+  const Json* find(std::string_view dotted) const;
+  bool is_null() const { return std::holds_alternative<std::nullptr_t>(value_); }
+  std::optional<double> number() const;  ///< nothing where it is none
+  std::size_t size() const;              ///< of an array or object; else 0
+  /// On one line for people and tables: a text as it is, numbers that read back to the same double, nothing of null,
+  /// "a; b" of an array, "key value" of the members of an object with blanks between.
+  std::string line() const;
+
   /// Two blanks a level. Texts may hold any bytes; what is no UTF-8 becomes U+FFFD.
   std::string text() const;
 

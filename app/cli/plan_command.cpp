@@ -320,7 +320,15 @@ void add_plan_command(CommandLine& line) {
   flags->shaper.add_to(command);
   command.number("--timer-hz HZ", flags->timer_hz, "Clock of the pulse timer, for .pulses.csv");
   flags->job.add_to(command);
-  flags->reading.add_to(command);
+  flags->reading.add_to(command, {{"blocks", "blocks", {"blocks"}, CellKind::number, 0, true},
+                                  {"path_length_mm", "path mm", {"path_length_mm"}, CellKind::number, 1, true},
+                                  {"cycle_time_s", "cycle time s", {"cycle_time_s"}, CellKind::number, 4, true},
+                                  {"feed_time_s", "feed s", {"feed_time_s"}, CellKind::number, 4, true},
+                                  {"rapid_time_s", "rapid s", {"rapid_time_s"}, CellKind::number, 4, true},
+                                  {"dwell_time_s", "dwell s", {"dwell_time_s"}, CellKind::number, 4, true},
+                                  {"bound_s", "bound s", {"bound_s"}, CellKind::number, 4},
+                                  {"violations", "violations", {"violations"}, CellKind::number, 0, true},
+                                  {"warnings", "warnings", {"warnings"}, CellKind::count, 0, true}});
   command.footer(
       "Exit codes: 0 fine; 1 --verify found a broken limit; 2 bad usage; 3 bad input; 4 file trouble; 130 "
       "interrupted.\n\n"
@@ -328,7 +336,8 @@ void add_plan_command(CommandLine& line) {
       "  toolpace plan part.ngc\n"
       "  toolpace plan part.ngc --machine mill.toml --setpoints part.csv --verify\n"
       "  toolpace plan part.ngc --law seven-phase --ramps span --corner blend --tolerance-mm 0.02 --bound\n"
-      "  toolpace plan - --vmax 50 --am 500 --jm 2e4 --json < part.ngc");
+      "  toolpace plan - --vmax 50 --am 500 --jm 2e4 --json < part.ngc\n"
+      "  toolpace plan parts --machine mill.toml --results parts.csv --setpoints 'out/{}.npz'");
 }
 
 }  // namespace toolpace::cli

@@ -278,7 +278,13 @@ void add_predict_command(CommandLine& line) {
   flags->controller.add_to(command, Need::required);
   command.toggle("--no-what-if", flags->no_what_if, "Leave out what other settings would give");
   command.json(flags->json, "Print one JSON object");
-  flags->reading.add_to(command);
+  flags->reading.add_to(command, {{"blocks", "blocks", {"blocks"}, CellKind::number, 0, true},
+                                  {"cycle_time_s", "cycle time s", {"cycle_time_s"}, CellKind::number, 4, true},
+                                  {"feed_time_s", "feed s", {"feed_time_s"}, CellKind::number, 4, true},
+                                  {"rapid_time_s", "rapid s", {"rapid_time_s"}, CellKind::number, 4, true},
+                                  {"dwell_time_s", "dwell s", {"dwell_time_s"}, CellKind::number, 4, true},
+                                  {"starved_s", "starved s", {"starved_s"}, CellKind::number, 4, true},
+                                  {"warnings", "warnings", {"warnings"}, CellKind::count, 0, true}});
   command.footer(
       "A program is read in the controller's dialect where --dialect names no other. One with errors is predicted up "
       "to the\n"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "console.h"
 #include "interrupt.h"
 #include "report.h"
 #include "toolpace/base/file_error.h"
@@ -13,6 +14,7 @@
 namespace toolpace::cli {
 namespace {
 
+constexpr char kProgram[] = "NC program (.ngc, .nc, .tap, .gcode …) or polyline (.csv); - = either on standard input";
 constexpr double kWidestArcTolerance = 1000.0;  // [mm]
 constexpr double kFarthestOrigin = 1e9;         // [mm, deg]
 
@@ -52,8 +54,13 @@ std::optional<WorkOffset> work_offset(const std::string& text) {
 }  // namespace
 
 void ReadingFlags::add_to(Command& command) {
-  command.argument("PROGRAM", program, "the program",
-                   "NC program (.ngc, .nc, .tap, .gcode …) or polyline (.csv); - = either on standard input");
+  command.argument("PROGRAM", program, "the program", kProgram);
+  add_options_to(command);
+}
+
+void ReadingFlags::add_to(Command& command, std::vector<SeriesColumn> columns, bool fills_cores) {
+  command.programs(program, std::string(kProgram) + ";\nseveral, or a folder of them: a table", std::move(columns),
+                   fills_cores);
   add_options_to(command);
 }
 
@@ -161,6 +168,7 @@ tl::expected<Reading, Failure> ReadingFlags::told(Result<Reading> reading) const
     return tl::unexpected<Failure>(std::move(apart.error()));
   }
   report(reading->diagnostics);
+  if (Console* other = console()) other->has_read(*reading);
   return std::move(*reading);
 }
 

@@ -27,6 +27,8 @@ struct ReadingFlags {
 
   /// Adds PROGRAM and the reading flags to a command.
   void add_to(Command& command);
+  /// The same for a command that runs over many programs, too: see Command::programs().
+  void add_to(Command& command, std::vector<SeriesColumn> columns, bool fills_cores = false);
   /// Adds the reading flags alone.
   void add_options_to(Command& command);
 

@@ -209,7 +209,12 @@ void add_simulate_command(CommandLine& line) {
   flags->shaper.add_to(command);
   flags->advice.add_to(command);
   flags->job.add_to(command);
-  flags->reading.add_to(command);
+  flags->reading.add_to(
+      command, {{"cycle_time_s", "cycle time s", {"cycle_time_s"}, CellKind::number, 4, true},
+                {"max_contour_error_mm", "contour error mm", {"servo.max_contour_error_mm"}, CellKind::number, 6},
+                {"rms_contour_error_mm", "RMS mm", {"servo.rms_contour_error_mm"}, CellKind::number, 6},
+                {"worst_line", "at line", {"servo.worst_line"}, CellKind::number, 0},
+                {"max_lag_mm", "lag mm", {"servo.max_lag_mm"}, CellKind::number, 6}});
   command.footer(
       "Contour error: distance from the actual point to the commanded path. Lag: distance from the commanded point.\n\n"
       "Examples:\n"

@@ -260,6 +260,17 @@ Done run_tune(const TuneFlags& flags) {
   return best ? kFine : kLimitBroken;
 }
 
+/// Of many programs; where a controller is tuned, its own words.
+std::vector<SeriesColumn> table_columns() {
+  return {{"now_s", "now s", {"present.cycle_time_s", "cycle_time_before_s"}, CellKind::number, 4, true},
+          {"now_contour_um", "now contour µm", {"present.contour_um"}},
+          {"now_vibration_um", "now vibration µm", {"present.vibration_um"}},
+          {"best_s", "best s", {"best.cycle_time_s", "cycle_time_after_s"}, CellKind::number, 4, true},
+          {"best_contour_um", "best contour µm", {"best.contour_um"}},
+          {"best_vibration_um", "best vibration µm", {"best.vibration_um"}},
+          {"settings", "settings", {"best.settings", "lines"}, CellKind::text}};
+}
+
 }  // namespace
 
 void add_tune_command(CommandLine& line) {
@@ -283,7 +294,7 @@ void add_tune_command(CommandLine& line) {
   command.json(flags->json, "Print one JSON object");
   flags->controller.add_to(command, Need::optional);
   flags->job.add_to(command);
-  flags->reading.add_to(command);
+  flags->reading.add_to(command, table_columns(), true);
   command.footer(
       "Each point of the front is what plan and simulate print with its flags beside those that were given. "
       "Acceleration, jerk,\n"
@@ -302,6 +313,7 @@ void add_tune_command(CommandLine& line) {
       "  toolpace tune part.ngc --machine mill.toml --contour-um 20 --vibration-um 5 -o best.toml\n"
       "  toolpace tune part.ngc --settings grbl.txt --machine mill.toml -o better.txt\n"
       "  toolpace tune part.ngc --machine mill.toml --report better.html\n"
+      "  toolpace tune parts --machine mill.toml --contour-um 20 --results tuned.csv\n"
       "  toolpace tune part.ngc --machine mill.toml --vary am,jm,law --plans 100 --json");
 }
 

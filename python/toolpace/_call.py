@@ -15,6 +15,7 @@ from .errors import UsageError, error_of
 from .results import Plan, Pulses, Result
 
 _OWN = {"--json"}  # always on
+ARGUMENTS = ("argument", "arguments")  # one, and one or more
 
 
 def name_of(flag):
@@ -56,7 +57,7 @@ def _text(name, value):
 def _word(name, flag, value):
     """The same; the streams of the terminal are not Python's."""
     text = _text(name, value)
-    if text == b"-" and flag["kind"] in ("argument", "input", "output"):
+    if text == b"-" and flag["kind"] in (*ARGUMENTS, "input", "output"):
         raise usage_error("no-standard-streams", f"{name} is -, standard input or output, which Python may have for itself",
                           "give the name of a file")
     return text
@@ -73,7 +74,9 @@ def words_of(command, values):
             raise usage_error("flag-value", f"{name} is {value!r}, but it is either on or off", "give True or False")
         if value is None or (flag["kind"] == "toggle" and not value):
             continue
-        if flag["kind"] == "argument":
+        if flag["kind"] == "arguments" and isinstance(value, (list, tuple)):
+            arguments += [_word(name, flag, part) for part in value]
+        elif flag["kind"] in ARGUMENTS:
             arguments.append(_word(name, flag, value))
         elif flag["kind"] == "toggle":
             words.append(flag["name"].encode())
@@ -92,7 +95,7 @@ def call(command, values, before=None, progress=None):
     if ran.has_failed:
         raise error_of(summary)
     told = ran.told.decode("utf-8", "replace")
-    if command["name"] == "plan":
+    if command["name"] == "plan" and ran.plan is not None:  # of many programs there is a table alone
         return Plan(summary, ran.exit_code, told, ran.plan, values, ran.tip_of)
     if command["name"] == "steps":
         return Pulses(summary, ran.exit_code, told, ran.pulses)
@@ -103,7 +106,7 @@ def signature_of(command):
     kinds = inspect.Parameter
     arguments, flags = [], []
     for name, flag in command["flags"].items():
-        if flag["kind"] == "argument":
+        if flag["kind"] in ARGUMENTS:
             arguments.append(kinds(name, kinds.POSITIONAL_OR_KEYWORD))
         else:
             default = kinds.empty if flag["required"] else False if flag["kind"] == "toggle" else None
@@ -144,7 +147,7 @@ def _as_files(command, values, stack):
     has them, and the columns of a polyline (a dict, a pandas frame), named as in .csv: x_mm, y_mm, z_mm, feed_mm_min."""
     for name, is_meant, save in (("setpoints", lambda value: hasattr(value, "__array__"), _save_setpoints),
                                  ("program", lambda value: hasattr(value, "keys"), _save_polyline)):
-        if command["flags"].get(name, {}).get("kind") == "argument" and is_meant(values.get(name)):
+        if command["flags"].get(name, {}).get("kind") in ARGUMENTS and is_meant(values.get(name)):
             values[name] = save(stack.enter_context(tempfile.TemporaryDirectory(prefix="toolpace-")), values[name])
 
 

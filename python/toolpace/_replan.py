@@ -1,9 +1,9 @@
 """Planning again, from what an earlier plan has left as it was."""
 
-from ._call import call, commands, unknown, usage_error
+from ._call import ARGUMENTS, call, commands, unknown, usage_error
 from .results import Plan
 
-_READING = "Reading the program"
+_NOT_ANEW = ("Reading the program", "Many programs (several, folders, a list): one table")  # titles of flags
 
 
 def replan(plan, *, progress=None, **changes):
@@ -21,7 +21,7 @@ def replan(plan, *, progress=None, **changes):
         flag = command["flags"].get(name)
         if flag is None:
             raise unknown(command, name)
-        if flag["kind"] == "argument" or flag["title"] == _READING:
+        if flag["kind"] in ARGUMENTS or flag["title"] in _NOT_ANEW:
             raise usage_error("replan-reads-nothing", f"replan() does not read the program again, which {name} would need",
                               "use toolpace.plan()")
     kept = {name: value for name, value in plan._asked.items() if command["flags"][name]["kind"] != "output"}

@@ -73,6 +73,13 @@ class SameBytes(ModuleTest):
         told = toolpace.tune(program, vary=["am", "jm"], plans=2)
         self.assertEqual(told.summary["plans_evaluated"], 2)
 
+    def test_many_programs_are_a_table(self):
+        programs = [EXAMPLES / "butterfly.ngc", EXAMPLES / "blocks20.ngc"]
+        table = toolpace.plan(programs, machine=MILL)
+        self.assertEqual([row["cycle_time_s"] for row in table.rows], [toolpace.plan(p, machine=MILL).cycle_time_s for p in programs])
+        with self.assertRaises(toolpace.UsageError):
+            toolpace.replan(toolpace.plan(programs[0]), results="r.csv")
+
     def test_every_flag_and_toggle_is_passed_on(self):
         program = EXAMPLES / "butterfly.ngc"
         plan = toolpace.plan(program, machine=MILL, am=1500, corner="blend", tolerance_mm=0.02, verify=True, bound=True, lookahead=8,

@@ -64,6 +64,19 @@ class Formats(CommandLineTest):
             part = re.search(rf"`{name} --json`:(.*?)(?:\n\n|`\w+ --json`:|\Z)", TEXT, re.S).group(1)
             self.assertLessEqual(set(self.run_toolpace(name, *arguments, "--json").json()), set(names(part)), name)
 
+    def test_every_column_of_many_programs_is_told(self):
+        self.file("a.ngc", PROGRAM)
+        self.file("s.txt", "$110=1000\n")
+        rows = {row[0]: row[1] for row in table("Many programs")}
+        before = names(" ".join(rows)[:" ".join(rows).index("`fingerprint`")])
+        for command, flags in (("plan", ()), ("simulate", ()), ("predict", ("--settings", "s.txt")), ("tune", ("--plans", 1))):
+            run = self.run_toolpace(command, "a.ngc", *flags, "--csv", "-")
+            told = before + names(re.sub(r"\(.*?\)", "", rows[f"`{command}`"])) + ["fingerprint", "files"]
+            self.assertEqual(run.out.decode().splitlines()[0].split(","), told)
+        part = TEXT.split("## Many programs\n", 1)[1].split("\n## ", 1)[0]
+        for key in self.run_toolpace("plan", "a.ngc", "--results", "r.csv", "--json").json():
+            self.assertRegex(part.split("JSON: ", 1)[1], rf"\b{key}\b")
+
     def test_every_key_of_rewrite_is_told(self):
         run = self.run_toolpace("rewrite", self.file("a.ngc", PROGRAM), "-o", "b.ngc", "--json")
         told = {key for row in table("JSON of rewrite") for key in names(row[0])}

@@ -1,12 +1,8 @@
 """tune, as its users meet it: points that plan and simulate confirm, limits that are kept, machine files that keep their comments."""
 
-import json
-import re
-import shutil
-import subprocess
 import unittest
 
-from command_line import BAD_INPUT, BAD_USAGE, FINE, LIMIT_BROKEN, PATIENCE_S, PROGRAM, SOURCE_DIR, CommandLineTest
+from command_line import BAD_INPUT, BAD_USAGE, FINE, LIMIT_BROKEN, CommandLineTest
 
 NC = "G21 G90 G94 F6000\nG1 X4\nG1 X5 Y2\nG1 X1 Y3\nG2 X3 Y5 I2 J0\nG1 X20 Y0\nM2\n"
 MACHINE = """# the mill in the corner
@@ -104,24 +100,6 @@ class Tune(CommandLineTest):
 
     def test_seconds_end_it(self):
         self.assertLess(self.tune("--seconds", 0.2)["plans_evaluated"], 100000)
-
-    @unittest.skipUnless(shutil.which("parallel"), "GNU parallel is not installed")
-    def test_a_folder_is_run_by_gnu_parallel_as_the_docs_tell(self):
-        line = re.search(r"^    (parallel .*tune.*)$", (SOURCE_DIR / "docs" / "FORMATS.md").read_text(), re.M).group(1)
-        line = line.replace("toolpace tune", f"{PROGRAM} tune --plans 2").replace("--contour-um 20 ", "").replace("mill.toml", "m.toml")
-        for name in ("parts", "tuned"):
-            (self.folder / name).mkdir()
-        for name in ("one", "two"):
-            self.file(f"parts/{name}.ngc", NC)
-        run = lambda: subprocess.run(line, shell=True, cwd=self.folder, check=True, capture_output=True, timeout=PATIENCE_S)
-        run()
-        for name in ("one", "two"):
-            self.assertEqual(json.loads((self.folder / f"tuned/{name}.json").read_text())["program"], f"parts/{name}.ngc")
-        (self.folder / "tuned/one.json").unlink()
-        self.file("parts/zzz.ngc", NC)
-        run()
-        self.assertEqual(sorted(path.name for path in (self.folder / "tuned").iterdir()), ["log", "two.json", "zzz.json"],
-                         "what is in the log is not run again")
 
     def test_people_are_told_the_flags(self):
         run = self.run_toolpace("tune", "a.ngc", "--plans", 12)
