@@ -6670,6 +6670,10 @@
             <translation>伺服周期</translation>
         </message>
         <message>
+            <source>blend tolerance</source>
+            <translation>过渡公差</translation>
+        </message>
+        <message>
             <source>velocity</source>
             <translation>速度</translation>
         </message>

@@ -44,6 +44,7 @@ constexpr std::array kTitles = {QT_TRANSLATE_NOOP("ControllerNames", "step idle 
                                 QT_TRANSLATE_NOOP("ControllerNames", "ramp frequency"),
                                 QT_TRANSLATE_NOOP("ControllerNames", "cycle of the interpreter"),
                                 QT_TRANSLATE_NOOP("ControllerNames", "servo period"),
+                                QT_TRANSLATE_NOOP("ControllerNames", "blend tolerance"),
                                 QT_TRANSLATE_NOOP("ControllerNames", "velocity")};
 
 constexpr std::array<const char*, kTimeLimitCount> kLimits = {QT_TRANSLATE_NOOP("ControllerNames", "programmed feed"),

@@ -9,10 +9,10 @@
 
 #include <Eigen/Geometry>
 
-#include "toolpace/base/numbers.h"
 #include "toolpace/controller/linuxcnc_run.h"
 #include "toolpace/controller/models.h"
 #include "toolpace/controller/row_walk.h"
+#include "toolpace/machine/startup_code.h"
 
 namespace toolpace::detail::controller {
 namespace {
@@ -22,31 +22,18 @@ constexpr double kCyclesToSeeRest = 1.5, kCyclesOfSpindle = 3.0, kCyclesToRest =
 constexpr std::size_t kLongestChain = 100;  // points that lines may be merged from
 constexpr double kZero = 1e-9;              // [mm, rad]
 
-/// The number behind a letter in a line of codes, if it is there.
-std::optional<double> word_of(const std::string& codes, char letter) {
-  const std::size_t at = codes.find(letter);
-  if (at == std::string::npos) return std::nullopt;
-  const std::size_t begin = codes.find_first_not_of(' ', at + 1);
-  if (begin == std::string::npos) return std::nullopt;
-  const std::size_t end = codes.find_first_not_of("0123456789.+-", begin);
-  return parse_number(std::string_view(codes).substr(begin, end == std::string::npos ? end : end - begin));
-}
-
-/// What RS274NGC_STARTUP_CODE says of path control.
-MoveMode startup_mode(const std::string& startup_code) {
-  const std::string codes = upper(startup_code);
-  const auto has = [&](const char* code) { return codes.find(code) != std::string::npos; };
+/// What the settings say of path control before the program does.
+MoveMode startup_mode(const LinuxcncSettings& settings) {
+  const StartupCode code = read_startup_code(settings.startup_code);
   MoveMode mode;
-  if (has("G61.1")) {
-    mode.control = PathControl::exact_stop;
-  } else if (has("G61")) {
-    mode.control = PathControl::exact_path;
-  } else if (const auto tolerance = word_of(codes, 'P'); has("G64") && tolerance) {
-    constexpr double kMmPerInchOfCode = 25.4;
-    const double unit = has("G20") ? kMmPerInchOfCode : 1.0;
-    mode.control = PathControl::blend;
-    mode.tolerance = *tolerance * unit;
-    mode.naive_tolerance = word_of(codes, 'Q').value_or(*tolerance) * unit;
+  switch (code.control) {
+    case StartupCode::Control::none: break;
+    case StartupCode::Control::exact_path: mode.control = PathControl::exact_path; break;
+    case StartupCode::Control::exact_stop: mode.control = PathControl::exact_stop; break;
+    case StartupCode::Control::blend:
+      mode.control = PathControl::blend;
+      mode.tolerance = settings.blend_tolerance;
+      mode.naive_tolerance = code.naive.value_or(settings.blend_tolerance);
   }
   return mode;
 }
@@ -68,7 +55,7 @@ class LinuxcncModel {
         tally_(moves_.size(), input.options),
         run_(linuxcnc_, joint_limits(), tally_, input.monitor),
         position_(moves_.start),
-        startup_(startup_mode(linuxcnc_.startup_code)) {}
+        startup_(startup_mode(linuxcnc_)) {}
 
   Result<Prediction> run() {
     RowWalk walk(input_.reading, input_.text);

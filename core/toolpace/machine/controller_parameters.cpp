@@ -86,6 +86,8 @@ Parameters list_of(LinuxcncSettings& s) {
       {"[TRAJ] ARC_BLEND_RAMP_FREQ", "ramp frequency", "Hz", 1, &s.ramp_frequency, 0, kMostSetting},
       {"[TASK] CYCLE_TIME", "cycle of the interpreter", "s", 1, &s.task_cycle, 1e-6, 10},
       {"[EMCMOT] SERVO_PERIOD", "servo period", "ns", 1e-9, &s.period, 1e4, 1e8}};
+  if (s.blend_tolerance > 0)
+    list.push_back({"G64 P", "blend tolerance", "mm", 1, &s.blend_tolerance, kLeastSetting, kMostSetting});
   for (std::size_t k = 0; k < kAxisCount; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     const std::string section = std::string("[AXIS_") + kAxisNames[k] + "] ", letter(1, kAxisNames[k]);

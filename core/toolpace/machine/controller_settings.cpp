@@ -9,6 +9,7 @@
 #include "toolpace/base/numbers.h"
 #include "toolpace/machine/read_machine.h"
 #include "toolpace/machine/settings_includes.h"
+#include "toolpace/machine/startup_code.h"
 
 namespace toolpace {
 namespace {
@@ -224,6 +225,7 @@ Result<void> fill_linuxcnc(ControllerSettings& s, const ImportedValues& values, 
   }
   if (const auto at = values.find("RS274NGC.RS274NGC_STARTUP_CODE"); at != values.end()) {
     l.startup_code = at->second.text;
+    l.blend_tolerance = read_startup_code(l.startup_code).tolerance.value_or(0.0);
     filling.note_taken(at->first);
     s.used.emplace_back("[RS274NGC] RS274NGC_STARTUP_CODE");
   }

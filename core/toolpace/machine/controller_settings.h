@@ -71,6 +71,7 @@ struct LinuxcncSettings {
   double gap_cycles = 4;         ///< [TRAJ] ARC_BLEND_GAP_CYCLES
   double ramp_frequency = 100;   ///< [TRAJ] ARC_BLEND_RAMP_FREQ [Hz]
   std::string startup_code;      ///< [RS274NGC] RS274NGC_STARTUP_CODE
+  double blend_tolerance = 0;    ///< [mm] of its G64 P, in the place of what the text says; 0 = it has none
 };
 
 /// One setting that can be tried with another value.

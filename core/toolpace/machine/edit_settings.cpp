@@ -8,16 +8,21 @@
 #include "toolpace/base/axis_unit.h"
 #include "toolpace/base/numbers.h"
 #include "toolpace/machine/joint_axes.h"
+#include "toolpace/machine/startup_code.h"
 
 namespace toolpace {
 namespace {
 
 constexpr double kRounding = 1e-9;  // relative, of a value that went through the file's unit
 
+constexpr std::string_view kBlendTolerance = "G64 P", kStartupCode = "RS274NGC.RS274NGC_STARTUP_CODE";
+
 /// Where a parameter stands.
 struct Home {
   std::vector<std::string> keys;  ///< among the values of the text; more than one for joints that move an axis together
   double size = 1;                ///< of a unit of the file in units of the parameter
+  std::size_t at = 0;             ///< of the number in the value's text
+  std::size_t length = 0;         ///< of it; 0 = up to what stands behind a value
 };
 
 Error unwritable(const std::string& name, std::string message) {
@@ -69,8 +74,9 @@ class SettingEditor {
     std::sort(places.begin(), places.end(), [](const auto* a, const auto* b) { return a->at > b->at; });
     for (const ImportedValue* place : places) {
       if (!place->at) return tl::unexpected(included(parameter, *place));
-      const std::string_view old = number_in(place->text);
-      out.replace(*place->at, old.size(), number_like(old, number));
+      const std::string_view old =
+          home.length > 0 ? std::string_view(place->text).substr(home.at, home.length) : number_in(place->text);
+      out.replace(*place->at + home.at, old.size(), number_like(old, number));
     }
     return out;
   }
@@ -94,6 +100,11 @@ class SettingEditor {
   Home home_of(const ControllerParameter& parameter) const {
     const std::string key = key_in_values(parameter.key, controller_);
     if (controller_ != Controller::linuxcnc) return {{key}, 1.0};
+    if (parameter.key == kBlendTolerance) {
+      const auto code = values_.find(kStartupCode);
+      const StartupCode told = read_startup_code(code == values_.end() ? "" : code->second.text);
+      return {{std::string(kStartupCode)}, told.unit, told.at, told.length};
+    }
     Importer importer(values_, name_);
     const double length = length_unit(importer);
     if (key == kPathVelocityKeys[0]) {

@@ -15,6 +15,7 @@ namespace {
 constexpr double kHelps = 1e-4;      // of the cycle time, that a change saves at least
 constexpr double kOverLimit = 1e-9;  // relative
 constexpr int kHalvings = 50;
+constexpr double kFarthest = 1e4;  // times a value: what may be that much larger is not limited at all
 
 /// The limits that a controller's settings show, as numbers in one order; what is larger is more. No axis does more than the path.
 std::vector<double> limits_in(const Setup& setup) {
@@ -28,17 +29,53 @@ std::vector<double> limits_in(const Setup& setup) {
   return limits;
 }
 
+/// What no limit along the path needs to be beyond where it has none: all linear axes at once.
+PathLimits path_of(const Machine& machine) {
+  PathLimits path = machine.path;
+  Eigen::Vector3d speed, acceleration;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    speed[k] = machine.axes[static_cast<std::size_t>(k)].speed;
+    acceleration[k] = machine.axes[static_cast<std::size_t>(k)].acceleration;
+  }
+  path.speed = std::min(path.speed, speed.norm());
+  path.acceleration = std::min(path.acceleration, acceleration.norm());
+  return path;
+}
+
+/// The same of a controller; then what its axes could do on another path, how fast it speeds up where it does not work, and the tolerance
+/// within which it rounds corners.
+std::vector<double> limits_of(const ControllerSettings& settings) {
+  Setup setup = controller_setup(settings);
+  const auto* linuxcnc = std::get_if<LinuxcncSettings>(&settings.values);
+  const auto* marlin = std::get_if<MarlinSettings>(&settings.values);
+  const double along = setup.machine.path.acceleration, travel = marlin ? marlin->travel_acceleration : along;
+  setup.machine.path.acceleration = std::max(along, travel);
+  std::vector<double> limits = limits_in(setup);
+  for (const AxisLimits& axis : setup.machine.axes) limits.insert(limits.end(), {axis.speed, axis.acceleration});
+  limits.insert(limits.end(), {along, travel, linuxcnc ? linuxcnc->blend_tolerance : 0.0});
+  return limits;
+}
+
+/// The same of the machine on which it is allowed.
+std::vector<double> limits_of(Setup allowed) {
+  const PathLimits path = allowed.machine.path = path_of(allowed.machine);
+  std::vector<double> limits = limits_in(allowed);
+  limits.back() = allowed.options.corner.junction_deviation;
+  for (const AxisLimits& axis : allowed.machine.axes)  // none needs more than the path
+    limits.insert(limits.end(), {std::min(axis.speed, path.speed), std::min(axis.acceleration, path.acceleration)});
+  limits.insert(limits.end(), {path.acceleration, path.acceleration, allowed.options.corner.tolerance});
+  return limits;
+}
+
 class SettingsTuner {
  public:
   SettingsTuner(const Reading& reading, const ProgramText& text, const ControllerSettings& settings,
                 const SettingsSearch& search, const Monitor& monitor)
       : reading_(reading), text_(text), search_(search), monitor_(monitor), original_(settings), settings_(settings) {
     search_.predict.keeps_blocks = search_.predict.keeps_motion = false;
-    const Setup own = controller_setup(settings);
-    most_ = limits_in(own);
+    most_ = limits_of(settings);
     if (search.allowed) {
-      std::vector<double> allowed = limits_in(*search.allowed);
-      allowed.back() = search.allowed->options.corner.junction_deviation;
+      const std::vector<double> allowed = limits_of(*search.allowed);
       for (std::size_t i = 0; i < most_.size(); ++i) most_[i] = std::max(most_[i], allowed[i]);
     }
   }
@@ -77,7 +114,7 @@ class SettingsTuner {
   }
 
   bool is_allowed(const ControllerSettings& settings) const {
-    const std::vector<double> limits = limits_in(controller_setup(settings));
+    const std::vector<double> limits = limits_of(settings);
     for (std::size_t i = 0; i < limits.size(); ++i) {
       if (limits[i] > most_[i] * (1 + kOverLimit)) return false;
     }
@@ -94,10 +131,10 @@ class SettingsTuner {
     ControllerSettings other = settings_;
     const auto table = parameters(other);
     *table[i].value *= 2;
-    return limits_in(controller_setup(other)) != limits_in(controller_setup(settings_));
+    return limits_of(other) != limits_of(settings_);
   }
 
-  /// The largest value that is allowed, of a setting that is a limit.
+  /// The largest value that is allowed, of a setting that is a limit. Nothing where nothing bounds it.
   std::optional<double> largest(std::size_t i) const {
     ControllerSettings tried = settings_;
     const auto table = parameters(tried);
@@ -109,9 +146,9 @@ class SettingsTuner {
       return is_allowed(tried);
     };
     double low = now, high = now;
-    while (high < p.most && high < now * 1e4 && fits(high)) low = high, high *= 2;
+    while (high < p.most && high < now * kFarthest && fits(high)) low = high, high *= 2;
     high = std::min(high, p.most);
-    if (fits(high)) low = high == now ? now : high;
+    if (fits(high)) return std::nullopt;
     for (int k = 0; k < kHalvings && high - low > 1e-12 * high; ++k) {
       const double middle = (low + high) / 2;
       (fits(middle) ? low : high) = middle;

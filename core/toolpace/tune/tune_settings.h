@@ -25,7 +25,7 @@ struct TunedSettings {
 };
 
 struct SettingsSearch {
-  /// What no setting goes beyond: speeds, accelerations, junction deviation. Nothing = what the settings have now, so that only what is
+  /// What no setting goes beyond: speeds, accelerations, junction deviation, tolerance of G64 P. Nothing = what the settings have now, so that only what is
   /// no limit is changed.
   std::optional<Setup> allowed = {};
   std::size_t predictions = 400;  ///< that may be made, ≥ 1

@@ -113,29 +113,78 @@ class Tune(CommandLineTest):
         self.file("bad.ngc", "G1 X\n")
         self.expect_failure(self.run_toolpace("tune", "bad.ngc", "--plans", 2), BAD_INPUT, "bad.ngc")
 
+    ALLOWED = "".join(f"[axes.{a}]\nmax_speed_mm_s = 60\nmax_acceleration_mm_s2 = {n}\n" for a, n in
+                      (("X", 800), ("Y", 600), ("Z", 100))) + "[lookahead]\ntolerance_mm = 0.04\njunction_deviation_mm = 0.03\n"
 
-    def test_settings_of_a_controller_come_back_as_its_own_lines(self):
-        dump = "$0=10\n$11=0.010\n$100=250\n$101=250\n$102=250\n$110=3000\n$111=3000\n$112=1500\n$120=200\n$121=200\n$122=50\n"
-        self.file("grbl.txt", dump)
-        self.file("mill.toml", "".join(f"[axes.{a}]\nmax_speed_mm_s = 60\nmax_acceleration_mm_s2 = {n}\n" for a, n in
-                                       (("X", 800), ("Y", 600), ("Z", 100))))
-        tune = ("tune", "a.ngc", "--settings", "grbl.txt")
-        run = self.run_toolpace(*tune, "--machine", "mill.toml", "-o", "better.txt", "--json")
+    def tuned_settings(self, name, text, lines_are_shared=False):
+        """What tune --settings says of a controller's settings with a machine and without, all of it confirmed by predict."""
+        self.file(name, text)
+        self.file("mill.toml", self.ALLOWED)
+        run = self.run_toolpace("tune", "a.ngc", "--settings", name, "--machine", "mill.toml", "-o", "better", "--json")
         self.assertEqual(run.code, FINE, run.err)
         told = run.json()
+        better = (self.folder / "better").read_text()
         self.assertLess(told["cycle_time_after_s"], told["cycle_time_before_s"])
-        self.assertEqual(set(told["lines"]), set((self.folder / "better.txt").read_text().splitlines()) - set(dump.splitlines()))
-        values = {c["setting"]: c["to"] for c in told["changes"]}
-        self.assertEqual(values["$120"], 800)
-        self.assertEqual(values["$121"], 600)
-        self.assertNotIn("$122", values)  # Z does not move: it helps nothing
-        for file, key in (("grbl.txt", "cycle_time_before_s"), ("better.txt", "cycle_time_after_s")):
+        self.assertEqual(set(told["lines"]), set(better.splitlines()) - set(text.splitlines()))
+        if not lines_are_shared:
+            self.assertEqual(len(told["lines"]), len(told["changes"]), "each change is a line")
+        for file, key in ((name, "cycle_time_before_s"), ("better", "cycle_time_after_s")):
             predicted = self.run_toolpace("predict", "a.ngc", "--settings", file, "--no-what-if", "--json").json()
             self.assertEqual(predicted["cycle_time_s"], told[key])
-        kept = self.run_toolpace(*tune, "--json").json()  # without a machine nothing goes beyond what it has
-        self.assertFalse([c for c in kept["changes"] if c["setting"].startswith("$1") and c["to"] > c["from"]])
+        kept = self.run_toolpace("tune", "a.ngc", "--settings", name, "--json").json()
+        limits = {c["setting"] for c in told["changes"]} - {"[printer] minimum_cruise_ratio"}
+        self.assertFalse({c["setting"] for c in kept["changes"]} & limits, "without a machine no limit is raised")
+        again = self.run_toolpace("tune", "a.ngc", "--settings", "better", "--machine", "mill.toml", "--json").json()
+        self.assertGreater(again["cycle_time_after_s"], 0.999 * told["cycle_time_after_s"], "the best of the best is the same")
+        return told, {c["setting"]: c["to"] for c in told["changes"]}
+
+    def test_settings_of_grbl_come_back_as_its_own_lines(self):
+        dump = "$0=10\n$11=0.010\n$100=250\n$101=250\n$102=250\n$110=3000\n$111=3000\n$112=1500\n$120=200\n$121=200\n$122=50\n"
+        told, values = self.tuned_settings("grbl.txt", dump)
+        self.assertEqual((values["$120"], values["$121"], values["$11"]), (800, 600, 0.03))
+        self.assertNotIn("$122", values)  # Z does not move: it helps nothing
+        self.assertIn("$120=800", told["lines"])
+        tune = ("tune", "a.ngc", "--settings", "grbl.txt")
         self.assertIn(b"$120=800", self.run_toolpace(*tune, "--machine", "mill.toml").out)
         self.expect_failure(self.run_toolpace(*tune, "--vary", "am"), BAD_USAGE, "--settings")
+
+    def test_settings_of_klipper_come_back_as_its_own_lines(self):
+        text = ("# ours\n[printer]\nkinematics: cartesian\nmax_velocity: 50\nmax_accel: 200   # careful\nmax_z_velocity: 5\nmax_z_accel: 50\n"
+                "square_corner_velocity: 1.0\n[gcode_arcs]\nresolution: 0.1\n")
+        self.ALLOWED = "[path]\nmax_acceleration_mm_s2 = 700\n" + self.ALLOWED
+        told, values = self.tuned_settings("printer.cfg", text)
+        self.assertEqual(values["[printer] max_accel"], 600)  # all that Y may do: Klipper knows none of its axes
+        self.assertNotIn("[printer] max_z_accel", values)
+        self.assertIn("max_accel: 600   # careful", told["lines"])
+        corner = values["[printer] square_corner_velocity"]  # v² (√2 - 1) / a is the junction deviation
+        self.assertLessEqual(corner ** 2 * (2 ** 0.5 - 1) / 600, 0.03 * 1.000001)
+
+    def test_settings_of_marlin_come_back_as_its_own_lines(self):
+        text = ("echo:  G21    ; Units in mm (mm)\necho:; Steps per unit:\necho: M92 X80.00 Y80.00 Z400.00\necho:; Maximum feedrates (units/s):\n"
+                "echo:  M203 X50.00 Y50.00 Z5.00\necho:; Maximum Acceleration (units/s2):\necho:  M201 X200.00 Y150.00 Z50.00\n"
+                "echo:; Acceleration (units/s2):\necho:  M204 P180.00 R180.00 T180.00\necho:; Advanced:\n"
+                "echo:  M205 B20000.00 S0.00 T0.00 J0.01\n")
+        self.ALLOWED = "[path]\nmax_acceleration_mm_s2 = 700\n" + self.ALLOWED
+        told, values = self.tuned_settings("marlin.txt", text, lines_are_shared=True)
+        self.assertEqual((values["M201 X"], values["M201 Y"], values["M204 T"], values["M205 J"]), (700, 600, 700, 0.03))
+        self.assertFalse({"M201 Z", "M204 P"} & set(values), "nothing moves Z, nothing is printed")
+        self.assertIn("echo:  M201 X700.00 Y600.00 Z50.00", told["lines"])
+        self.assertIn("echo:  M205 B20000.00 S0.00 T0.00 J0.03", told["lines"])
+
+    INI = ("[EMC]\nMACHINE = lathe of yore\n[TRAJ]\nCOORDINATES = XYZ\nLINEAR_UNITS = mm\nMAX_LINEAR_VELOCITY = 50\n[KINS]\n"
+           "KINEMATICS = trivkins coordinates=xyz\n[RS274NGC]\nRS274NGC_STARTUP_CODE = G21 G90 G64 P0.002 (as ever)\n" +
+           "".join(f"[AXIS_{a}]\nMAX_VELOCITY = 40\nMAX_ACCELERATION = 200.0\n" for a in "XYZ"))
+
+    def test_settings_of_linuxcnc_come_back_with_the_tolerance_of_g64(self):
+        told, values = self.tuned_settings("mill.ini", self.INI)
+        self.assertEqual((values["[AXIS_X] MAX_ACCELERATION"], values["[AXIS_Y] MAX_ACCELERATION"]), (800, 600))
+        self.assertLessEqual(max(value for key, value in values.items() if key.endswith("VELOCITY")), 105, "no more than all axes can do")
+        self.assertEqual(values["G64 P"], 0.04)
+        self.assertIn("RS274NGC_STARTUP_CODE = G21 G90 G64 P0.040 (as ever)", told["lines"])
+
+    def test_a_program_that_tells_its_own_tolerance_leaves_that_of_the_settings(self):
+        self.file("a.ngc", NC.replace("F6000", "F6000 G64 P0.01"))
+        self.assertNotIn("G64 P", self.tuned_settings("mill.ini", self.INI)[1])
 
     def test_a_page_shows_before_and_after(self):
         told = self.tune("--plans", 12, "--report", "page.html")
