@@ -204,22 +204,24 @@ Result<std::optional<OutputFile>> open_output(const std::string& name) {
 
 Result<void> check_settings_flags(const TuneFlags& flags) {
   const bool is_alone = flags.controller.is_given();
-  const bool has_others =
-      !flags.vary.empty() || flags.contour_um || flags.vibration_um || flags.seconds || !flags.report.empty();
+  const bool has_others = flags.contour_um || flags.vibration_um || flags.seconds || !flags.report.empty();
   if (!is_alone || !has_others) return {};
   return tl::unexpected(usage_error("bad-flag",
-                                    "--settings tunes a controller, which knows none of --vary, --contour-um, "
+                                    "--settings tunes a controller, which knows none of --contour-um, "
                                     "--vibration-um, --seconds and --report",
                                     "leave them out"));
 }
 
 Done run_tune(const TuneFlags& flags) {
-  const auto options = options_of(flags);
+  TuneFlags own = flags;
+  if (flags.controller.is_given()) own.vary.clear();  // names settings of the controller
+  const auto options = options_of(own);
   if (!options) return tl::unexpected(options.error());
   if (auto fine = check_settings_flags(flags); !fine) return tl::unexpected(fine.error());
   if (flags.controller.is_given()) {
     const std::size_t predictions = flags.plans == kNotGiven ? kDefaultPredictions : options->plans;
-    return tune_controller({flags.reading, flags.job, flags.controller, flags.output, predictions, flags.json});
+    return tune_controller(
+        {flags.reading, flags.job, flags.controller, flags.vary, flags.output, predictions, flags.json});
   }
   auto setup = flags.job.setup();
   if (!setup) return tl::unexpected(setup.error());
@@ -278,7 +280,8 @@ void add_tune_command(CommandLine& line) {
   Command command = line.add("tune", "Find the best settings: cycle time against contour error and vibration",
                              [flags] { return run_tune(*flags); });
   command.word("--vary LIST", flags->vary,
-               "What may be changed, with commas between: " + knob_names() + "; default all");
+               "What may be changed, with commas between: " + knob_names() +
+                   "; with --settings keys of the controller ($120,$121 or max_accel); default all");
   command.number(
       "--contour-um UM", flags->contour_um,
       "Largest contour error through the drives that the best may have; default: that of the settings as they are");

@@ -51,6 +51,30 @@ Result<GivenBack> give_back(const ControllerFlags& flags, const TunedSettings& t
   return back;
 }
 
+/// The keys of "$110,$120", as they are listed or without the section in which they stand ("max_accel").
+Result<std::vector<std::string>> turned_of(const std::string& list, const ControllerSettings& settings) {
+  std::vector<std::string> turned;
+  if (list.empty()) return turned;
+  const std::vector<std::string> known = tunable_settings(settings);
+  std::string names;
+  for (const std::string& key : known) names += (names.empty() ? "" : ", ") + key;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string name = list.substr(begin, end - begin);
+    bool is_known = false;
+    for (const std::string& key : known) {
+      if (key != name && !key.ends_with("] " + name)) continue;
+      turned.push_back(key);
+      is_known = true;
+    }
+    if (!is_known)
+      return tl::unexpected(usage_error("bad-flag", "--vary does not know '" + name + "' of these settings",
+                                        "give some of " + names + ", with commas between"));
+    begin = end + 1;
+  }
+  return turned;
+}
+
 Json controller_json(const TuneControllerFlags& flags, const TunedSettings& tuned, const GivenBack& back) {
   Json changes = Json::array(), lines = Json::array();
   for (const SettingChange& c : tuned.changes)
@@ -88,6 +112,9 @@ Done tune_controller(TuneControllerFlags flags) {
   if (!settings) return tl::unexpected(settings.error());
   SettingsSearch search;
   search.predictions = flags.plans;
+  auto turned = turned_of(flags.vary, *settings);
+  if (!turned) return tl::unexpected(turned.error());
+  search.turned = std::move(*turned);
   auto options = flags.controller.options();
   if (!options) return tl::unexpected(options.error());
   search.predict = *options;

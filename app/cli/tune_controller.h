@@ -12,6 +12,7 @@ struct TuneControllerFlags {
   ReadingFlags reading;
   JobFlags job;
   ControllerFlags controller;
+  std::string vary;  ///< keys of settings, with commas between; empty = all
   std::string output;
   std::size_t plans;
   bool json;

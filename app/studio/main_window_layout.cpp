@@ -93,7 +93,7 @@ void MainWindow::buildPanels() {
   spectrum_ = new ui::SpectrumPage(this);
   trace_ = new ui::TracePage(this);
   addTool("traceDock", trace_, {640, 560});
-  tune_ = new ui::TunePage(workspace_.tuning(), this);
+  tune_ = new ui::TunePage(workspace_.tuning(), workspace_.controller(), this);
   addTool("tuneDock", tune_, {1000, 620});
   addTool("spectrumDock", spectrum_, {760, 560});
   addTool("drivesDock", drives_, {640, 340});

@@ -7361,6 +7361,89 @@
         </message>
     </context>
     <context>
+        <name>toolpace::ui::TuneSettingsPanel</name>
+        <message>
+            <source>Best settings</source>
+            <translation>最佳设置</translation>
+        </message>
+        <message>
+            <source>searching… %1 %</source>
+            <translation>搜索中… %1 %</translation>
+        </message>
+        <message>
+            <source>Setting</source>
+            <translation>设置</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>现在</translation>
+        </message>
+        <message>
+            <source>Best</source>
+            <translation>最佳</translation>
+        </message>
+        <message>
+            <source>The settings by which this program is fastest on its controller, by that one's own model</source>
+            <translation>按控制器自身的模型，使该程序在其上最快的设置</translation>
+        </message>
+        <message>
+            <source>Of another program or other settings: search again</source>
+            <translation>属于其他程序或其他设置：请重新搜索</translation>
+        </message>
+        <message>
+            <source>%1 now, %2 at best</source>
+            <translation>现在 %1，最佳 %2</translation>
+        </message>
+        <message>
+            <source>nothing that may change helps</source>
+            <translation>可更改的设置都无帮助</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>搜索</translation>
+        </message>
+        <message>
+            <source>Leave it</source>
+            <translation>放弃</translation>
+        </message>
+        <message>
+            <source>Try other values of the settings that are ticked</source>
+            <translation>试用已勾选设置的其他取值</translation>
+        </message>
+        <message>
+            <source>Up to the machine's limits</source>
+            <translation>直至机床极限</translation>
+        </message>
+        <message>
+            <source>No setting goes beyond what the machine of the page Limits can do; else beyond what it has now</source>
+            <translation>任何设置都不超过“极限”页中机床的能力；否则不超过现值</translation>
+        </message>
+        <message>
+            <source>Take</source>
+            <translation>采用</translation>
+        </message>
+        <message>
+            <source>Take the best settings</source>
+            <translation>采用最佳设置</translation>
+        </message>
+        <message>
+            <source>All changes at once; undo gives the settings back</source>
+            <translation>一次完成全部更改；撤销即可恢复设置</translation>
+        </message>
+        <message>
+            <source>Settings of the controller</source>
+            <translation>控制器的设置</translation>
+        </message>
+        <message>
+            <source>Those that are ticked may change</source>
+            <translation>已勾选者可以更改</translation>
+        </message>
+    </context>
+    <context>
         <name>toolpace::ui::TunePage</name>
         <message>
             <source>searching… %1 %</source>

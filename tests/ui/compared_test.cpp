@@ -14,6 +14,7 @@
 #include "panels/change_bar.h"
 #include "panels/controller_panel.h"
 #include "panels/nc_view.h"
+#include "panels/tune_settings_panel.h"
 #include "support/dialogs.h"
 #include "support/files.h"
 #include "support/screenshot.h"
@@ -72,6 +73,53 @@ class ComparedTest : public QObject {
 
  private slots:
   void initTestCase() { QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path()); }
+
+  void the_best_settings_of_the_controller_are_found_and_taken_in_one_step() {
+    write(in("grbl.txt"), kGrbl);
+    OnController window;
+    QVERIFY(window.openController(in("grbl.txt")));
+    TOOLPACE_EVENTUALLY(window.takes(predicted(kGrbl)));
+    window.the<QDockWidget>("tuneDock").show();
+    studio::settle(window);
+    auto& panel = window.the<TuneSettingsPanel>("tuneSettingsPanel");
+    QVERIFY(panel.isVisible() && !window.the<QAbstractButton>("tuneButton").isVisible());
+    auto& table = window.the<QTableWidget>("tuneControllerSettings");
+    QVERIFY(table.rowCount() > 5);
+    const auto search = [&] {
+      QTest::mouseClick(&window.the<QAbstractButton>("tuneSettingsButton"), Qt::LeftButton);
+      QVERIFY(panel.isSearching());
+      TOOLPACE_EVENTUALLY(!panel.isSearching());
+      QVERIFY2(panel.tuned() && !panel.isStale(), qPrintable(window.the<QLabel>("tuneSettingsVerdict").text()));
+      QVERIFY(!panel.tuned()->changes.empty());
+      QVERIFY(panel.tuned()->after < panel.tuned()->before);
+    };
+    search();
+    QVERIFY(panel.tuned()->changes.size() > 1);
+    screenshot(window, "tuned-grbl");
+    const int steps = window.workspace().undoStack().count();
+    const double after = panel.tuned()->after;
+    QTest::mouseClick(&window.the<QAbstractButton>("tuneSettingsTake"), Qt::LeftButton);
+    QCOMPARE(window.workspace().undoStack().count(), steps + 1);
+    TOOLPACE_EVENTUALLY(window.takes(after));
+    QCOMPARE(predicted(window.text()), after);
+    QVERIFY(!panel.isStale() && !window.the<QAbstractButton>("tuneSettingsTake").isEnabled());
+    window.actions().undo->trigger();
+    QCOMPARE(window.text(), kGrbl);
+    TOOLPACE_EVENTUALLY(window.takes(predicted(kGrbl)));
+    QVERIFY(window.the<QAbstractButton>("tuneSettingsTake").isEnabled());
+
+    // Of those that are ticked alone.
+    for (int row = 0; row < table.rowCount(); ++row)
+      table.item(row, 0)->setCheckState(table.item(row, 0)->data(Qt::UserRole) == "$120" ? Qt::Checked : Qt::Unchecked);
+    search();
+    QCOMPARE(panel.tuned()->changes.size(), std::size_t{1});
+    QCOMPARE(panel.tuned()->changes.front().setting, std::string("$120"));
+    window.type("$121", "123");
+    TOOLPACE_EVENTUALLY(panel.isStale());
+    // Without a controller the page is that of the plan.
+    window.workspace().unpin();
+    QVERIFY(panel.isHidden() && window.the<QAbstractButton>("tuneButton").isVisible());
+  }
 
   void what_a_controller_does_is_plan_b_and_its_settings_are_edited_as_any_other() {
     write(in("grbl.txt"), kGrbl);

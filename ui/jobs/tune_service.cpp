@@ -63,6 +63,16 @@ void TuneService::trySettings(std::shared_ptr<const Controlled> run) {
   });
 }
 
+void TuneService::searchSettings(std::shared_ptr<const Controlled> run, const SettingsSearch& search) {
+  const quint64 number = ++latest_;
+  SettingsSearch asked = search;
+  asked.predict = run->supply;
+  submit(number, [this, run = std::move(run), asked = std::move(asked), number](const Monitor& monitor) {
+    auto result = tune_settings(*run->reading, *run->text, run->asked->settings, asked, monitor);
+    return answer(number, std::move(result), &TuneService::settingsTuned);
+  });
+}
+
 void TuneService::planSetpoints(std::shared_ptr<const Controlled> run) {
   const quint64 number = ++latest_;
   submit(number, [this, run = std::move(run), number](const Monitor& monitor) {

@@ -11,6 +11,7 @@
 #include "toolpace/tune/single_changes.h"
 #include "toolpace/tune/sweep.h"
 #include "toolpace/tune/tune.h"
+#include "toolpace/tune/tune_settings.h"
 #include "toolpace/tune/vibration_advice.h"
 #include "toolpace/tune/what_if.h"
 
@@ -30,6 +31,8 @@ class TuneService : public QObject {
   void advise(std::shared_ptr<const Job> job, std::optional<double> limit);
   /// What the program takes there with another value of each setting.
   void trySettings(std::shared_ptr<const Controlled> run);
+  /// The settings that are best for it. @param search  but for how blocks come, which `run` tells
+  void searchSettings(std::shared_ptr<const Controlled> run, const SettingsSearch& search);
   /// What it takes as setpoints of this planner, on the same limits.
   void planSetpoints(std::shared_ptr<const Controlled> run);
   void cancel();
@@ -41,6 +44,7 @@ class TuneService : public QObject {
   void changesTried(const toolpace::SingleChanges& changes);
   void advised(const toolpace::VibrationAdvice& advice);
   void settingsTried(const std::vector<toolpace::WhatIf>& rows);
+  void settingsTuned(const toolpace::TunedSettings& tuned);
   void setpointsPlanned(double cycle_time);  ///< [s]
   void failed(const toolpace::Error& error);
   void progressed(double fraction);

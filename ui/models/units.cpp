@@ -74,6 +74,12 @@ QString number_text(double value, int digits) {
   return grouped(text == "-0" ? "0" : text);
 }
 
+QString error_text(double core_value, const DisplayUnit& unit, int digits) {
+  constexpr double kNothing = 1e-6;
+  const double shown = core_value * unit.factor;
+  return number_text(std::abs(shown) < kNothing ? 0.0 : shown, digits);
+}
+
 QString value_text(double core_value, Quantity quantity, Units unit, int digits) {
   const auto shown = display_unit(quantity, unit);
   return number_text(core_value * shown.factor, digits) + " " + shown.text;

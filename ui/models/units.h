@@ -43,6 +43,8 @@ Quantity rotary(Quantity quantity);
 /// `value` in core units as text with at most `digits` significant digits, digits grouped by thin spaces from 10 000
 /// on; "∞" where unlimited, "–" where not a number. Always a point as the decimal mark.
 QString number_text(double value, int digits = 6);
+/// An error of a motion in that unit, without it: what is nothing but rounding (below a millionth of a unit) is 0.
+QString error_text(double core_value, const DisplayUnit& unit, int digits = 4);
 QString value_text(double core_value, Quantity quantity, Units unit, int digits = 6);
 
 /// "12.345 s", "2 min 03.4 s", "1 h 02 min"

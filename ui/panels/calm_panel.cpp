@@ -162,7 +162,7 @@ void CalmPanel::fill() {
     const double costs = choice.cycle_time - advice_->present.cycle_time;
     const int row = static_cast<int>(i);
     table_->setItem(row, kCalmTitle, title);
-    table_->setItem(row, kCalmLeaves, new NumberItem(number_text(choice.residual * unit.factor, 4), choice.residual));
+    table_->setItem(row, kCalmLeaves, new NumberItem(error_text(choice.residual, unit), choice.residual));
     table_->setItem(row, kCalmCosts, new NumberItem(QString::number(costs, 'f', 3), costs));
   }
   showState();
@@ -178,7 +178,7 @@ void CalmPanel::showState() {
   if (!trouble_.isEmpty()) return hint_->setText(trouble_);
   if (!advice_) return hint_->setText(tr("What each way of keeping calm leaves after stops, and what it costs"));
   const DisplayUnit unit = error_unit(units_);
-  const auto text = [&](double residual) { return number_text(residual * unit.factor, 4) + " " + unit.text; };
+  const auto text = [&](double residual) { return error_text(residual, unit) + " " + unit.text; };
   const QString now = tr("Now %1 after stops.").arg(text(advice_->present.residual));
   hint_->setText(now + " " + tr("Double click or Enter takes one."));
 }

@@ -25,7 +25,7 @@ enum SettingColumn { kSettingName, kSettingNow, kSettingThere, kSettingColumns }
 
 }  // namespace
 
-TunePage::TunePage(TuningModel& model, QWidget* parent)
+TunePage::TunePage(TuningModel& model, ControllerModel& controller, QWidget* parent)
     : QWidget(parent),
       model_(model),
       vary_(new VaryButton(this)),
@@ -43,7 +43,8 @@ TunePage::TunePage(TuningModel& model, QWidget* parent)
       plot_(new FrontPlot(this)),
       dial_(new FrontDial(this)),
       settings_(figure_table("tuneSettings", kSettingColumns, this)),
-      changes_(new SingleChangesPanel(this)) {
+      changes_(new SingleChangesPanel(this)),
+      of_controller_(new TuneSettingsPanel(controller, model, this)) {
   setObjectName("tunePage");
   setProperty("role", "surface");
   setAttribute(Qt::WA_StyledBackground);
@@ -89,8 +90,14 @@ QWidget* TunePage::buildRight() {
 }
 
 void TunePage::build() {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
+  auto* page = new QVBoxLayout(this);
+  page->setContentsMargins(8, 8, 8, 8);
+  of_plan_ = new QWidget(this);
+  page->addWidget(of_plan_);
+  page->addWidget(of_controller_);
+  of_controller_->hide();
+  auto* column = new QVBoxLayout(of_plan_);
+  column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
   column->addWidget(buildHead());
   auto* left = new QWidget(this);
@@ -135,7 +142,7 @@ void TunePage::connectParts() {
   connect(changes_, &SingleChangesPanel::chosen, this, &TunePage::take);
   connect(&model_, &TuningModel::changed, this, [this] {
     outdated_ = true;
-    if (isVisible()) look();
+    isVisible() ? look() : showState();
   });
   connect(limit_, &NumberField::unitChanged, this, [this] { limit_unit_->setText(limit_->unitText()); });
   connect(vibration_, &NumberField::unitChanged, this, [this] { vibration_unit_->setText(vibration_->unitText()); });
@@ -162,7 +169,14 @@ void TunePage::showPlans(const Planned& plan, const Planned&) {
   showState();
 }
 
+void TunePage::showController(const ControllerView& view) {
+  of_plan_->setVisible(view.chosen == nullptr);
+  of_controller_->setVisible(view.chosen != nullptr);
+  of_controller_->showController(view);
+}
+
 void TunePage::search() {
+  if (!of_controller_->isHidden()) return of_controller_->search();
   const auto present = job();
   if (!present) return;
   TuneOptions options;
@@ -317,6 +331,7 @@ void TunePage::retranslate() {
   plot_->retranslate();
   dial_->retranslate();
   changes_->retranslate();
+  of_controller_->retranslate();
   showChanges();
   showState();
 }

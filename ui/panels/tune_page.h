@@ -1,5 +1,6 @@
 #pragma once
-/// The page "Tune": the best settings for the program on its machine, found, shown and taken.
+/// The page "Tune": the best settings for the program on its machine, found, shown and taken; where it runs on a controller, that
+/// one's own settings.
 
 #include <QBoxLayout>
 #include <QLabel>
@@ -17,6 +18,7 @@
 #include "panels/front_plot.h"
 #include "panels/number_field.h"
 #include "panels/single_changes_panel.h"
+#include "panels/tune_settings_panel.h"
 #include "panels/vary_button.h"
 
 namespace toolpace::ui {
@@ -26,14 +28,16 @@ class TunePage : public QWidget, public PlanView {
   Q_OBJECT
 
  public:
-  explicit TunePage(TuningModel& model, QWidget* parent = nullptr);
+  TunePage(TuningModel& model, ControllerModel& controller, QWidget* parent = nullptr);
 
   void showPlans(const Planned& plan, const Planned& pinned) override;
+  void showController(const ControllerView& view) override;
   void setTheme(const Theme& theme) override;
   void setUnits(Units units) override;
-  void search();
+  void search();  ///< what is shown: this planner's settings, or the controller's
   bool isSearching() const { return service_.isRunning(); }
   SingleChangesPanel& changes() { return *changes_; }
+  TuneSettingsPanel& ofController() { return *of_controller_; }
   /// What was found last; null before that.
   const std::shared_ptr<const toolpace::TuneResult>& tuning() const { return tuning_; }
   bool isStale() const { return stale_; }  ///< what was found is of another program, or other settings are in use
@@ -72,6 +76,8 @@ class TunePage : public QWidget, public PlanView {
   QTableWidget* settings_;
   SingleChangesPanel* changes_;
   QBoxLayout* body_ = nullptr;
+  QWidget* of_plan_ = nullptr;
+  TuneSettingsPanel* of_controller_;
   std::shared_ptr<const Reading> program_;
   std::shared_ptr<const Job> plan_job_;  // of the plan that is shown
   std::shared_ptr<const toolpace::TuneResult> tuning_;

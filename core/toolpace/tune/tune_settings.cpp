@@ -67,6 +67,14 @@ std::vector<double> limits_of(Setup allowed) {
   return limits;
 }
 
+/// Whether the limits show this setting: if not, nothing says how far it may be raised.
+bool is_limit(const ControllerSettings& settings, std::size_t i) {
+  ControllerSettings other = settings;
+  const auto table = parameters(other);
+  *table[i].value *= 2;
+  return limits_of(other) != limits_of(settings);
+}
+
 class SettingsTuner {
  public:
   SettingsTuner(const Reading& reading, const ProgramText& text, const ControllerSettings& settings,
@@ -126,21 +134,13 @@ class SettingsTuner {
     *table[i].value = value * table[i].size;
   }
 
-  /// Whether the limits show this setting: if not, nothing says how far it may be raised.
-  bool is_limit(std::size_t i) const {
-    ControllerSettings other = settings_;
-    const auto table = parameters(other);
-    *table[i].value *= 2;
-    return limits_of(other) != limits_of(settings_);
-  }
-
   /// The largest value that is allowed, of a setting that is a limit. Nothing where nothing bounds it.
   std::optional<double> largest(std::size_t i) const {
     ControllerSettings tried = settings_;
     const auto table = parameters(tried);
     const ControllerParameter& p = table[i];
     const double now = *p.value / p.size;
-    if (!is_turned(p) || !(now > 0) || !is_limit(i)) return std::nullopt;
+    if (!is_turned(p) || !(now > 0) || !is_limit(settings_, i)) return std::nullopt;
     const auto fits = [&](double value) {
       *p.value = value * p.size;
       return is_allowed(tried);
@@ -166,7 +166,11 @@ class SettingsTuner {
     return value;
   }
 
-  static bool is_turned(const ControllerParameter& p) { return !is_built_in_setting(p); }
+  bool is_turned(const ControllerParameter& p) const {
+    const auto& chosen = search_.turned;
+    return !is_built_in_setting(p) &&
+           (chosen.empty() || std::find(chosen.begin(), chosen.end(), p.key) != chosen.end());
+  }
 
   /// All limits at once: one alone often does nothing, as the others then hold.
   Result<void> raise_all() {
@@ -241,6 +245,18 @@ class SettingsTuner {
 };
 
 }  // namespace
+
+std::vector<std::string> tunable_settings(const ControllerSettings& settings) {
+  ControllerSettings copy = settings;
+  const auto table = parameters(copy);
+  std::vector<std::string> keys;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const bool is_there = std::isfinite(*table[i].value);
+    const bool has_others = !table[i].others.empty() || (*table[i].value > 0 && is_limit(settings, i));
+    if (is_there && has_others && !is_built_in_setting(table[i])) keys.push_back(table[i].key);
+  }
+  return keys;
+}
 
 Result<TunedSettings> tune_settings(const Reading& reading, const ProgramText& text, const ControllerSettings& settings,
                                     const SettingsSearch& search, const Monitor& monitor) {

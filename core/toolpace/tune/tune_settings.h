@@ -28,9 +28,13 @@ struct SettingsSearch {
   /// What no setting goes beyond: speeds, accelerations, junction deviation, tolerance of G64 P. Nothing = what the settings have now, so that only what is
   /// no limit is changed.
   std::optional<Setup> allowed = {};
-  std::size_t predictions = 400;  ///< that may be made, ≥ 1
+  std::vector<std::string> turned = {};  ///< keys of those that may be changed; empty = all of tunable_settings()
+  std::size_t predictions = 400;         ///< that may be made, ≥ 1
   PredictOptions predict = {};
 };
+
+/// Keys of the settings that a search may change: limits, and those with other usual values.
+std::vector<std::string> tunable_settings(const ControllerSettings& settings);
 
 /// Raises the limits that there are to what is allowed, all at once and one by one, and tries what else is usual of settings that are no
 /// limits, again and again as long as that helps; then takes back every change that saves less than a ten-thousandth. What an axis is

@@ -146,7 +146,10 @@ class Tune(CommandLineTest):
         self.assertIn("$120=800", told["lines"])
         tune = ("tune", "a.ngc", "--settings", "grbl.txt")
         self.assertIn(b"$120=800", self.run_toolpace(*tune, "--machine", "mill.toml").out)
-        self.expect_failure(self.run_toolpace(*tune, "--vary", "am"), BAD_USAGE, "--settings")
+        one = self.run_toolpace(*tune, "--machine", "mill.toml", "--vary", "$120,$11", "--json").json()
+        self.assertEqual({c["setting"] for c in one["changes"]}, {"$120", "$11"})
+        self.expect_failure(self.run_toolpace(*tune, "--vary", "am"), BAD_USAGE, "--vary", "$120")
+        self.expect_failure(self.run_toolpace(*tune, "--contour-um", 5), BAD_USAGE, "--settings")
 
     def test_settings_of_klipper_come_back_as_its_own_lines(self):
         text = ("# ours\n[printer]\nkinematics: cartesian\nmax_velocity: 50\nmax_accel: 200   # careful\nmax_z_velocity: 5\nmax_z_accel: 50\n"
@@ -156,6 +159,8 @@ class Tune(CommandLineTest):
         self.assertEqual(values["[printer] max_accel"], 600)  # all that Y may do: Klipper knows none of its axes
         self.assertNotIn("[printer] max_z_accel", values)
         self.assertIn("max_accel: 600   # careful", told["lines"])
+        one = self.run_toolpace("tune", "a.ngc", "--settings", "printer.cfg", "--machine", "mill.toml", "--vary", "max_accel", "--json").json()
+        self.assertEqual([c["setting"] for c in one["changes"]], ["[printer] max_accel"])
         corner = values["[printer] square_corner_velocity"]  # v² (√2 - 1) / a is the junction deviation
         self.assertLessEqual(corner ** 2 * (2 ** 0.5 - 1) / 600, 0.03 * 1.000001)
 
