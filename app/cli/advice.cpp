@@ -50,6 +50,26 @@ Json band_json(const CalmChoice& choice) {
   return band;
 }
 
+/// [[share of the frequency, what is left of the vibration], …] where all modes are that much slower or faster than they are taken to be:
+/// the most of them. Null of what is no shaper.
+Json robustness_json(const CalmChoice& choice) {
+  constexpr int kFrom = 50, kTo = 150, kStep = 5;  // [%]
+  const Job& job = *choice.job;
+  if (choice.by != CalmBy::shaper) return nullptr;
+  const Impulses impulses = shaping(job.options.shaper, job.machine.servo);
+  Json curve = Json::array();
+  for (int percent = kFrom; percent <= kTo; percent += kStep) {
+    double most = 0;
+    for (const AxisMode& m : shaped_modes(job.machine.servo))
+      most = std::max(most, residual_share(impulses, m.frequency * percent / 100, m.damping));
+    Json point = Json::array();
+    point.push_back(percent / 100.0);
+    point.push_back(most);
+    curve.push_back(std::move(point));
+  }
+  return curve;
+}
+
 Json choice_json(const CalmChoice& choice, const VibrationAdvice& advice, const AdviceFlags& flags,
                  const JobFlags& given, const Setup& setup) {
   const double residual = choice.residual / kThousandth;
@@ -58,6 +78,7 @@ Json choice_json(const CalmChoice& choice, const VibrationAdvice& advice, const 
           {"costs_s", choice.cycle_time - advice.present.cycle_time},
           {"residual_um", residual},
           {"band_5_percent", band_json(choice)},
+          {"robustness", robustness_json(choice)},
           {"keeps", flags.vibration_um ? Json(residual <= *flags.vibration_um) : Json(nullptr)},
           {"settings", to_json(settings_of(choice, given, setup))}};
 }

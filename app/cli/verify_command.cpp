@@ -51,8 +51,14 @@ Machine judged_by(const VerifyFlags& flags, const Setup& setup) {
   return judged_machine(setup.machine, options);
 }
 
+/// What was found, and by what the setpoints were shaped as their file tells; empty where it tells none.
+struct Judgement {
+  VerifyReport report;
+  std::string shaper;
+};
+
 /// The tolerance is checked first: a proof may take minutes.
-tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
+tl::expected<Judgement, Failure> judge(const VerifyFlags& flags) {
   if (flags.tolerance_mm && !(*flags.tolerance_mm >= 0)) {
     return tl::unexpected<Failure>(usage_error(
         "bad-limit", fmt::format("--tolerance-mm is {}, but must be 0 mm or more", *flags.tolerance_mm), ""));
@@ -68,10 +74,10 @@ tl::expected<VerifyReport, Failure> judge(const VerifyFlags& flags) {
   VerifyOptions options;
   options.monitor = terminal_monitor("verifying");
   if (flags.corner_step || !flags.corner.empty()) options.corner = setup->options.corner;
-  const auto prove = [&](const ProgrammedPath* program) -> tl::expected<VerifyReport, Failure> {
+  const auto prove = [&](const ProgrammedPath* program) -> tl::expected<Judgement, Failure> {
     auto found = verify(**file, machine, program, options);
     end_progress();
-    if (found) return std::move(*found);
+    if (found) return Judgement{std::move(*found), (*file)->origin().shaper};
     if (found.error().where.file.empty()) found.error().where.file = flags.setpoints;
     return tl::unexpected<Failure>(std::move(found.error()));
   };
@@ -89,11 +95,14 @@ Done run_verify(const VerifyFlags& flags) {
   const auto found = judge(flags);
   if (!found) return tl::unexpected(found.error());
   if (flags.json) {
-    print_json(verification_json(*found));
+    Json json = verification_json(found->report);
+    json["shaper"] = found->shaper.empty() ? Json(nullptr) : Json(found->shaper);
+    print_json(json);
   } else {
-    print_verification(*found);
+    print_verification(found->report);
+    if (!found->shaper.empty()) fmt::print("  shaped       by {}\n", found->shaper);
   }
-  return found->passes() ? kFine : kLimitBroken;
+  return found->report.passes() ? kFine : kLimitBroken;
 }
 
 }  // namespace

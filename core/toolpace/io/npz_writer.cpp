@@ -76,6 +76,7 @@ class NpzWriter final : public SetpointWriter {
   std::string plan_text() const {
     std::string text;
     if (!origin_.law.empty()) text += ", \"law\": " + json_text(origin_.law);
+    if (!origin_.shaper.empty()) text += ", \"shaper\": " + json_text(origin_.shaper);
     if (!origin_.corner) return text;
     const CornerOptions& corner = *origin_.corner;
     text += ", \"corner\": " + json_text(corner_rule_name(corner.rule));

@@ -8,6 +8,7 @@
 #include "toolpace/path/build_path.h"
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/sampled.h"
+#include "toolpace/sample/shaper.h"
 
 namespace toolpace {
 namespace {
@@ -91,7 +92,10 @@ SetpointOrigin origin_of(const Outcome& outcome) {
   const bool has_control = std::any_of(moves.mode.begin(), moves.mode.end(), [&](std::uint16_t mode) {
     return moves.modes[mode].control != PathControl::job_default;
   });
-  return {std::string(law_row(outcome.ran.law).id), outcome.job->options.corner, has_control};
+  const PlanOptions& options = outcome.job->options;
+  const bool is_shaped = options.shaper != ShaperKind::none;
+  return {std::string(law_row(outcome.ran.law).id), options.corner, has_control,
+          is_shaped ? std::string(shaper_name(options.shaper)) : std::string()};
 }
 
 double corner_tolerance(const Moves& moves, std::uint32_t row, const CornerOptions& corner) {

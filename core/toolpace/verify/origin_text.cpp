@@ -109,6 +109,7 @@ SetpointOrigin origin_of_text(const std::string& json) {
   const FlatObject object(json);
   SetpointOrigin origin;
   if (const auto* law = object.find("law")) origin.law = *law;
+  if (const auto* shaper = object.find("shaper")) origin.shaper = *shaper;
   if (const auto* control = object.find("path_control")) origin.has_path_control = *control == "true";
   const auto* const name = object.find("corner");
   const auto rule = name != nullptr ? rule_named(*name) : std::nullopt;

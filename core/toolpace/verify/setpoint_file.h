@@ -33,6 +33,7 @@ struct SetpointOrigin {
   std::string law = {};                      ///< "quintic", …; empty = not told
   std::optional<CornerOptions> corner = {};  ///< of the job
   bool has_path_control = false;  ///< whether the program has path control of its own somewhere: G61, G64 P, …
+  std::string shaper = {};        ///< that shaped them: "zv", …; empty = not told or none
 };
 
 /// Some consecutive rows, column by column; columns that the file lacks are empty.

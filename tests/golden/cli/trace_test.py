@@ -176,6 +176,17 @@ class Trace(CommandLineTest):
         self.assertIsNone(bands["quintic ramps"])
         self.assertLess(bands["shaper zvd"][0], bands["shaper zv"][0])
         self.assertLess(bands["shaper zv"][1], bands["shaper zvd"][1])
+        curves = {c["by"]: c["robustness"] for c in advice["choices"]}
+        self.assertIsNone(curves["quintic ramps"])
+        for by in ("shaper zv", "shaper zvd", "shaper mzv", "shaper ei", "shaper 2hump"):
+            curve = dict(map(tuple, curves[by]))
+            self.assertEqual(len(curve), 21)
+            low, high = bands[by]
+            for share, left in curve.items():
+                if low < share < high:
+                    self.assertLessEqual(left, 0.05 * (1 + 1e-6), (by, share))
+            self.assertGreater(curve[0.5], 0.3, by)
+        self.assertLess(dict(map(tuple, curves["shaper zvd"]))[1.1], dict(map(tuple, curves["shaper zv"]))[1.1])
         self.assertIn(b"* ", self.run_toolpace("simulate", "one.ngc", "--machine", "r.toml", "--advice").out)
         self.expect_failure(self.run_toolpace("simulate", "one.ngc", "--vibration-um", "2"), BAD_USAGE, "--advice")
         self.expect_failure(self.run_toolpace("simulate", "one.ngc", "--advice"), BAD_USAGE, "no axis of the machine has a resonance")
@@ -214,6 +225,11 @@ class Trace(CommandLineTest):
             self.assertAlmostEqual(told["cycle_time_s"], hard["cycle_time_s"] + told["shaper"]["time_s"], places=12)
             self.assertAlmostEqual(sum(told["time_by_limit_s"].values()), told["cycle_time_s"], places=6)
             self.assertEqual(told["setpoints"], len((self.folder / "s.csv").read_text().splitlines()) - 1)
+        self.run_toolpace(*plan[:-3], "s.npz", "--shaper", "zv")
+        told = {}
+        for file in ("s.npz", "s.csv"):
+            told[file] = self.run_toolpace("verify", file, "--machine", "r.toml", "--json").json()["shaper"]
+        self.assertEqual(told, {"s.npz": "zv", "s.csv": None})
         shaped = self.run_toolpace("simulate", "two.ngc", "--machine", "r.toml", "--corner", "stop", "--shaper", "zv", "--json").json()
         still = self.run_toolpace("simulate", "two.ngc", "--machine", "r.toml", "--corner", "stop", "--json").json()
         self.assertLess(shaped["servo"]["settling_time_s"], still["servo"]["settling_time_s"])

@@ -65,19 +65,26 @@ std::vector<double> shaken(const std::vector<AxisMode>& modes, unsigned seed) {
 
 const std::vector<AxisMode> kTwo = {{31.5, 0.02, 1}, {84, 0.03, 0.4}};
 
+// What 40 seeds gave: frequencies off by 0.012 % and 0.48 % at most, dampings by 1.0 % and 15 %. The second is no scatter but a bias
+// (-12.9 %, always to the same side, within the error that is told, 10 %): the peak of a tap is not quite the one that is fitted,
+// and the flank of the stronger mode lies below it.
 TEST(FindModes, InARingDown) {
+  const double frequency_bound[] = {3e-4, 0.006}, damping_bound[] = {0.02, 0.16};
   for (const unsigned seed : {1u, 2u, 3u}) {
     const auto found = find_modes(tapped(kTwo, seed), 1 / kRate);
     ASSERT_TRUE(found);
     ASSERT_EQ(found->modes.size(), 2u) << seed;
     for (std::size_t i = 0; i < 2; ++i) {
       const FoundMode& m = found->modes[i];
-      EXPECT_NEAR(m.mode.frequency, kTwo[i].frequency, 0.005 * kTwo[i].frequency) << seed;
-      EXPECT_NEAR(m.mode.damping, kTwo[i].damping, 0.16 * kTwo[i].damping) << seed;
+      EXPECT_NEAR(m.mode.frequency, kTwo[i].frequency, frequency_bound[i] * kTwo[i].frequency) << seed;
+      EXPECT_NEAR(m.mode.damping, kTwo[i].damping, damping_bound[i] * kTwo[i].damping) << seed;
+      EXPECT_LT(std::abs(m.mode.damping - kTwo[i].damping), 3 * m.damping_error) << seed;
     }
   }
 }
 
+// 20 s of noise tell no more: over 40 seeds the frequencies scatter by 0.46 % and 0.69 % (the errors that are told: 0.43 %, 0.44 %), the
+// dampings by 25 % and 15 % (21 %, 15 %). The bounds below are three of these for frequencies, two and more for dampings.
 TEST(FindModes, OfAnAxisThatIsShakenAndTheirSpreads) {
   int inside = 0, all = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {

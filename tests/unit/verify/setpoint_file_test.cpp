@@ -241,17 +241,18 @@ TEST(SetpointFile, TellsOfWhichPlanItIsInNpz) {
   corner.rule = CornerRule::junction;
   corner.step = 12.5;
   corner.junction_deviation = 0.03;
-  const SetpointOrigin origin = told({"trapezoid", corner, true}, "\", \"law\": \"x\", [{ \\ ä");
+  const SetpointOrigin origin = told({"trapezoid", corner, true, "zvd"}, "\", \"law\": \"x\", [{ \\ ä");
   EXPECT_EQ(origin.law, "trapezoid");
   ASSERT_TRUE(origin.corner);
   EXPECT_EQ(origin.corner->rule, CornerRule::junction);
   EXPECT_EQ(origin.corner->step, 12.5);
   EXPECT_EQ(origin.corner->junction_deviation, 0.03);
   EXPECT_TRUE(origin.has_path_control);
+  EXPECT_EQ(origin.shaper, "zvd");
   corner.step = std::numeric_limits<double>::infinity();
-  EXPECT_GT(*told({"quintic", corner, false}, "").corner->step, 1e12);
+  EXPECT_GT(*told({"quintic", corner, false, ""}, "").corner->step, 1e12);
   const SetpointOrigin nothing = told({}, "part.ngc");
-  EXPECT_TRUE(nothing.law.empty() && !nothing.corner);
+  EXPECT_TRUE(nothing.law.empty() && !nothing.corner && nothing.shaper.empty());
 }
 
 TEST(SetpointFile, TakesEmptyLinesAtItsEndAloneAndNoLineWithoutEnd) {
