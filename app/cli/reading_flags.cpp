@@ -76,6 +76,9 @@ void ReadingFlags::add_options_to(Command& command) {
       "Coordinates without a point of Fanuc's kind: lengths, increments or auto (default), as the text suggests");
   flags.toggle("--tcp", about_tip,
                "X Y Z tell where the tool's tip is in the workpiece, all along; needs --machine with [kinematics]");
+  flags.word("--orientation HOW", orientation,
+             "Between blocks about the tip: axes = the rotary axes turn evenly (default), plane = the tool does, on a "
+             "great circle; overrides [kinematics]");
   flags.toggle("--strict", strict, "Treat every warning as an error");
   flags.toggle("--block-delete", block_delete, "Skip lines that start with '/'");
   flags.input("--tools FILE", tools, "the tool table", "Tool table, as LinuxCNC writes it");
@@ -96,6 +99,7 @@ void ReadingFlags::add_options_to(Command& command) {
 ReadingFlags ReadingFlags::on(const Setup& setup) const {
   ReadingFlags flags = *this;
   flags.kinematics = setup.kinematics;
+  if (const auto how = orientation_named(orientation)) flags.kinematics.chain.orientation = *how;
   flags.travel = rotary_travel(setup.machine);
   return flags;
 }
@@ -126,6 +130,10 @@ tl::expected<void, Failure> ReadingFlags::check() const {
   if (!integers_named(integers)) {
     return tl::unexpected<Failure>(usage_error("bad-flag", "--integers does not know '" + integers + "'",
                                                "give one of auto, lengths, increments"));
+  }
+  if (!orientation.empty() && !orientation_named(orientation)) {
+    return tl::unexpected<Failure>(
+        usage_error("bad-flag", "--orientation does not know '" + orientation + "'", "give axes or plane"));
   }
   if (arc_tolerance && !(*arc_tolerance >= 0.0 && *arc_tolerance <= kWidestArcTolerance)) {
     return tl::unexpected<Failure>(

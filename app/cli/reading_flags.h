@@ -14,7 +14,7 @@ namespace toolpace::cli {
 
 struct ReadingFlags {
   std::string program;
-  std::string dialect = "auto", integers = "auto";
+  std::string dialect = "auto", integers = "auto", orientation;
   bool strict = false;
   bool block_delete = false;
   std::string tools, parameters;

@@ -1457,6 +1457,10 @@
             <translation>刀尖编程时使用了机床坐标</translation>
         </message>
         <message>
+            <source>out-of-plane</source>
+            <translation>刀轴未在平面内转动</translation>
+        </message>
+        <message>
             <source>rotary-unwinds</source>
             <translation>旋转轴须反向绕回</translation>
         </message>
@@ -2862,6 +2866,14 @@
         <message>
             <source>name a machine file with [kinematics] by --machine</source>
             <translation>用 --machine 指定含有 [kinematics] 的机床文件</translation>
+        </message>
+        <message>
+            <source>turn the farther rotary axis before the tool is tilted, in a block of its own</source>
+            <translation>在刀具倾斜之前，用单独的程序段先转动离刀具较远的旋转轴</translation>
+        </message>
+        <message>
+            <source>say whether the rotary axes turn evenly between blocks, or the tool in a plane</source>
+            <translation>请指明程序段之间是旋转轴匀速转动 (axes)，还是刀轴在平面内转动 (plane)</translation>
         </message>
         <message>
             <source>retract before, or give the axis more travel</source>

@@ -42,6 +42,8 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "add tool_mm to [kinematics]"),
     QT_TRANSLATE_NOOP("remedies", "name a machine file with [kinematics] by --machine"),
     QT_TRANSLATE_NOOP("remedies", "retract before, or give the axis more travel"),
+    QT_TRANSLATE_NOOP("remedies", "turn the farther rotary axis before the tool is tilted, in a block of its own"),
+    QT_TRANSLATE_NOOP("remedies", "say whether the rotary axes turn evenly between blocks, or the tool in a plane"),
     QT_TRANSLATE_NOOP("remedies", "give the tool's direction or the axes, not both"),
     QT_TRANSLATE_NOOP("remedies", "give the direction from its tip to the spindle, such as K1"),
     QT_TRANSLATE_NOOP("remedies", "end G43.4 or G43.5 with G49 first"),

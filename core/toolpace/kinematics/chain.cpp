@@ -115,6 +115,12 @@ VectorSeries<n> tip_of(const Chain& chain, VectorSeries<n> linear, const AxisVec
 
 }  // namespace
 
+std::optional<Orientation> orientation_named(std::string_view name) {
+  if (name == "axes") return Orientation::axes;
+  if (name == "plane") return Orientation::plane;
+  return std::nullopt;
+}
+
 bool Chain::swings_tool() const {
   return std::any_of(joints.begin(), joints.end(), [](const RotaryJoint& j) { return j.side == Side::head; });
 }

@@ -10,7 +10,9 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "toolpace/base/axes.h"
@@ -18,6 +20,15 @@
 namespace toolpace {
 
 enum class ChainSide : std::uint8_t { table, head };
+
+/// How the tool's direction runs between the directions that two blocks tell.
+enum class Orientation : std::uint8_t {
+  axes,  ///< the rotary axes turn evenly
+  plane  ///< the tool turns evenly in the plane of both directions: along a great circle
+};
+
+/// "axes" or "plane"; none of other names.
+std::optional<Orientation> orientation_named(std::string_view name);
 
 struct RotaryJoint {
   std::size_t axis;           ///< 3 … 5: A, B or C
@@ -32,6 +43,7 @@ struct RotaryJoint {
 struct Chain {
   std::vector<RotaryJoint> joints;  ///< at most two, no axis twice
   double tool_length = 0.0;         ///< [mm] from the spindle's nose to the tip, ≥ 0
+  Orientation orientation = Orientation::axes;
 
   bool is_identity() const { return joints.empty(); }
   /// Whether a joint carries the spindle: only then the tool's length matters.

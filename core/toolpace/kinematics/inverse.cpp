@@ -8,31 +8,16 @@
 #include <optional>
 #include <utility>
 
+#include "toolpace/kinematics/links.h"
+
 namespace toolpace {
 namespace {
 
+using detail::Link;
+using detail::links_of;
 using Eigen::Vector3d;
 
 constexpr double kSame = 1e-9;  // [rad] as good as the same direction: a tool of 100 mm is 0.1 nm off at its end
-
-// A joint as the tool is turned by it, seen from the workpiece.
-struct Link {
-  std::size_t axis;
-  Vector3d direction;
-  double sign;  // of the axis' angle
-};
-
-// From the tool to the workpiece.
-std::vector<Link> links_of(const Chain& chain) {
-  std::vector<Link> links;
-  for (auto j = chain.joints.rbegin(); j != chain.joints.rend(); ++j) {
-    if (j->side == ChainSide::head) links.push_back({j->axis, j->direction, 1});
-  }
-  for (const RotaryJoint& j : chain.joints) {
-    if (j.side == ChainSide::table) links.push_back({j.axis, j.direction, -1});
-  }
-  return links;
-}
 
 double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 

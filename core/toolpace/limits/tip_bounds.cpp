@@ -106,7 +106,7 @@ CurveBounds tip_bounds(const Path& path, std::size_t i) {
     b.first = curve.start_direction(i).cwiseAbs();
     return b;
   }
-  return path.kind[i] == SegmentKind::line ? line_bounds(*path.chain_of(i), path, i) : sampled_bounds(path, i);
+  return is_even_line(path, i) ? line_bounds(*path.chain_of(i), path, i) : sampled_bounds(path, i);
 }
 
 bool is_near_pole(const Path& path, std::size_t i) {

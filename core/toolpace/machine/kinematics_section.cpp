@@ -26,9 +26,10 @@ class KinematicsReader {
       return tl::unexpected(*error_);
     }
     for (auto&& [key, value] : *table) {
-      const bool good = key.str() == "rotary"    ? read_rotary(value)
-                        : key.str() == "tool_mm" ? read_tool(value)
-                                                 : unknown_key(key, {"rotary", "tool_mm"});
+      const bool good = key.str() == "rotary"        ? read_rotary(value)
+                        : key.str() == "tool_mm"     ? read_tool(value)
+                        : key.str() == "orientation" ? read_orientation(value)
+                                                     : unknown_key(key, {"rotary", "tool_mm", "orientation"});
       if (!good) return tl::unexpected(*error_);
     }
     return result_;
@@ -58,6 +59,16 @@ class KinematicsReader {
     }
     result_.chain.tool_length = *length;
     result_.tells_tool_length = true;
+    return true;
+  }
+
+  bool read_orientation(const toml::node& node) {
+    const auto* text = node.as_string();
+    const auto orientation = text ? orientation_named(text->get()) : std::nullopt;
+    if (!orientation)
+      return fail("orientation must be \"axes\" or \"plane\"",
+                  "say whether the rotary axes turn evenly between blocks, or the tool in a plane", node);
+    result_.chain.orientation = *orientation;
     return true;
   }
 
@@ -151,7 +162,7 @@ Result<Kinematics> read_kinematics(const toml::node& node, const std::string& fi
 }
 
 std::string kinematics_text(const Kinematics& kinematics) {
-  if (kinematics.chain.joints.empty() && !kinematics.tells_tool_length) return {};
+  if (kinematics == Kinematics{}) return {};
   std::string text = "[kinematics]\nrotary = [";
   for (const RotaryJoint& j : kinematics.chain.joints) {
     text += fmt::format("\n  {{axis = \"{}\", side = \"{}\", direction = {}, point_mm = {}}},", kAxisNames[j.axis],
@@ -159,6 +170,7 @@ std::string kinematics_text(const Kinematics& kinematics) {
   }
   text += kinematics.chain.joints.empty() ? "]\n" : "\n]\n";
   if (kinematics.tells_tool_length) text += fmt::format("tool_mm = {}\n", to_text(kinematics.chain.tool_length));
+  if (kinematics.chain.orientation == Orientation::plane) text += "orientation = \"plane\"\n";
   return text;
 }
 

@@ -22,7 +22,7 @@ Frame through(const Chain& chain, const Frame& tip) {
 }
 
 bool AxisCurve::is_straight(std::size_t segment) const {
-  if (path_->kind[segment] != SegmentKind::line) return false;
+  if (!is_even_line(*path_, segment)) return false;
   return is_path(segment) || path_->node[segment].tail<3>() == path_->end_of(segment).tail<3>();
 }
 

@@ -25,6 +25,8 @@ class Blender {
     out_.path.node.push_back(path_.node.front());
     out_.path.splines = path_.splines;
     out_.path.tellings = path_.tellings;
+    out_.path.turns = path_.turns;
+    out_.path.out_of_plane = path_.out_of_plane;
     std::size_t pause = 0, told = 0;
     for (std::size_t i = 0; i <= path_.size(); ++i) {
       if (i % kReportEvery == 0) monitor.report(static_cast<double>(i) / static_cast<double>(path_.size() + 1));
@@ -35,7 +37,8 @@ class Blender {
       }
       if (told < path_.tellings.size() && path_.tellings[told].node == i) {
         out_.path.tellings[told++].node = static_cast<std::uint32_t>(out_.path.size());
-        out_.path.node.back() = path_.node[i];  // a curve that took the whole segment before has ended there as told before
+        out_.path.node.back() =
+            path_.node[i];  // a curve that took the whole segment before has ended there as told before
       }
       if (trims_.is_chained(i)) {
         std::size_t last = i;
@@ -78,6 +81,7 @@ class Blender {
     p.length.push_back(length);
     p.detail.push_back(detail);
     p.node.push_back(end);
+    if (!path_.turn.empty()) p.turn.push_back(kNoDetail);
   }
 
   void add_blend(std::size_t i) {
@@ -202,8 +206,18 @@ class Blender {
     if (end - begin <= kRest * length) return;
     const AxisVector last = trims_.at(i + 1) > 0 ? point_at(path_, i, end) : path_.node[i + 1];
     push_rest(i, begin, end, last);
+    if (path_.turn_of(i) != nullptr) turn_rest(i, begin);
     const std::size_t now = out_.path.size() - 1;
     teller_.tell({i, begin, end}, {now, 0, out_.path.length[now]});
+  }
+
+  void turn_rest(std::size_t i, double begin) {
+    Path& p = out_.path;
+    p.turn.back() = path_.turn[i];
+    if (!(begin > 0)) return;
+    p.turns.push_back(*path_.turn_of(i));
+    p.turns.back().begin += begin;
+    p.turn.back() = static_cast<std::uint32_t>(p.turns.size() - 1);
   }
 
   void push_rest(std::size_t i, double begin, double end, const AxisVector& last) {

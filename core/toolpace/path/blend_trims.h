@@ -32,7 +32,7 @@ class BlendTrims {
   bool is_chained(std::size_t segment) const { return chained_[segment]; }
   /// Corners left as they are because they turn back or lie beside rotary axes alone.
   std::size_t stops() const { return stops_; }
-  bool is_line(std::size_t segment) const { return path_.kind[segment] == SegmentKind::line; }
+  bool is_line(std::size_t segment) const { return is_even_line(path_, segment); }
   /// Whether one feed holds on both sides of a node, or rapid traverse does.
   bool has_one_feed(std::size_t node) const {
     const std::uint32_t a = path_.move[node - 1], b = path_.move[node];

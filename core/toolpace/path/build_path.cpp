@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "toolpace/path/turn_tool.h"
+
 namespace toolpace {
 namespace {
 
@@ -135,7 +137,7 @@ Result<Path> build_path(const Moves& moves, double tool_change, const Monitor& m
     }
     builder.add(row);
   }
-  return builder.finish();
+  return turn_tool(builder.finish());
 }
 
 }  // namespace toolpace

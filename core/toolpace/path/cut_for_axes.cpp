@@ -12,7 +12,7 @@ constexpr double kPieceTurn = 0.15;  // [rad] of both rotary axes together, on a
 constexpr double kMostPieces = 1e5;
 
 std::size_t pieces_of(const Path& path, std::size_t i) {
-  if (path.kind[i] > SegmentKind::arc || path.chain_of(i) == nullptr) return 1;
+  if (path.kind[i] > SegmentKind::arc || path.chain_of(i) == nullptr || path.turn_of(i) != nullptr) return 1;
   const AxisVector turn = path.end_of(i) - path.node[i];
   const double pieces = std::ceil(turn.tail<3>().cwiseAbs().sum() / kPieceTurn);
   return static_cast<std::size_t>(std::clamp(pieces, 1.0, kMostPieces));
@@ -27,6 +27,8 @@ class Cutter {
     out_.corner_blends = std::move(in_.corner_blends);
     out_.curve_blends = std::move(in_.curve_blends);
     out_.tellings = in_.tellings;
+    out_.turns = in_.turns;
+    out_.out_of_plane = in_.out_of_plane;
     for (auto* column : {&out_.move, &out_.detail}) column->reserve(pieces);
     out_.kind.reserve(pieces);
     out_.length.reserve(pieces);
@@ -56,6 +58,7 @@ class Cutter {
     const double length = in_.length[i], step = length / static_cast<double>(pieces);
     for (std::size_t k = 0; k < pieces; ++k) {
       out_.kind.push_back(in_.kind[i]);
+      if (!in_.turn.empty()) out_.turn.push_back(in_.turn[i]);
       out_.move.push_back(in_.move[i]);
       out_.length.push_back(pieces == 1 ? length : step);
       out_.detail.push_back(pieces > 1 && in_.kind[i] == SegmentKind::arc ? part_of(i, k, pieces) : in_.detail[i]);

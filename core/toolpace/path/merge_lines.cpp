@@ -22,6 +22,8 @@ class Merger {
     out_.path.spline_pieces = path_.spline_pieces;
     out_.path.node.push_back(path_.node.front());
     out_.path.tellings = path_.tellings;
+    out_.path.turns = path_.turns;
+    out_.path.out_of_plane = path_.out_of_plane;
     std::size_t pause = 0;
     for (std::size_t i = 0; i < path_.size();) {
       pass_pauses(i, pause);
@@ -45,7 +47,7 @@ class Merger {
 
   bool joins(std::size_t a, std::size_t b) const {
     const std::uint32_t p = path_.move[a], q = path_.move[b];
-    return path_.kind[b] == SegmentKind::line && moves_.kind[p] == moves_.kind[q] && moves_.feed[p] == moves_.feed[q] &&
+    return is_even_line(path_, b) && moves_.kind[p] == moves_.kind[q] && moves_.feed[p] == moves_.feed[q] &&
            moves_.mode[p] == moves_.mode[q] && !is_rotary_only(path_, b);
   }
 
@@ -53,7 +55,7 @@ class Merger {
   std::size_t add_run(std::size_t i, std::size_t limit) {
     std::size_t end = i + 1;
     double error = 0;
-    if (path_.kind[i] == SegmentKind::line && !is_rotary_only(path_, i) && may_merge(i)) {
+    if (is_even_line(path_, i) && !is_rotary_only(path_, i) && may_merge(i)) {
       while (end < limit && joins(i, end)) {
         const double wider = deviation(i, end + 1);
         if (!(wider <= kMergeShare * tolerance_at(i))) break;
@@ -64,6 +66,7 @@ class Merger {
     Path& p = out_.path;
     p.kind.push_back(path_.kind[i]);
     p.move.push_back(path_.move[i]);
+    if (!path_.turn.empty()) p.turn.push_back(path_.turn[i]);
     p.detail.push_back(path_.detail[i]);
     p.length.push_back(end == i + 1 ? path_.length[i] : kAlong.norm(path_.end_of(end - 1) - path_.node[i]));
     p.node.push_back(path_.node[end]);

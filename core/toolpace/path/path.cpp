@@ -25,6 +25,17 @@ Frame arc_frame(const Path& path, std::size_t i, double s) {
   return frame;
 }
 
+/// With the rotary axes as they turn where they do so unevenly.
+Frame turned(Frame frame, const RotaryTurn* turn, double s) {
+  if (turn == nullptr) return frame;
+  const auto d = turn->at(s);
+  frame.point.tail<3>() = d[0];
+  frame.first.tail<3>() = d[1];
+  frame.second.tail<3>() = d[2];
+  frame.third.tail<3>() = d[3];
+  return frame;
+}
+
 Frame spline_frame(const Path& path, std::size_t i, double s) {
   const SplinePiece& piece = path.spline_pieces[path.detail[i]];
   const SplineCurve& curve = path.splines[piece.spline];
@@ -63,7 +74,7 @@ const Chain* Path::told_chain_of(std::size_t segment) const {
 AxisVector point_at(const Path& path, std::size_t i, double s) {
   if (s <= 0) return path.node[i];
   if (s >= path.length[i]) return path.end_of(i);
-  if (path.kind[i] == SegmentKind::line) {
+  if (is_even_line(path, i)) {
     return path.node[i] + (s / path.length[i]) * (path.end_of(i) - path.node[i]);
   }
   return frame_at(path, i, s).point;
@@ -72,7 +83,7 @@ AxisVector point_at(const Path& path, std::size_t i, double s) {
 Frame frame_at(const Path& path, std::size_t i, double s) {
   Frame frame;
   switch (path.kind[i]) {
-    case SegmentKind::arc: frame = arc_frame(path, i, s); break;
+    case SegmentKind::arc: frame = turned(arc_frame(path, i, s), path.turn_of(i), s); break;
     case SegmentKind::spline: frame = spline_frame(path, i, s); break;
     case SegmentKind::blend: frame = blend_frame(path, i, s); break;
     default:
@@ -80,6 +91,7 @@ Frame frame_at(const Path& path, std::size_t i, double s) {
       frame.point = path.node[i] + s * frame.first;
       frame.second.setZero();
       frame.third.setZero();
+      frame = turned(frame, path.turn_of(i), s);
   }
   if (s <= 0) frame.point = path.node[i];
   if (s >= path.length[i]) frame.point = path.end_of(i);

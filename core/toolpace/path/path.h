@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "toolpace/base/metric.h"
-#include "toolpace/kinematics/chain.h"
+#include "toolpace/kinematics/rotary_turn.h"
 #include "toolpace/nc/moves.h"
 #include "toolpace/path/arc.h"
 #include "toolpace/path/blend.h"
@@ -38,6 +38,10 @@ struct Path {
   std::vector<CurveBlend> curve_blends;  ///< detail = kCurveBlend + index
   static constexpr std::uint32_t kCurveBlend = 0x80000000u;
 
+  /// Of each segment: index into turns, or kNoDetail where the rotary axes turn evenly; empty where they do everywhere.
+  std::vector<std::uint32_t> turn;
+  std::vector<RotaryTurn> turns;  ///< by path length from a segment's start; of lines and arcs
+
   /// Where the machine must stand still, sorted by node; several may stand on one node. The ends always rest.
   struct Pause {
     std::uint32_t node;
@@ -62,6 +66,8 @@ struct Path {
     AxisVector before;  ///< the node as it is told before
   };
   std::vector<Telling> tellings;  ///< empty: by the axes all along
+  /// Rows of Moves whose rotary axes turn evenly although the tool should turn in a plane: see turn_tool().
+  std::vector<std::uint32_t> out_of_plane;
 
   std::size_t size() const { return kind.size(); }
 
@@ -70,6 +76,11 @@ struct Path {
     return tellings.empty() ? node[segment + 1] : told_end_of(segment);
   }
   const AxisVector& told_end_of(std::size_t segment) const;
+
+  /// How the rotary axes turn on a segment; null: evenly.
+  const RotaryTurn* turn_of(std::size_t segment) const {
+    return turn.empty() || turn[segment] == kNoDetail ? nullptr : &turns[turn[segment]];
+  }
 
   /// About whose tip a segment is; null: about none, X Y Z are the axes themselves.
   const Chain* chain_of(std::size_t segment) const { return tellings.empty() ? nullptr : told_chain_of(segment); }
@@ -109,6 +120,11 @@ bool is_inside_spline(const Path& path, std::size_t node);
 
 /// Row of Moves under the tool at path length `s` of a segment. O(log handovers).
 std::uint32_t move_at(const Path& path, std::size_t segment, double s);
+
+/// Whether a segment is a straight one on which all axes move evenly, as the path tells them.
+inline bool is_even_line(const Path& path, std::size_t segment) {
+  return path.kind[segment] == SegmentKind::line && path.turn_of(segment) == nullptr;
+}
 
 /// True where none of X, Y, Z move, so that path length is in degrees.
 bool is_rotary_only(const Path& path, std::size_t segment);

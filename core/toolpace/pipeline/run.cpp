@@ -11,6 +11,7 @@
 #include "toolpace/machine/setup.h"
 #include "toolpace/path/build_path.h"
 #include "toolpace/path/cut_for_axes.h"
+#include "toolpace/path/turn_tool.h"
 #include "toolpace/pipeline/job.h"
 #include "toolpace/pipeline/job_rules.h"
 #include "toolpace/pipeline/prove.h"
@@ -152,6 +153,8 @@ Result<Outcome> plan_along(std::shared_ptr<const Job> job, const Strategy& strat
   outcome.restraints = explain_all(outcome);
   const Moves& moves = outcome.job->program->moves;
   outcome.warnings = check_axes(*outcome.path, moves, outcome.job->machine);
+  const Diagnostics planes = check_planes(*outcome.path, moves);
+  outcome.warnings.insert(outcome.warnings.end(), planes.begin(), planes.end());
   const Diagnostics travel = check_travel(*outcome.path, moves, outcome.job->machine);
   outcome.warnings.insert(outcome.warnings.end(), travel.begin(), travel.end());
   const Diagnostics ceilings = check_ceilings(outcome, motion.took_lowest);

@@ -37,7 +37,7 @@ void ChordErrorMeter::compare(const AxisVector& on_path, const AxisVector& place
 }
 
 void ChordErrorMeter::compare_curve(std::size_t segment, double begin, double end, const AxisVector& place) {
-  const bool is_straight = middle_ ? curve_.is_straight(segment) : path_.kind[segment] == SegmentKind::line;
+  const bool is_straight = middle_ ? curve_.is_straight(segment) : is_even_line(path_, segment);
   if (!is_straight && end > begin) compare(point_at(path_, segment, (begin + end) / 2), place);
 }
 

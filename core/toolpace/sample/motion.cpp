@@ -164,7 +164,7 @@ AxisVector Motion::place() {
   if (spline_) return beside_.position;
   if (path_.size() == 0) return path_.node.front();
   if (on_segment_ >= path_.length[segment_]) return path_.end_of(segment_);
-  if (path_.kind[segment_] == SegmentKind::line) return path_.node[segment_] + on_segment_ * direction();
+  if (is_even_line(path_, segment_)) return path_.node[segment_] + on_segment_ * direction();
   if (on_segment_ <= 0) return path_.node[segment_];
   if (path_.kind[segment_] == SegmentKind::spline && walker().is_exact()) return walker().point_at(on_segment_);
   return point_at(path_, segment_, on_segment_);

@@ -170,16 +170,38 @@ double PathCheck::chord_error(std::size_t cell, double low, double high, const A
   return distance_to_line(vertices_.point(cell, (low + high) / 2), last_, to);
 }
 
+/// Where the tool is due; where it turns in a plane, by a great circle of verification's own. Where only the tool turns, how far along
+/// it is due is not told: then what is due is the plane.
+Eigen::Vector3d PathCheck::programmed_tool(const Chain& chain, const PathVertex& end, const Eigen::Vector3d& run) {
+  const PathMatch& match = follower_.match();
+  if (path_.turn_of(end.segment) == nullptr) {
+    AxisVector place = vertices_.point(match.cell, match.t);
+    place.tail<3>() *= kRadiansPerDegree;
+    return seen_tool(chain, place).tool;
+  }
+  std::size_t first = end.segment, last = end.segment;
+  while (first > 0 && path_.move[first - 1] == path_.move[first] && path_.turn_of(first - 1) != nullptr) --first;
+  while (last + 1 < path_.size() && path_.move[last + 1] == path_.move[last] && path_.turn_of(last + 1) != nullptr)
+    ++last;
+  const Eigen::Vector3d from = seen_tool(chain, path_.node[first]).tool, to = seen_tool(chain, path_.end_of(last)).tool;
+  const Eigen::Vector3d normal = from.cross(to).normalized();
+  if (is_rotary_only(path_, end.segment)) return (run - normal * normal.dot(run)).normalized();
+  const PathVertex begin = *vertices_.at(match.cell);
+  const double s0 = begin.is_node ? 0.0 : begin.s, s = s0 + match.t * (end.s - s0);
+  const double share = (path_.position.between(first, end.segment) + s) / path_.position.between(first, last + 1);
+  const double angle = share * std::atan2(from.cross(to).norm(), from.dot(to));
+  return std::cos(angle) * from + std::sin(angle) * normal.cross(from);
+}
+
 /// The angle between the tool and where the path has it.
 void PathCheck::take_tool(const RowStream& stream, std::size_t local) {
   const PathMatch& match = follower_.match();
   const PathVertex* const end = vertices_.at(match.cell + 1);
   const Chain* const chain = end == nullptr ? nullptr : path_.chain_of(end->segment);
   if (chain == nullptr) return;
-  AxisVector programmed = vertices_.point(match.cell, match.t), run = point_of(stream, local);
-  programmed.tail<3>() *= kRadiansPerDegree;
+  AxisVector run = point_of(stream, local);
   run.tail<3>() *= kRadiansPerDegree;
-  const Eigen::Vector3d a = seen_tool(*chain, programmed).tool, b = seen_tool(*chain, run).tool;
+  const Eigen::Vector3d b = seen_tool(*chain, run).tool, a = programmed_tool(*chain, *end, b);
   const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
   if (tool_.would_take(angle, 0.0)) tool_.take(angle, 0.0, stream, local);
 }
@@ -244,7 +266,7 @@ CornerEvent PathCheck::step_at(const CornerRun& run, const Joint& joint) const {
 }
 
 bool PathCheck::lies_on_line(std::size_t segment, const AxisVector& point) const {
-  return path_.kind[segment] == SegmentKind::line &&
+  return is_even_line(path_, segment) &&
          distance_to_line(point, weighted(path_.node[segment]), weighted(path_.end_of(segment))) <= kOnPath;
 }
 

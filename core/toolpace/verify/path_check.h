@@ -76,6 +76,7 @@ class PathCheck {
   void take_line(const RowStream& stream, std::size_t local);
   Frame axes_at_node(std::size_t segment, double s) const;
   void take_tool(const RowStream& stream, std::size_t local);
+  Eigen::Vector3d programmed_tool(const Chain& chain, const PathVertex& end, const Eigen::Vector3d& run);
   double exact_distance(const AxisVector& point);
   double chord_error(std::size_t cell, double low, double high, const AxisVector& to);
 

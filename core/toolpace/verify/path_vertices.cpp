@@ -22,7 +22,7 @@ double curvature(const Path& path, std::size_t segment) {
 }
 
 std::size_t chords_of(const Path& path, std::size_t segment, double sagitta) {
-  if (path.kind[segment] == SegmentKind::line) return 1;
+  if (is_even_line(path, segment)) return 1;
   // A chord of length c is off a circle of radius r by c²/(8r).
   const double bend = kCurvatureMargin * curvature(path, segment);
   const double chords = std::ceil(path.length[segment] * std::sqrt(bend / (8 * sagitta)));
@@ -75,7 +75,7 @@ bool PathVertices::make_next() {
     vertex.point.head<3>() = sectors_.back().point(1.0);
   } else {
     vertex.point = point_at(path_, segment_, s);
-    if (path_.kind[segment_] != SegmentKind::line) vertex.sagitta = sagitta_;
+    if (!is_even_line(path_, segment_)) vertex.sagitta = sagitta_;
   }
   if (ends) vertex.point = path_.end_of(segment_);
   vertex.point = weighted(vertex.point);
