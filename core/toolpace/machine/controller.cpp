@@ -40,6 +40,18 @@ std::optional<Controller> told_by(std::string_view line) {
   return std::nullopt;
 }
 
+/// Of dumps whose keys and values stand in different lines.
+std::optional<Controller> told_by_values(const ImportedValues& values) {
+  if (values.empty()) return std::nullopt;
+  const auto is_old = [](const auto& value) { return is_setting_of_grbl(value.first); };
+  return std::all_of(values.begin(), values.end(), is_old) ? Controller::grbl : Controller::grblhal;
+}
+
+/// The greeting that stands above a dump, or the answer to $I, where no setting of its own does.
+bool says_grblhal(std::string_view text) {
+  return text.find("GrblHAL 1.") != std::string_view::npos || text.find("[FIRMWARE:grblHAL") != std::string_view::npos;
+}
+
 }  // namespace
 
 std::string_view controller_name(Controller controller) { return kNames[static_cast<std::size_t>(controller)].name; }
@@ -64,6 +76,8 @@ std::optional<Controller> controller_of_settings(std::string_view text) {
     const auto told = told_by(line);
     if (told && (!found || *told == Controller::grblhal)) found = told;
   });
+  if (!found) found = told_by_values(read_grbl_values(text));
+  if (found == Controller::grbl && says_grblhal(text)) return Controller::grblhal;
   return found;
 }
 

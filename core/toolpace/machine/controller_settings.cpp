@@ -7,8 +7,11 @@
 #include <numbers>
 
 #include "toolpace/base/numbers.h"
+#include "toolpace/machine/joint_axes.h"
 #include "toolpace/machine/read_machine.h"
 #include "toolpace/machine/settings_includes.h"
+#include "toolpace/machine/settings_kind.h"
+#include "toolpace/machine/setup_keys.h"
 #include "toolpace/machine/startup_code.h"
 
 namespace toolpace {
@@ -51,6 +54,7 @@ class Filling {
     }
     settings_.used.push_back(parameter.key);
     taken_.push_back(key);
+    warn_of_two(at->second, parameter.key);
     const auto number = number_of(at->second.text);
     if (!number) {
       return tl::unexpected(settings_error(
@@ -79,6 +83,18 @@ class Filling {
   }
 
   void note_taken(std::string key) { taken_.push_back(std::move(key)); }
+
+  /// Where a key of an .ini has two values.
+  void warn_of_two(const ImportedValue& value, const std::string& key) {
+    if (!value.again) return;
+    settings_.warnings.push_back(
+        {Severity::warning,
+         "settings-twice",
+         fmt::format("{} has another value in line {}: the first one counts", key, *value.again),
+         "",
+         {name_, value.line, 0},
+         {}});
+  }
 
   static std::optional<double> number_of(const std::string& text) {
     return parse_number(std::string_view(text).substr(0, text.find_first_of(" \t;#(")));
@@ -125,6 +141,18 @@ void set_extruder_defaults(KlipperSettings& k) {
   const double area = 0.25 * std::numbers::pi * k.filament * k.filament, ratio = 4.0 * k.nozzle * k.nozzle / area;
   if (k.max_extrude_only_velocity == 0) k.max_extrude_only_velocity = k.max_velocity * ratio;
   if (k.max_extrude_only_accel == 0) k.max_extrude_only_accel = k.max_accel * ratio;
+}
+
+/// Sections of a printer.cfg are without number; of those that count here the keys are known.
+/// @source Klipper, klippy/toolhead.py, klippy/kinematics/, klippy/extras/gcode_arcs.py
+bool is_key_of_klipper(const std::string& key) {
+  constexpr std::array<std::string_view, 11> kOthers = {
+      "kinematics",   "max_accel_to_decel", "minimum_z_position", "delta_radius",    "print_radius",    "arm_length",
+      "arm_x_length", "move_flush_time",    "buffer_time_start",  "buffer_time_low", "buffer_time_high"};
+  constexpr std::string_view kPrinter = "printer.";
+  if (key.starts_with("gcode_arcs.")) return false;
+  if (!key.starts_with(kPrinter)) return true;
+  return std::find(kOthers.begin(), kOthers.end(), std::string_view(key).substr(kPrinter.size())) != kOthers.end();
 }
 
 Result<void> fill_klipper(ControllerSettings& s, const ImportedValues& values, const std::string& name) {
@@ -174,7 +202,7 @@ Result<void> fill_klipper(ControllerSettings& s, const ImportedValues& values, c
          {name, 0, 0},
          {}});
   }
-  filling.tell_rest([](const std::string&) { return true; });  // sections of a printer.cfg are without number
+  filling.tell_rest(is_key_of_klipper);
   return {};
 }
 
@@ -199,6 +227,28 @@ Result<void> fill_marlin(ControllerSettings& s, const ImportedValues& values, co
   return {};
 }
 
+/// Axes that are there and have no limits get LinuxCNC's own, which are so low that nobody means them.
+/// @source LinuxCNC 2.9, emc/nml_intf/emccfg.h, DEFAULT_AXIS_MAX_VELOCITY, DEFAULT_AXIS_MAX_ACCELERATION
+void set_axis_defaults(ControllerSettings& s, LinuxcncSettings& l, const ImportedValues& values,
+                       const std::string& name) {
+  Importer importer(values, name);
+  const ImportedValue* const coordinates = importer.find("TRAJ.COORDINATES");
+  if (!coordinates) return;
+  const JointAxes joints = joint_axes(importer);
+  const std::string letters = upper(coordinates->text.substr(0, coordinates->text.find_first_of("#;")));
+  for (std::size_t k = 0; k < kAxisCount; ++k) {
+    if (letters.find(kAxisNames[k]) == std::string::npos) continue;
+    const double unit = is_rotary(k) ? kRadiansPerDegree : length_unit(importer);
+    const auto set = [&](AxisVector& limits, const std::string& key) {
+      if (!keys_of_axis(importer, joints, k, "." + key).empty()) return;
+      limits[static_cast<Eigen::Index>(k)] = unit;  // 1 of the file's
+      s.defaulted.push_back(std::string("[AXIS_") + kAxisNames[k] + "] " + key);
+    };
+    set(l.axis_velocity, "MAX_VELOCITY");
+    set(l.axis_acceleration, "MAX_ACCELERATION");
+  }
+}
+
 Result<void> fill_linuxcnc(ControllerSettings& s, const ImportedValues& values, const std::string& name) {
   // Which limit is which axis', and in which unit, the import of machines knows.
   const auto setup = import_linuxcnc_values(values, name);
@@ -221,7 +271,9 @@ Result<void> fill_linuxcnc(ControllerSettings& s, const ImportedValues& values, 
     }
     const std::string key = key_in_values(p.key, s.controller);
     filling.note_taken(key);
-    if (filling.has(key)) s.used.push_back(p.key);
+    if (!filling.has(key)) continue;
+    s.used.push_back(p.key);
+    filling.warn_of_two(values.at(key), p.key);
   }
   if (const auto at = values.find("RS274NGC.RS274NGC_STARTUP_CODE"); at != values.end()) {
     l.startup_code = at->second.text;
@@ -230,6 +282,12 @@ Result<void> fill_linuxcnc(ControllerSettings& s, const ImportedValues& values, 
     s.used.emplace_back("[RS274NGC] RS274NGC_STARTUP_CODE");
   }
   s.defaulted.clear();  // every .ini leaves most keys out
+  set_axis_defaults(s, l, values, name);
+  if (!(l.axis_velocity.minCoeff() < kUnlimited)) {
+    return tl::unexpected(settings_error(
+        "settings-missing", "no axis has a MAX_VELOCITY in [AXIS_X] and so on, which LinuxCNC 2.9 asks for",
+        "give the .ini that has it", {name, 0, 0}));
+  }
   filling.tell_rest([](const std::string&) { return true; });
   return {};
 }
@@ -243,6 +301,15 @@ Result<void> fill_values(ControllerSettings& s, const ImportedValues& values, co
   }
 }
 
+Error unknown_settings(std::string_view text, const std::string& name) {
+  const std::string_view kind = kind_of_other_text(text);
+  return settings_error("settings-unknown",
+                        kind.empty()
+                            ? "these are no settings of a controller that is known"
+                            : fmt::format("these are no settings of a controller that is known: this is {}", kind),
+                        "give an answer to $$, a printer.cfg, a report of M503 or a LinuxCNC .ini", {name, 0, 0});
+}
+
 bool is_same_form(Controller a, Controller b) {
   const auto is_grbl = [](Controller c) { return c == Controller::grbl || c == Controller::grblhal; };
   return a == b || (is_grbl(a) && is_grbl(b));
@@ -254,11 +321,7 @@ Result<ControllerSettings> parse_controller_settings(std::string_view text, cons
                                                      std::optional<Controller> controller,
                                                      const ReadIncluded& included) {
   const auto told = controller_of_settings(text);
-  if (!told) {
-    return tl::unexpected(settings_error("settings-unknown", "these are no settings of a controller that is known",
-                                         "give an answer to $$, a printer.cfg, a report of M503 or a LinuxCNC .ini",
-                                         {name, 0, 0}));
-  }
+  if (!told || is_reprapfirmware(text)) return tl::unexpected(unknown_settings(text, name));
   if (controller && !is_same_form(*controller, *told)) {
     return tl::unexpected(settings_error(
         "settings-foreign",

@@ -1,6 +1,8 @@
 #pragma once
 /// What the readers of other controllers' settings share: values by key, carried to the keys of a machine file.
 
+#include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <map>
 #include <optional>
@@ -17,21 +19,26 @@ struct ImportedValue {
   std::size_t line;
   /// Where `text` begins in the text that was read; nothing for what stands in a file that this one includes.
   std::optional<std::size_t> at = {};
+  std::optional<std::size_t> again = {};  ///< a line that gives the key another value, which does not count
 };
 using ImportedValues = std::map<std::string, ImportedValue, std::less<>>;  ///< by key; the first one counts
 
 std::string_view trimmed(std::string_view text);
 std::string upper(std::string_view text);
 
+/// Takes the first line off a text that is not empty. @return it, without its end: "\n", "\r\n", or "\r" alone
+inline std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end);
+  text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));
+  return line;
+}
+
 /// Calls take(line, number) for each line, trimmed.
 template <class Take>
 void for_each_line(std::string_view text, const Take& take) {
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = text.find('\n');
-    take(trimmed(text.substr(0, end)), number);
-    if (end == std::string_view::npos) return;
-    text.remove_prefix(end + 1);
-  }
+  for (std::size_t number = 1; !text.empty(); ++number) take(trimmed(take_line(text)), number);
 }
 
 /// Carries values of a controller to the keys of a machine file. The first thing that is wrong stops it.

@@ -37,6 +37,9 @@ MachineFormat machine_format(const std::filesystem::path& name, std::string_view
     text.remove_prefix(line.size());
   }
   const auto controller = controller_of_settings(all);
+  // Keys and values of JSON may stand in different lines; no TOML begins like that.
+  const bool is_json = trimmed(all).starts_with('{') || trimmed(all).starts_with("[{");
+  if (is_json && (controller == Controller::grbl || controller == Controller::grblhal)) return MachineFormat::grbl;
   if (controller == Controller::klipper) return MachineFormat::klipper;
   return controller == Controller::marlin ? MachineFormat::marlin : MachineFormat::toml;
 }

@@ -10,7 +10,6 @@ namespace {
 constexpr int kIncludeDepth = 8;  // files within each other; a ring of them ends here
 
 bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_filler(char c) { return c == ' ' || c == '\t' || c == '"' || c == '\''; }
 bool is_of_number(char c) { return is_decimal_digit(c) || c == '.' || c == '-' || c == '+'; }
 
 std::size_t skip(std::string_view text, std::size_t at, bool (*is)(char)) {
@@ -62,9 +61,10 @@ class IniReader {
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) return;
     const std::string_view value = trimmed(line.substr(equals + 1));
-    values.try_emplace(
+    const auto [known, is_new] = values.try_emplace(
         section_ + "." + upper(trimmed(line.substr(0, equals))),
         ImportedValue{std::string(value), number, depth == 0 ? place_in(whole_, value) : std::optional<std::size_t>()});
+    if (!is_new && !known->second.again && known->second.text != value) known->second.again = number;
   }
 
   std::string_view whole_;
@@ -78,11 +78,7 @@ class KlipperReader {
 
   void read(std::string_view text, std::size_t outer, int depth) {
     std::string section;
-    for (std::size_t number = 1; !text.empty(); ++number) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      take(text.substr(0, end), section, outer ? outer : number, depth);
-      text.remove_prefix(std::min(end + 1, text.size()));
-    }
+    for (std::size_t number = 1; !text.empty(); ++number) take(take_line(text), section, outer ? outer : number, depth);
   }
 
   /// The values of the file, with those of its SAVE_CONFIG block on top.
@@ -139,43 +135,6 @@ class KlipperReader {
 };
 
 }  // namespace
-
-std::optional<std::pair<std::string_view, std::string_view>> grbl_setting_in(std::string_view line) {
-  for (std::size_t begin = line.find('$'); begin != std::string_view::npos; begin = line.find('$', begin + 1)) {
-    const std::size_t end = skip(line, begin + 1, is_decimal_digit);
-    std::size_t at = skip(line, end, is_filler);
-    if (end == begin + 1 || at >= line.size() || (line[at] != '=' && line[at] != ':')) continue;
-    at = skip(line, at + 1, is_filler);
-    const std::size_t value_end = std::min(line.find_first_of(" \t\"',;()<|", at), line.size());
-    return std::pair(line.substr(begin, end - begin), trimmed(line.substr(at, value_end - at)));
-  }
-  return std::nullopt;
-}
-
-bool is_setting_of_grbl(std::string_view key) {
-  constexpr std::array<int, 34> kSettings = {0,   1,   2,   3,   4,   5,   6,   10,  11,  12, 13,  20,
-                                             21,  22,  23,  24,  25,  26,  27,  30,  31,  32, 100, 101,
-                                             102, 110, 111, 112, 120, 121, 122, 130, 131, 132};
-  const std::string number(key.substr(1));
-  return std::any_of(kSettings.begin(), kSettings.end(), [&](int k) { return std::to_string(k) == number; });
-}
-
-ImportedValues read_grbl_values(std::string_view text) {
-  ImportedValues values;
-  for_each_line(text, [&](std::string_view line, std::size_t number) {
-    // JSON keeps many on a line: each comma begins the next.
-    while (!line.empty()) {
-      const std::size_t comma = line.find(",\"$");
-      if (const auto setting = grbl_setting_in(line.substr(0, comma))) {
-        const auto& [key, value] = *setting;
-        values.insert_or_assign(std::string(key), ImportedValue{std::string(value), number, place_in(text, value)});
-      }
-      if (comma == std::string_view::npos) return;
-      line.remove_prefix(comma + 1);
-    }
-  });
-  return values;
-}
 
 std::optional<MarlinWords> marlin_words_in(std::string_view line) {
   constexpr std::array<std::string_view, 6> kCodes = {"M92", "M201", "M203", "M204", "M205", "M900"};

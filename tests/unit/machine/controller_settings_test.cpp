@@ -41,6 +41,22 @@ TEST(ControllerSettings, ThoseOfAnotherControllerAreNamedForWhatTheyAre) {
   EXPECT_EQ(none.error().code, "settings-unknown");
 }
 
+TEST(ControllerSettings, OtherFilesAreNamedForWhatTheyAre) {
+  const std::pair<const char*, const char*> files[] = {
+      {"M203 X6000 Y6000\nM201 X500 Y500\nM566 X900 Y900\n", "RepRapFirmware"},  // its M203 counts in mm/min
+      {"axes:\n  x:\n    max_rate_mm_per_min: 5000\n", "FluidNC"},
+      {"alpha_steps_per_mm 80\n", "Smoothieware"},
+      {"[machine]\nname = \"mill\"\n", "a machine file"},
+      {"G21 G90\nG1 X1 F100\n", "an NC program"},
+      {"\r\n", "an empty file"}};
+  for (const auto& [text, kind] : files) {
+    const auto refused = parse_controller_settings(text, "file");
+    ASSERT_FALSE(refused) << text;
+    EXPECT_EQ(refused.error().code, "settings-unknown");
+    EXPECT_NE(refused.error().message.find(kind), std::string::npos) << refused.error().message;
+  }
+}
+
 TEST(ControllerSettings, GrblSpeaksInMillimetresAMinute) {
   const auto settings = read("grbl_g1.txt");
   ASSERT_TRUE(settings);
@@ -68,6 +84,10 @@ TEST(ControllerSettings, WhatConsolesPutAroundDoesNotMatter) {
        {"$110=6000.000\n$11=0.020\n",
         ">>> $$\n$110 = 6000.000    (X-axis maximum rate, mm/min)\n$11 = 0.020 (Junction)\nok\n",
         "[10:31:02] $110=6000.000 (x max rate, mm/min)\r\n[10:31:02] $11=0.020\r\n<Idle|MPos:0,0,0>\r\n",
+        "$110=6000\r$11=0.02\r", "Setting,Value\n$110,6000,\"x, mm/min\"\n$11,0.02,\"-\"\n",
+        "$110\t6000\tX\n$11\t0.02\tJ\n", "{\"a\": {\"$110\": 6000, \"$11\":0.02}}",
+        "[{\"setting\":\"$110\",\"value\":\"6000\"},{\"setting\":\"$11\",\"value\":0.02}]",
+        "[{\n \"key\": \"$110\",\n \"value\": \"6000\"\n},\n{\n \"key\": \"$11\",\n \"value\": \"0.02\"\n}]\n",
         "{\"$110\":\"6000.000\",\"$11\":\"0.020\"}", "{\n  \"$110\": \"6000.000\",\n  \"$11\": \"0.020\"\n}\n"}) {
     const auto settings = parse_controller_settings(text, "dump");
     ASSERT_TRUE(settings) << text;
@@ -92,9 +112,43 @@ TEST(ControllerSettings, ANumberThatIsNoneHasItsLine) {
   ASSERT_FALSE(bad);
   EXPECT_EQ(bad.error().code, "import-value");
   EXPECT_EQ(bad.error().where.line, 2u);
+  const auto decimal_comma = parse_controller_settings("$11=0,010\n", "dump");
+  ASSERT_FALSE(decimal_comma) << "no 0";
+  EXPECT_NE(decimal_comma.error().message.find("0,010"), std::string::npos);
   const auto negative = parse_controller_settings("$110=-5\n", "dump");
   ASSERT_FALSE(negative);
   EXPECT_EQ(negative.error().code, "import-value");
+}
+
+TEST(ControllerSettings, TheGreetingTellsGrblhal) {
+  EXPECT_EQ(parse_controller_settings("GrblHAL 1.1f ['$' or '$HELP' for help]\n$110=1000\n", "dump")->controller,
+            Controller::grblhal);
+}
+
+TEST(ControllerSettings, KlipperDoesNotTakeWhatItsSectionHasNot) {
+  const auto settings = parse_controller_settings(
+      "[printer]\nmax_velocity: 300\nmax_velocty: 1\nmax_accel: 3000\n[fan]\npin: a\n", "p.cfg");
+  ASSERT_TRUE(settings);
+  EXPECT_EQ(settings->unknown, std::vector<std::string>{"[printer] max_velocty"});
+  EXPECT_TRUE(has(settings->unused, "[fan] pin"));
+}
+
+TEST(ControllerSettings, AnIniTellsOfKeysThatStandTwice) {
+  const auto settings = parse_controller_settings(
+      "[TRAJ]\nLINEAR_UNITS = inch\nCOORDINATES = X Y\nMAX_LINEAR_VELOCITY = 1\nMAX_LINEAR_VELOCITY = 2\n[AXIS_X]\n"
+      "MAX_VELOCITY = 3\nMAX_ACCELERATION = 4\n",
+      "mill.ini");
+  ASSERT_TRUE(settings);
+  const auto& linuxcnc = std::get<LinuxcncSettings>(settings->values);
+  EXPECT_DOUBLE_EQ(linuxcnc.velocity, 25.4) << "the first one counts";
+  ASSERT_FALSE(settings->warnings.empty());
+  EXPECT_EQ(settings->warnings.front().code, "settings-twice");
+  // Y is there and has no limits: LinuxCNC's own are 1 of the file's units.
+  EXPECT_EQ(settings->defaulted, (std::vector<std::string>{"[AXIS_Y] MAX_VELOCITY", "[AXIS_Y] MAX_ACCELERATION"}));
+  EXPECT_DOUBLE_EQ(linuxcnc.axis_velocity[1], 25.4);
+  const auto old = parse_controller_settings("[TRAJ]\nMAX_VELOCITY = 10\n[AXIS_0]\nMAX_VELOCITY = 10\n", "old.ini");
+  ASSERT_FALSE(old);
+  EXPECT_EQ(old.error().code, "settings-missing");
 }
 
 TEST(ControllerSettings, SaveConfigOverridesWhatStandsAbove) {
