@@ -14,7 +14,7 @@ using detail::Link;
 using Eigen::Vector3d;
 
 constexpr double kPlaceTurn = 0.15;   // [rad] of the rotary axes together, from place to place
-constexpr double kLeastShare = 1e-9;  // a step that is to be shorter leads into a pole
+constexpr double kLeastShare = 1e-7;  // a step that is to be shorter leads into a pole
 constexpr double kSameAngle = 1e-6;   // [rad] of angles at which one arrives
 constexpr double kNoWay = 1e-9;       // [rad] between directions that are the same
 constexpr double kNoPlane = 1e-6;     // [rad] from opposite directions

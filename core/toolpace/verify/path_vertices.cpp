@@ -15,8 +15,10 @@ constexpr std::size_t kForgetAtOnce = 4096;
 
 double curvature(const Path& path, std::size_t segment) {
   double largest = 0.0;
-  for (const double s : {0.0, path.length[segment] / 2, path.length[segment]}) {
-    largest = std::max(largest, weighted(frame_at(path, segment, s).second).norm());
+  // That of turns is a polynomial of degree 3, and changes more near poles.
+  const int parts = path.turn_of(segment) == nullptr ? 2 : 8;
+  for (int k = 0; k <= parts; ++k) {
+    largest = std::max(largest, weighted(frame_at(path, segment, path.length[segment] * k / parts).second).norm());
   }
   return largest;
 }

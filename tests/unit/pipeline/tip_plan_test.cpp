@@ -129,10 +129,11 @@ const Check& tool_angle(const VerifyReport& report) {
 }
 
 TEST(TipPlan, InAPlaneTheToolIsWhereVerificationHasItsOwnGreatCircle) {
-  // Moving, standing, and on an arc; the middle of A 45 C 0 and A 45 C 90 is tilted by 35.2644 degrees instead of 45.
+  // Moving, standing, and on an arc; the middle of A −45 C 0 and A −45 C 90 is tilted by 35.2644 degrees instead of 45.
   const char* const text =
-      "G90 G21 G94 G17\nG1 A45 F3000\nG43.4 H1\nG1 X0 Y0\nX20 A45 C90 F1200\nA20 C30\nG3 X20 Y20 I0 J10 A40 C80\nG1 X0 "
-      "A50 C75\nM30\n";
+      "G90 G21 G94 G17\nG1 A-45 F3000\nG43.4 H1\nG1 X0 Y0\nX20 A-45 C90 F1200\nA-20 C30\nG3 X20 Y20 I0 J10 A-40 "
+      "C80\nG1 X0 "
+      "A-50 C75\nM30\n";
   toolpace::Setup setup = machine_named("trunnion-ac");
   setup.kinematics.chain.orientation = Orientation::plane;
   for (const CornerRule rule : {CornerRule::stop, CornerRule::blend}) {
@@ -149,7 +150,7 @@ TEST(TipPlan, InAPlaneTheToolIsWhereVerificationHasItsOwnGreatCircle) {
     double least = 90;
     for (double t = 0; t < motion.duration(); t += 0.01) {
       const AxisVector place = motion.at(t).place();
-      if (std::abs(place[0] - 10) < 0.3 && place[1] == 0) least = std::min(least, place[3] / kRadiansPerDegree);
+      if (std::abs(place[0] - 10) < 0.3 && place[1] == 0) least = std::min(least, -place[3] / kRadiansPerDegree);
     }
     EXPECT_NEAR(least, 35.264, 0.01);
   }
@@ -158,7 +159,7 @@ TEST(TipPlan, InAPlaneTheToolIsWhereVerificationHasItsOwnGreatCircle) {
 TEST(TipPlan, WhatCannotTurnInAPlaneIsToldByItsLine) {
   toolpace::Setup setup = machine_named("trunnion-ac");
   setup.kinematics.chain.orientation = Orientation::plane;
-  const Outcome o = planned(setup, "G90 G21 G94\nG43.4 H1\nG1 X20 A30 C90 F1200\nX30 A20 C80\nM30\n");
+  const Outcome o = planned(setup, "G90 G21 G94\nG43.4 H1\nG1 X20 A-30 C90 F1200\nX30 A-20 C80\nM30\n");
   ASSERT_TRUE(warns(o, "out-of-plane")) << "C has to turn where the tool is upright";
   const auto warning =
       std::find_if(o.warnings.begin(), o.warnings.end(), [](const Diagnostic& d) { return d.code == "out-of-plane"; });
