@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "toolpace/kinematics/inverse.h"
 #include "toolpace/kinematics/links.h"
@@ -51,6 +52,9 @@ class PlaneTurner {
         to_(to),
         circle_(forward(chain, from).tool, forward(chain, to).tool) {}
 
+  /// Opposite directions have many.
+  bool has_plane() const { return circle_.angle() < std::numbers::pi - kNoPlane; }
+
   bool is_even() const {
     return std::all_of(std::begin(kLooks), std::end(kLooks), [&](double share) {
       return off(from_.tail<3>() + share * (to_ - from_).tail<3>(), share) <= kInPlane;
@@ -58,7 +62,7 @@ class PlaneTurner {
   }
 
   std::optional<std::vector<SharePlace>> run() const {
-    if (links_.size() < 2 || circle_.angle() <= kNoWay || circle_.angle() >= std::numbers::pi - kNoPlane) return {};
+    if (links_.size() < 2 || circle_.angle() <= kNoWay) return {};
     std::vector<SharePlace> places{{0.0, place_at(0.0, from_)}};
     const double most = kPlaceTurn / circle_.angle();
     for (double step = std::min(1.0, most); places.back().share < 1;) {
@@ -139,6 +143,7 @@ class PlaneTurner {
 std::optional<std::vector<SharePlace>> turn_in_plane(const Chain& chain, const AxisVector& from, const AxisVector& to) {
   if (from.tail<3>() == to.tail<3>()) return std::vector<SharePlace>{};
   const PlaneTurner turner(chain, from, to);
+  if (!turner.has_plane()) return std::nullopt;
   if (turner.is_even()) return std::vector<SharePlace>{};
   return turner.run();
 }
