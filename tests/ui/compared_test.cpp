@@ -95,7 +95,7 @@ class ComparedTest : public QObject {
     };
     search();
     QVERIFY(panel.tuned()->changes.size() > 1);
-    screenshot(window, "tuned-grbl");
+    screenshot(window.the<QWidget>("tunePage"), "tuned-grbl");
     const int steps = window.workspace().undoStack().count();
     const double after = panel.tuned()->after;
     QTest::mouseClick(&window.the<QAbstractButton>("tuneSettingsTake"), Qt::LeftButton);

@@ -185,7 +185,7 @@ class Trace(CommandLineTest):
             for share, left in curve.items():
                 if low < share < high:
                     self.assertLessEqual(left, 0.05 * (1 + 1e-6), (by, share))
-            self.assertGreater(curve[0.5], 0.3, by)
+            self.assertGreater(curve[0.5], 0.2, by)
         self.assertLess(dict(map(tuple, curves["shaper zvd"]))[1.1], dict(map(tuple, curves["shaper zv"]))[1.1])
         self.assertIn(b"* ", self.run_toolpace("simulate", "one.ngc", "--machine", "r.toml", "--advice").out)
         self.expect_failure(self.run_toolpace("simulate", "one.ngc", "--vibration-um", "2"), BAD_USAGE, "--advice")
