@@ -321,6 +321,10 @@
             <translation>该轴几乎不动，无法辨识</translation>
         </message>
         <message>
+            <source>settings-twice</source>
+            <translation>该设置出现两次，值不同</translation>
+        </message>
+        <message>
             <source>settings-classic-jerk</source>
             <translation>采用经典 jerk，未建模</translation>
         </message>
@@ -1754,6 +1758,10 @@
         <message>
             <source>give setpoints as they were commanded</source>
             <translation>请给出实际下达的设定点</translation>
+        </message>
+        <message>
+            <source>give the .ini that has it</source>
+            <translation>给出含有它的 .ini</translation>
         </message>
         <message>
             <source>give the printer.cfg that has it</source>

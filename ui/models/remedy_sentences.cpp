@@ -60,6 +60,7 @@ constexpr std::array kSentences = {
     QT_TRANSLATE_NOOP("remedies", "give each rotary axis once"),
     QT_TRANSLATE_NOOP("remedies", "give one above 0"),
     QT_TRANSLATE_NOOP("remedies", "give fine_acceleration_mm_s2 in [path]"),
+    QT_TRANSLATE_NOOP("remedies", "give the .ini that has it"),
     QT_TRANSLATE_NOOP("remedies", "give the axis more travel, or tilt the tool otherwise"),
     QT_TRANSLATE_NOOP("remedies", "give the length from the spindle's nose to the tip"),
     QT_TRANSLATE_NOOP("remedies", "give the printer.cfg that has it"),
