@@ -87,14 +87,26 @@ FitRules ProgramFitter::rules_for(const Run& run) const {
 
 Result<std::vector<Edit>> ProgramFitter::fit(const Monitor& monitor) {
   std::vector<Edit> edits;
+  // The progress of a part of a run as that of the program.
+  const auto within_run = [&](const Run& run, double begin, double share) {
+    Monitor part{monitor.stop, {}};
+    if (!monitor.progress) return part;
+    part.progress = [&monitor, &run, begin, share, lines = lines_.count()](double fraction) {
+      const double rows = static_cast<double>(run.count) * (begin + share * fraction);
+      monitor.report(std::min(1.0, (static_cast<double>(run.line) + rows) / static_cast<double>(lines)));
+    };
+    return part;
+  };
   for (const Run& run : find_runs(lines_, reading_)) {
     if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
-    monitor.report(static_cast<double>(run.line) / static_cast<double>(lines_.count()));
     edits.push_back({run, {}, decimals_for(tolerance_, run.unit)});
     make_curve(reading_.moves, run, tolerance_, curve_);
     const FitRules rules = rules_for(run);
-    std::vector<Span> spans = fit_run(curve_, rules, run.plane);
-    if (rules.has_arcs) spans = fit_smooth(curve_, rules, run.plane, spans);
+    const double share = rules.has_arcs ? 0.5 : 1.0;  // of the work on a run
+    std::vector<Span> spans = fit_run(curve_, rules, run.plane, within_run(run, 0.0, share));
+    if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
+    if (rules.has_arcs) spans = fit_smooth(curve_, rules, run.plane, spans, within_run(run, share, share));
+    if (monitor.is_cancelled()) return tl::unexpected(cancelled_error());
     std::vector<Stretch> stretches = stretches_of(spans, rules.has_arcs ? Stretch::Fit::smooth : Stretch::Fit::lines);
     std::size_t gaining = 0;
     for (Stretch& stretch : stretches) {

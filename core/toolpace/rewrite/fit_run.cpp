@@ -73,10 +73,11 @@ bool RunFitter::is_worth_it(const Span& span) const {
   return ArcFitter(curve_, rules_.arc, tolerance).fit(span.arc.plane, span.first, span.last).has_value();
 }
 
-std::vector<Span> fit_run(const Curve& curve, const FitRules& rules, int plane) {
+std::vector<Span> fit_run(const Curve& curve, const FitRules& rules, int plane, const Monitor& monitor) {
   RunFitter fitter(curve, rules, plane);
   std::vector<Span> spans;
-  for (std::size_t at = 0; at < curve.rows();) {
+  for (std::size_t at = 0; at < curve.rows() && !monitor.is_cancelled();) {
+    if (spans.size() % kSpansAReport == 0) monitor.report(static_cast<double>(at) / static_cast<double>(curve.rows()));
     spans.push_back(fitter.longest(at, fitter.next_barrier(at)));
     at = spans.back().last;
   }

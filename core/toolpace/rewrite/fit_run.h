@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "toolpace/base/monitor.h"
 #include "toolpace/rewrite/fit_biarc.h"
 
 namespace toolpace::detail::rewrite {
@@ -44,6 +45,7 @@ struct FitRules {
 ///
 /// What gains little is left: two or three rows become one only where they were as good as one. So that, and because the ends of blocks
 /// are ends of rows, a run that was fitted before hardly changes again.
-std::vector<Span> fit_run(const Curve& curve, const FitRules& rules, int plane);
+/// @param monitor  a run may be as long as the program; where it is cancelled, spans stop short of the run's end
+std::vector<Span> fit_run(const Curve& curve, const FitRules& rules, int plane, const Monitor& monitor = {});
 
 }  // namespace toolpace::detail::rewrite

@@ -11,9 +11,9 @@
 namespace toolpace::detail::rewrite {
 namespace {
 
-constexpr double kReach = 0.25;           // of the length of a plain block: how far is looked for the direction
-constexpr double kSameDirection = 0.01;   // [rad] that a single line or arc may be off the curve's direction
-constexpr double kWorthSmooth = 0.5;      // of the rows that a block with corners stands for
+constexpr double kReach = 0.25;          // of the length of a plain block: how far is looked for the direction
+constexpr double kSameDirection = 0.01;  // [rad] that a single line or arc may be off the curve's direction
+constexpr double kWorthSmooth = 0.5;     // of the rows that a block with corners stands for
 constexpr std::size_t kLeastOfBiarc = 5;  // rows
 
 class SmoothFitter {
@@ -32,9 +32,11 @@ class SmoothFitter {
     }
   }
 
-  std::vector<Span> fit() {
+  std::vector<Span> fit(const Monitor& monitor) {
     std::vector<Span> spans;
-    for (std::size_t at = 0; at < curve_.rows();) {
+    for (std::size_t at = 0; at < curve_.rows() && !monitor.is_cancelled();) {
+      if (spans.size() % kSpansAReport == 0)
+        monitor.report(static_cast<double>(at) / static_cast<double>(curve_.rows()));
       const std::size_t limit = plain_.next_barrier(at);
       const Span plain = plain_.longest(at, limit), smooth = smoothest(at, limit);
       const Span& span = rows_per_block(smooth) >= kWorthSmooth * rows_per_block(plain) ? smooth : plain;
@@ -133,8 +135,9 @@ class SmoothFitter {
 
 }  // namespace
 
-std::vector<Span> fit_smooth(const Curve& curve, const FitRules& rules, int plane, const std::vector<Span>& plain) {
-  return SmoothFitter(curve, rules, plane, plain).fit();
+std::vector<Span> fit_smooth(const Curve& curve, const FitRules& rules, int plane, const std::vector<Span>& plain,
+                             const Monitor& monitor) {
+  return SmoothFitter(curve, rules, plane, plain).fit(monitor);
 }
 
 }  // namespace toolpace::detail::rewrite

@@ -12,6 +12,8 @@ namespace toolpace::detail::rewrite {
 /// Biarcs take about half as many blocks again as single arcs.
 ///
 /// @param plain  what fit_run() makes of the curve
-std::vector<Span> fit_smooth(const Curve& curve, const FitRules& rules, int plane, const std::vector<Span>& plain);
+/// @param monitor  where it is cancelled, spans stop short of the run's end
+std::vector<Span> fit_smooth(const Curve& curve, const FitRules& rules, int plane, const std::vector<Span>& plain,
+                             const Monitor& monitor = {});
 
 }  // namespace toolpace::detail::rewrite

@@ -8,6 +8,8 @@
 
 namespace toolpace::detail::rewrite {
 
+inline constexpr std::size_t kSpansAReport = 256;  // fitted between two reports of progress
+
 /// The farthest end up to `limit` that `fits`, looked for in doubling steps from `from`, which does.
 template <class Fits>
 std::size_t farthest(std::size_t from, std::size_t limit, const Fits& fits) {

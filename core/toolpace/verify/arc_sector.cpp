@@ -68,9 +68,9 @@ double ArcSector::nearest_angle(const Local& at) const {
   return angle;
 }
 
-/// Between a place inside of the distance and one outside: Newton, bracketed.
-double ArcSector::edge(const Local& at, double inside, double outside, double radius_square) const {
-  double angle = outside;
+/// Between a place inside of the distance and one outside: Newton, bracketed, from a first guess on.
+double ArcSector::edge(const Local& at, double inside, double outside, double guess, double radius_square) const {
+  double angle = (guess - inside) * (guess - outside) < 0 ? guess : outside;
   for (int i = 0; i < kMostSteps && std::abs(outside - inside) > kStill; ++i) {
     const double excess = square(at, angle) - radius_square;
     (excess > 0 ? outside : inside) = angle;
@@ -101,8 +101,10 @@ CurveInterval ArcSector::within(const Eigen::Vector3d& point, double radius) con
   if (width > kParabolic) {
     const double limit = radius * radius, middle = std::clamp(nearest, -half_, half_);
     if (square(at, middle) > limit) return interval;
-    low = square(at, -half_) <= limit ? -half_ : edge(at, middle, -half_, limit);
-    high = square(at, half_) <= limit ? half_ : edge(at, middle, half_, limit);
+    // That of a circle in the plane, which most are but for what rounds them.
+    const double half_sine = 0.5 * width, reach = half_sine < 1 ? 2 * std::asin(half_sine) : kBeyond;
+    low = square(at, -half_) <= limit ? -half_ : edge(at, middle, -half_, nearest - reach, limit);
+    high = square(at, half_) <= limit ? half_ : edge(at, middle, half_, nearest + reach, limit);
   }
   if (high < -half_ || low > half_) return interval;
   interval.low = std::max(0.0, share_of(low));

@@ -41,7 +41,7 @@ class ArcSector {
   double half_slope(const Local& at, double angle) const;
   double half_bend(const Local& at, double angle) const;
   double nearest_angle(const Local& at) const;
-  double edge(const Local& at, double inside, double outside, double radius_square) const;
+  double edge(const Local& at, double inside, double outside, double guess, double radius_square) const;
   double angle_of(double share) const { return (2 * share - 1) * half_; }
   double share_of(double angle) const { return angle / (2 * half_) + 0.5; }
 
