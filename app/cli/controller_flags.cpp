@@ -45,10 +45,11 @@ Result<PredictOptions> ControllerFlags::options() const {
   const auto check = [](const char* flag, double value, double most, const char* remedy,
                         bool may_be_0) -> Result<void> {
     if ((value > 0 || (may_be_0 && value == 0)) && value <= most) return {};
-    return tl::unexpected(usage_error("bad-flag",
-                                      fmt::format("{} is {}, but it must be {} and at most {}", flag, toolpace::to_text(value),
-                                                  may_be_0 ? "at least 0" : "above 0", toolpace::to_text(most)),
-                                      remedy));
+    return tl::unexpected(
+        usage_error("bad-flag",
+                    fmt::format("{} is {}, but it must be {} and at most {}", flag, toolpace::to_text(value),
+                                may_be_0 ? "at least 0" : "above 0", toolpace::to_text(most)),
+                    remedy));
   };
   if (baud) {
     if (auto fine = check("--baud", *baud, kMostBaud, "leave it out where blocks are always there", false); !fine)

@@ -1,5 +1,7 @@
 #include "series_programs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -86,10 +88,14 @@ Result<std::vector<std::string>> programs_of(const SeriesFlags& flags) {
     std::for_each(inside->begin(), inside->end(), take);
   }
   if (programs.empty()) {
-    return tl::unexpected(
-        usage_error("series-empty", "there is no program in what was named",
-                    "of folders NC programs are taken by their endings (.ngc, .nc, .tap …), not those of "
-                    "folders within; --programs takes any list"));
+    const std::string where = named.empty() ? flags.list : named.front();
+    return tl::unexpected(Error{ErrorKind::io,
+                                "series-empty",
+                                fmt::format("{} names no program", where),
+                                "of folders NC programs are taken by their endings (.ngc, .nc, .tap …), not those of "
+                                "folders within; --programs takes any list",
+                                {where, 0, 0},
+                                {}});
   }
   return programs;
 }

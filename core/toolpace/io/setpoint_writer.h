@@ -19,8 +19,9 @@ struct SetpointFileOptions {
   const SetpointFormat* format = nullptr;  ///< null = by the name, see format_of()
   bool axis_derivatives = false;           ///< add v, a, j of each axis by differences (not in halstream)
   bool decimal_comma = false;              ///< semicolon only
-  std::optional<Chain> tip_of = {};        ///< add where that chain has the tip (setpoint_table.h), in formats that name their columns
-  std::string program_name = {};           ///< stands in the "meta" of .npz
+  std::optional<Chain> tip_of =
+      {};  ///< add where that chain has the tip (setpoint_table.h), in formats that name their columns
+  std::string program_name = {};  ///< stands in the "meta" of .npz
 };
 
 /// Takes setpoints in order and makes a file of them. The file appears at finish(), whole; a writer that dies before it

@@ -11,9 +11,9 @@
 namespace toolpace::detail::rewrite {
 namespace {
 
-constexpr double kReach = 0.25;          // of the length of a plain block: how far is looked for the direction
-constexpr double kSameDirection = 0.01;  // [rad] that a single line or arc may be off the curve's direction
-constexpr double kWorthSmooth = 0.5;     // of the rows that a block with corners stands for
+constexpr double kReach = 0.25;           // of the length of a plain block: how far is looked for the direction
+constexpr double kSameDirection = 0.01;   // [rad] that a single line or arc may be off the curve's direction
+constexpr double kWorthSmooth = 0.5;      // of the rows that a block with corners stands for
 constexpr std::size_t kLeastOfBiarc = 5;  // rows
 
 class SmoothFitter {

@@ -71,7 +71,7 @@ class Series(CommandLineTest):
         self.file("m.toml", "[path\n")
         self.expect_failure(self.run_toolpace("plan", "parts", "--machine", "m.toml", "--json"), BAD_USAGE, "m.toml:1")
         (self.folder / "empty").mkdir()
-        self.expect_failure(self.run_toolpace("plan", "empty", "--json"), BAD_USAGE, "no program")
+        self.expect_failure(self.run_toolpace("plan", "empty", "--json"), FILE_TROUBLE, "no program")
         self.expect_failure(self.run_toolpace("plan", "-", "parts", "--json"), BAD_USAGE, "standard input")
         self.expect_failure(self.run_toolpace("plan", "parts", "--results", "-"), BAD_USAGE, "no regular file")
 

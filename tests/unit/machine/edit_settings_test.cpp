@@ -161,7 +161,8 @@ TEST(EditSettings, EveryParameterOfTheFilesThatWereMeasuredCanBeRaisedAndPutBack
 // [RS274NGC] RS274NGC_STARTUP_CODE is a line of codes; of it the number behind the P of G64 is a setting.
 TEST(EditSettings, TheToleranceOfG64ChangesWithinTheStartupCode) {
   const auto code = [](const std::string& codes) {
-    return "[TRAJ]\nMAX_LINEAR_VELOCITY = 50\n[RS274NGC]\nRS274NGC_STARTUP_CODE = " + codes + "\n";
+    return "[TRAJ]\nMAX_LINEAR_VELOCITY = 50\n[AXIS_X]\nMAX_VELOCITY = 50\n[RS274NGC]\nRS274NGC_STARTUP_CODE = " +
+           codes + "\n";
   };
   const auto lnc = Controller::linuxcnc;
   EXPECT_EQ(edited(code("G21 G64 P0.010 G90"), lnc, "G64 P", 0.05), code("G21 G64 P0.050 G90"));
@@ -176,7 +177,9 @@ TEST(EditSettings, WithoutAToleranceOfG64ThereIsNoneToChange) {
   for (const char* codes :
        {"G21 G90", "G64", "G64 G10 L2 P1", "G64 P0.01 G61", "G64 P0.01 G61.1", "G64 P0.01 G64", "G61 ; G64 P0.01"}) {
     const std::string text =
-        std::string("[TRAJ]\nMAX_LINEAR_VELOCITY = 50\n[RS274NGC]\nRS274NGC_STARTUP_CODE = ") + codes + "\n";
+        std::string(
+            "[TRAJ]\nMAX_LINEAR_VELOCITY = 50\n[AXIS_X]\nMAX_VELOCITY = 50\n[RS274NGC]\nRS274NGC_STARTUP_CODE = ") +
+        codes + "\n";
     EXPECT_EQ(edited(text, Controller::linuxcnc, "G64 P", 0.02), "settings-unwritable") << codes;
   }
 }
